@@ -1,0 +1,1 @@
+"""Three-dimensional finite-element checks of the contacts that `qsbearing` takes from Hertz."""
