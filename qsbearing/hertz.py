@@ -184,9 +184,7 @@ def effective_modulus(
     elastic_modulus_1: float, poisson_ratio_1: float, elastic_modulus_2: float, poisson_ratio_2: float
 ) -> float:
     """E' = 2/[(1-nu1^2)/E1 + (1-nu2^2)/E2] [Pa] (Hamrock & Dowson, eq. 3): E/(1-nu^2) for equal materials."""
-    return 2.0 / (
-        (1.0 - poisson_ratio_1**2) / elastic_modulus_1 + (1.0 - poisson_ratio_2**2) / elastic_modulus_2
-    )
+    return 2.0 / ((1.0 - poisson_ratio_1**2) / elastic_modulus_1 + (1.0 - poisson_ratio_2**2) / elastic_modulus_2)
 
 
 def point_contact(
