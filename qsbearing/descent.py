@@ -98,7 +98,7 @@ def convex_pass(
     floor: float,
     at_rest: bool,
 ) -> tuple[float, float]:
-    """Evaluate the convex problem, leaving its condensed system in the workspace: (largest imbalance, largest force)."""
+    """Evaluate the convex problem: (largest imbalance, largest force); its condensed system is in the workspace."""
     clear(w, channels)
     worst, scale, contact = 0.0, applied_load(case), 0.0
     for n in range(balls):

@@ -114,7 +114,7 @@ def _unstated_tilts(operation: Operation) -> list[Fault]:
                     f"operation.{channel.load}",
                     f"missing: with {field} the tilt that answers it must be stated, for the two give very different "
                     "bearings",
-                    cause=f"Free to tilt: {channel.load} = 0. Held straight by a stiff shaft: {channel.displacement} = 0",
+                    cause=f"Free to tilt: {channel.load} = 0. Held by a stiff shaft: {channel.displacement} = 0",
                 )
             )
     return faults

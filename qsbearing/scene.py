@@ -107,7 +107,7 @@ def scene_faults(scene: Scene) -> list[Fault]:
             faults.append(
                 Fault(
                     field_name,
-                    f"dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing (at most {SPEED_PARAMETER_MAX:g})",
+                    f"dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing ({SPEED_PARAMETER_MAX:g})",
                     value=float(value.flat[worst]),
                     cause=cause,
                 )

@@ -66,7 +66,7 @@ def solve(
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     began = time.perf_counter()
     maker = CaseMaker(scene)
-    count, balls = maker.count, maker.ball_axis
+    count = maker.count
     ring, position, control = _state(start, maker)
     load, residual = np.empty((count, 5)), np.empty(count)
     codes, notes = np.empty(count, np.int8), np.empty(count, np.int8)
