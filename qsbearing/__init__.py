@@ -1,3 +1,114 @@
-"""qsbearing: the quasi-static (Jones-Harris) model of angular-contact ball bearings."""
+"""qsbearing: the quasi-static (Jones-Harris) model of angular-contact ball bearings.
+
+    import qsbearing as qs
+    solution = qs.solve(qs.load_scene("b218"))
+    solution.inner.angle / qs.deg
+
+SI units and radians everywhere: `22.225 * qs.mm`, `10_000 * qs.rpm`, `40 * qs.deg`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from qsbearing.bearing import BallBearing, BearingKind
+    from qsbearing.effects import CentrifugalForce, GyroscopicMoment, MomentShares
+    from qsbearing.faults import Fault, SceneError
+    from qsbearing.hertz import HertzForm, PointContact, point_contact, subsurface_shear
+    from qsbearing.material import SILICON_NITRIDE, STEEL, Material
+    from qsbearing.operation import Operation
+    from qsbearing.raceway_control import RacewayControl
+    from qsbearing.scene import HertzAngle, Scene, TiltLever
+    from qsbearing.solution import RacewayContacts, Solution, Status, stiffness
+    from qsbearing.solve import solve
+
+# Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
+_HOME = {
+    "BallBearing": "bearing",
+    "BearingKind": "bearing",
+    "CentrifugalForce": "effects",
+    "Fault": "faults",
+    "GyroscopicMoment": "effects",
+    "HertzAngle": "scene",
+    "HertzForm": "hertz",
+    "Material": "material",
+    "MomentShares": "effects",
+    "Operation": "operation",
+    "PointContact": "hertz",
+    "RacewayContacts": "solution",
+    "RacewayControl": "raceway_control",
+    "SILICON_NITRIDE": "material",
+    "STEEL": "material",
+    "Scene": "scene",
+    "SceneError": "faults",
+    "Solution": "solution",
+    "Status": "solution",
+    "TiltLever": "scene",
+    "point_contact": "hertz",
+    "solve": "solve",
+    "stiffness": "solution",
+    "subsurface_shear": "hertz",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module 'qsbearing' has no attribute {name!r}")
+    from importlib import import_module
+
+    value = getattr(import_module(f"qsbearing.{_HOME[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOME})
+
+
+__all__ = [
+    "SILICON_NITRIDE",
+    "STEEL",
+    "BallBearing",
+    "BearingKind",
+    "CentrifugalForce",
+    "Fault",
+    "GPa",
+    "GyroscopicMoment",
+    "HertzAngle",
+    "HertzForm",
+    "MPa",
+    "Material",
+    "MomentShares",
+    "N",
+    "Nm",
+    "Nmm",
+    "Operation",
+    "Pa",
+    "PointContact",
+    "RacewayContacts",
+    "RacewayControl",
+    "Scene",
+    "SceneError",
+    "Solution",
+    "Status",
+    "TiltLever",
+    "deg",
+    "kN",
+    "kg",
+    "kg_m3",
+    "m",
+    "mm",
+    "mrad",
+    "point_contact",
+    "rad",
+    "rpm",
+    "solve",
+    "stiffness",
+    "subsurface_shear",
+    "um",
+]

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import pairwise
 from math import exp, log, pi, sqrt
 
 from qsbearing.compiled import entry, kernel
@@ -184,9 +185,7 @@ def effective_modulus(
     elastic_modulus_1: float, poisson_ratio_1: float, elastic_modulus_2: float, poisson_ratio_2: float
 ) -> float:
     """E' = 2/[(1-nu1^2)/E1 + (1-nu2^2)/E2] [Pa] (Hamrock & Dowson, eq. 3): E/(1-nu^2) for equal materials."""
-    return 2.0 / (
-        (1.0 - poisson_ratio_1**2) / elastic_modulus_1 + (1.0 - poisson_ratio_2**2) / elastic_modulus_2
-    )
+    return 2.0 / ((1.0 - poisson_ratio_1**2) / elastic_modulus_1 + (1.0 - poisson_ratio_2**2) / elastic_modulus_2)
 
 
 def point_contact(
@@ -259,10 +258,7 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
 
     def integral(density, z: float) -> float:  # type: ignore[no-untyped-def]
         parts = [z, z + b, z + a + b, float("inf")]  # split where the integrand changes its slope
-        return sum(
-            quad(density, low, high, epsabs=0.0, epsrel=1e-11, limit=200)[0]
-            for low, high in zip(parts[:-1], parts[1:], strict=True)
-        )
+        return sum(quad(density, low, high, epsabs=0.0, epsrel=1e-11, limit=200)[0] for low, high in pairwise(parts))
 
     def stresses(z: float) -> tuple[float, float, float]:
         # psi = int p/R dA and chi, d chi/dz = psi, both over 2 pi; on the axis, with s = t^2 in the potential of an

@@ -17,7 +17,7 @@ deg = pi / 180.0
 rpm = 2.0 * pi / 60.0
 
 N = 1.0
-kN = 1e3
+kN = 1e3  # noqa: N816
 Nm = 1.0
 Nmm = 1e-3
 

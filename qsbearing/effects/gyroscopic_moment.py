@@ -1,0 +1,70 @@
+"""Gyroscopic moment of the balls, carried by friction at the contacts.
+
+Source        Jones 1960; Harris & Kotzalas; Wang et al. (19.12)
+Equation      Mg = J omega_R omega_m sin(beta), J = m D^2/10 (missing in the source). omega_R is signed: the ball
+              rolls backwards, Mg is negative, and only then do (19.9) and (19.10) hold as printed. Each raceway
+              carries its share lambda_i, lambda_o of the friction force 2 Mg/D: T = lambda Mg/D along the contact.
+Assumes       no gyroscopic slip: friction can carry the force. What it would take, mu = lambda |Mg|/(D Q), is part
+              of every result; above what the contact offers (0.06 to 0.1 is typical) the ball slips
+When not      at rest or in radial-only contact (sin(beta) = 0) there is none; with slip the hypothesis fails
+Parameters    moment_shares: which raceway carries the friction
+Example       GyroscopicMoment(MomentShares.HARRIS)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import ClassVar
+
+from qsbearing.compiled import kernel
+
+
+class MomentShares(StrEnum):
+    """How the raceways share the gyroscopic moment, as (lambda_i, lambda_o)."""
+
+    CONTROLLING = "controlling"
+    """All on the controlling raceway: (0, 2) under outer control, (2, 0) under inner control."""
+    HARRIS = "harris"
+    """(0, 2) under outer control, (1, 1) otherwise."""
+
+
+SHARES_CODES = {shares: code for code, shares in enumerate(MomentShares)}
+_HARRIS = 1
+
+
+@dataclass(frozen=True)
+class GyroscopicMoment:
+    """Ask for the gyroscopic moment of the balls."""
+
+    moment_shares: MomentShares = MomentShares.CONTROLLING
+    name: ClassVar[str] = "gyroscopic_moment"
+
+
+@kernel
+def moment_shares(convention: int, inner_control: bool) -> tuple[float, float]:
+    """(lambda_i, lambda_o)."""
+    if not inner_control:
+        return 0.0, 2.0
+    return (1.0, 1.0) if convention == _HARRIS else (2.0, 0.0)
+
+
+@kernel
+def gyroscopic_moment(
+    inertia: float,
+    orbit: tuple[float, float, float],
+    rotation: tuple[float, float, float],
+    axis: tuple[float, ...],
+) -> tuple[float, float, float]:
+    """Mg and its derivatives by ai and ao; rotation is omega_R/|(p, q)|, axis (p, q, p_i, q_i, p_o, q_o)."""
+    speed, speed_i, speed_o = orbit
+    per_length, per_length_i, per_length_o = rotation
+    p, _, p_i, _, p_o, _ = axis
+    across = per_length * p  # omega_R sin(beta)
+    across_i = per_length_i * p + per_length * p_i
+    across_o = per_length_o * p + per_length * p_o
+    return (
+        inertia * across * speed,
+        inertia * (across_i * speed + across * speed_i),
+        inertia * (across_o * speed + across * speed_o),
+    )

@@ -1,0 +1,58 @@
+"""Motion of a ball between its raceways: orbit and rotation, from the contact angles and the attitude of its axis.
+
+Either ring may turn, at omega_i and omega_o about +x. In the frame that goes round with the ball's centre at
+omega_m, the ball turns at omega_R about an axis in its own plane, inclined at beta; (p, q) is any vector along that
+axis, tan(beta) = p/q, which raceway control supplies. No slip at the centre of both contacts (Jones 1960; the source
+omits the derivation), g = D/dm, Delta = omega_i - omega_o:
+
+    outer   (omega_o - omega_m) a =  omega_R g (q cos ao + p sin ao)/|(p, q)|        a = 1 + g cos ao
+    inner   (omega_i - omega_m) b = -omega_R g (q cos ai + p sin ai)/|(p, q)|        b = 1 - g cos ai
+
+hence, with u = q cos ao + p sin ao, v = q cos ai + p sin ai and S = a v + b u,
+
+    omega_m = (omega_i b u + omega_o a v)/S          omega_R = -Delta |(p, q)| a b/(g S)
+
+so a ball under a turning inner ring rolls backwards: omega_R < 0. Only p and q themselves enter, never their
+quotient: the attitude may pass through 90 degrees.
+"""
+
+from __future__ import annotations
+
+from qsbearing.compiled import kernel
+
+
+@kernel
+def rolling_terms(
+    g: float, si: float, ci: float, so: float, co: float, axis: tuple[float, ...]
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """(a v, b u, then their derivatives by ai and by ao, then a b and its two derivatives, and S)."""
+    p, q, p_i, q_i, p_o, q_o = axis
+    a, a_o = 1.0 + g * co, -g * so
+    b, b_i = 1.0 - g * ci, g * si
+    u, u_i, u_o = q * co + p * so, q_i * co + p_i * so, q_o * co + p_o * so - q * so + p * co
+    v, v_i, v_o = q * ci + p * si, q_i * ci + p_i * si - q * si + p * ci, q_o * ci + p_o * si
+    av, av_i, av_o = a * v, a * v_i, a_o * v + a * v_o
+    bu, bu_i, bu_o = b * u, b_i * u + b * u_i, b * u_o
+    return av, av_i, av_o, bu, bu_i, bu_o, a * b, a * b_i, a_o * b, av + bu
+
+
+@kernel
+def orbital_speed(terms: tuple[float, ...], inner_speed: float, outer_speed: float) -> tuple[float, float, float]:
+    """omega_m, the speed of the ball's centre about the bearing axis, and its derivatives by ai and ao."""
+    av, av_i, av_o, bu, bu_i, bu_o, _, _, _, S = terms
+    inverse = 1.0 / S
+    speed = (inner_speed * bu + outer_speed * av) * inverse
+    by_inner = (inner_speed * bu_i + outer_speed * av_i - speed * (av_i + bu_i)) * inverse
+    by_outer = (inner_speed * bu_o + outer_speed * av_o - speed * (av_o + bu_o)) * inverse
+    return speed, by_inner, by_outer
+
+
+@kernel
+def rotation_per_axis_length(
+    terms: tuple[float, ...], g: float, inner_speed: float, outer_speed: float
+) -> tuple[float, float, float]:
+    """omega_R/|(p, q)| and its derivatives by ai and ao; times p it is omega_R sin(beta)."""
+    _, av_i, av_o, _, bu_i, bu_o, ab, ab_i, ab_o, S = terms
+    factor = -(inner_speed - outer_speed) / (g * S)
+    value = factor * ab
+    return value, factor * ab_i - value * (av_i + bu_i) / S, factor * ab_o - value * (av_o + bu_o) / S

@@ -1,0 +1,144 @@
+"""What is read off a solved case, computed when it is asked for: contacts, ball motion, and the exact stiffness."""
+
+from __future__ import annotations
+
+from math import atan2, nan, pi
+
+from numpy import ndarray
+
+from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
+from qsbearing.compiled import entry, kernel
+from qsbearing.contact import contact_load, direction
+from qsbearing.effects.gyroscopic_moment import moment_shares
+from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
+from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.raceway_control import INNER, rotation_axis
+from qsbearing.ring import add_ball, clear, inner_groove_centre, make_workspace, place_balls
+from qsbearing.solver import CONVERGED, is_moving
+
+ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
+CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
+
+
+@kernel
+def floats_free(case: ndarray, inner_approach: float, outer_approach: float) -> bool:
+    """Whether a ball at rest touches neither raceway, so that it has no defined place."""
+    return not is_moving(case) and inner_approach <= 0.0
+
+
+@kernel
+def read_ball(case: ndarray, control: int, a1: float, a2: float, u1: float, u2: float, side: int, what: int) -> float:
+    """One quantity of one ball, in the case's units; side -1 inner, +1 outer raceway."""
+    s, c = case.sin_free, case.cos_free
+    delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
+    delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    if what >= CENTRIFUGAL_FORCE:
+        return read_motion(case, control, si, ci, so, co, what)
+    delta, n1, n2 = (delta_i, si, ci) if side < 0 else (delta_o, so, co)
+    stiffness, _ = groove_stiffness(case, side, n1, n2)
+    load, _ = contact_load(stiffness, delta)
+    free = floats_free(case, delta_i, delta_o)
+    if what == LOAD:
+        return 0.0 if free else load
+    if free and (what == ANGLE or what == APPROACH):
+        return nan
+    if what == ANGLE:
+        return atan2(n1, n2)
+    if what == APPROACH:
+        return delta
+    if what == REQUIRED_FRICTION:
+        _, _, _, mg, _, _ = inertia(case, control, si, ci, so, co)
+        share_i, share_o = moment_shares(case.shares, control == INNER)
+        friction = abs((share_i if side < 0 else share_o) * mg)
+        if friction == 0.0:
+            return 0.0
+        return friction / load if load > 0.0 else nan
+    if free or load <= 0.0:
+        return 0.0
+    cosine = n2 if case.actual_angle else c
+    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
+    a, b, _, _ = ellipse_constants(
+        case.form,
+        rolling_curvature(1.0, case.pitch_diameter, cosine, side),
+        transverse_curvature(1.0, coefficient),
+        1.0,
+    )
+    size = load ** (1.0 / 3.0)
+    if what == SEMI_MAJOR_AXIS:
+        return a * size
+    if what == SEMI_MINOR_AXIS:
+        return b * size
+    return 1.5 * size / (pi * a * b)
+
+
+@kernel
+def read_motion(case: ndarray, control: int, si: float, ci: float, so: float, co: float, what: int) -> float:
+    """Inertia loads and speeds of one ball."""
+    if what == CENTRIFUGAL_FORCE:
+        return inertia(case, control, si, ci, so, co)[0]
+    if what == GYROSCOPIC_MOMENT:
+        return inertia(case, control, si, ci, so, co)[3]
+    g = 1.0 / case.pitch_diameter
+    axis = rotation_axis(control, g, si, ci, so, co)
+    terms = rolling_terms(g, si, ci, so, co, axis)
+    if what == ORBITAL_SPEED:
+        return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]
+    length = (axis[0] * axis[0] + axis[1] * axis[1]) ** 0.5
+    return rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)[0] * length
+
+
+@entry
+def read_cases(
+    cases: ndarray,
+    status: ndarray,
+    ring: ndarray,
+    position: ndarray,
+    control: ndarray,
+    side: int,
+    what: int,
+    out: ndarray,
+) -> None:
+    """Fill out (case, ball) with a quantity in the case's units; NaN for cases not solved and for missing balls."""
+    w = make_workspace(position.shape[1])
+    for k in range(cases.size):
+        case = cases[k]
+        place_balls(case, w)
+        for j in range(position.shape[1]):
+            if status[k] != CONVERGED or j >= case.ball_count:
+                out[k, j] = nan
+                continue
+            a1, a2 = inner_groove_centre(case, ring[k], w.cosine[j], w.sine[j])
+            out[k, j] = read_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], side, what)
+
+
+@entry
+def stiffness_of_cases(
+    cases: ndarray, status: ndarray, ring: ndarray, position: ndarray, control: ndarray, out: ndarray
+) -> None:
+    """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
+    w = make_workspace(position.shape[1])
+    for i in range(5):
+        w.channel[i] = i
+    for k in range(cases.size):
+        case = cases[k]
+        if status[k] != CONVERGED:
+            out[k] = nan
+            continue
+        place_balls(case, w)
+        clear(w, 5)
+        for j in range(case.ball_count):
+            a1, a2 = inner_groove_centre(case, ring[k], w.cosine[j], w.sine[j])
+            h = w.condensed[0]
+            if is_moving(case):
+                moving_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], 0.0, h)
+            else:
+                resting_ball(case, a1, a2, h)
+            add_ball(case, w, h, w.cosine[j], w.sine[j], 1.0, 5)
+        for p in range(5):
+            for q in range(5):
+                size = case.force
+                if p < 3:
+                    size /= case.length
+                if q >= 3:
+                    size *= case.length
+                out[k, p, q] = w.matrix[p, q] * size

@@ -1,0 +1,115 @@
+"""The scene: a bearing, its operation, and the effects and choices that it calls for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+
+from qsbearing.bearing import BallBearing
+from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
+from qsbearing.faults import MM, RPM, Fault, raise_if_any
+from qsbearing.hertz import HertzForm
+from qsbearing.operation import Operation
+from qsbearing.raceway_control import RacewayControl
+
+SPEED_PARAMETER_MAX = 1.0e7
+"""dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
+
+
+class HertzAngle(StrEnum):
+    """The contact angle at which a raceway's curvature in the rolling direction is taken."""
+
+    FREE = "free"
+    """The free contact angle: the contact stiffnesses are constants of the bearing."""
+    ACTUAL = "actual"
+    """Each contact's own angle: finer and dearer; it moves B218's angles by about 0.004 degrees."""
+    ZERO = "zero"
+    """Angle zero, as ISO/TS 16281 takes it."""
+
+
+class TiltLever(StrEnum):
+    """The radius at which a tilt moves the inner groove centres axially, and axial contact forces make moments."""
+
+    GROOVE_CENTRE = "groove_centre"
+    """Ri, the circle of inner groove centres: exact for a rigid rotation (19.3)."""
+    PITCH_CIRCLE = "pitch_circle"
+    """dm/2, as ISO/TS 16281 takes it."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """All that a solve needs. An effect that is not named here is not evaluated.
+
+    Raises:
+        SceneError: parts that do not fit together; all faults at once.
+    """
+
+    bearing: BallBearing
+    operation: Operation = field(default_factory=Operation)
+    ball_effects: tuple[BallEffect, ...] = ()
+    raceway_control: RacewayControl | None = None
+    """Needed by the ball effects, and by nothing else."""
+    hertz_angle: HertzAngle = HertzAngle.FREE
+    hertz_form: HertzForm = HertzForm.EXACT
+    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+
+    def __post_init__(self) -> None:
+        raise_if_any(scene_faults(self))
+
+    @property
+    def centrifugal_force(self) -> CentrifugalForce | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, CentrifugalForce)), None)
+
+    @property
+    def gyroscopic_moment(self) -> GyroscopicMoment | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+def scene_faults(scene: Scene) -> list[Fault]:
+    """Faults of the parts together; each part has checked itself."""
+    faults = []
+    names = [effect.name for effect in scene.ball_effects]
+    if len(set(names)) < len(names):
+        faults.append(Fault("ball_effects", "names an effect twice", value=names))
+    if names and scene.raceway_control is None:
+        faults.append(
+            Fault(
+                "raceway_control",
+                f"missing: {' and '.join(names)} need the balls' motion, which raceway control sets",
+                cause="State raceway_control: outer, inner or per_ball",
+            )
+        )
+    if scene.raceway_control is not None and not names:
+        faults.append(
+            Fault(
+                "raceway_control",
+                "is given, but no ball effect needs it",
+                value=str(scene.raceway_control),
+                cause="Leave it out, or ask for centrifugal_force or gyroscopic_moment",
+            )
+        )
+    pitch, speed, outer = np.broadcast_arrays(
+        np.asarray(scene.bearing.pitch_diameter, float),
+        np.asarray(scene.operation.speed, float),
+        np.asarray(0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed, float),
+    )
+    for field_name, value in (("operation.speed", speed), ("operation.outer_speed", outer)):
+        parameter = pitch / MM * np.abs(value) / RPM
+        if (parameter > SPEED_PARAMETER_MAX).any():
+            worst = parameter.argmax()
+            cause = ""
+            if parameter.flat[worst] * RPM <= SPEED_PARAMETER_MAX:
+                cause = "Given in revolutions per minute? Python takes radians per second: multiply by qs.rpm"
+            faults.append(
+                Fault(
+                    field_name,
+                    f"dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing ({SPEED_PARAMETER_MAX:g})",
+                    value=float(value.flat[worst]),
+                    cause=cause,
+                )
+            )
+    return faults

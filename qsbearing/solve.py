@@ -1,0 +1,131 @@
+"""`solve`: all cases of a scene, in threads; the one place where the parts meet."""
+
+from __future__ import annotations
+
+import os
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.case import CaseMaker
+from qsbearing.scene import Scene
+from qsbearing.solution import Solution
+from qsbearing.solver import solve_cases
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+THREADS_VARIABLE = "QSBEARING_THREADS"
+CHUNK = 1024
+"""Cases that one thread solves at a time: enough to hide Python, few enough to share out evenly."""
+
+TOLERANCE = 1e-12
+KEPT_RECORDS = 64
+"""Solutions of up to this many cases keep their case records; larger ones make them again where they are needed."""
+
+
+def thread_count(threads: int | None = None) -> int:
+    """Threads to use: the argument, else the environment variable QSBEARING_THREADS, else all cores.
+
+    Raises:
+        ValueError: not a positive whole number.
+    """
+    if threads is None:
+        named = os.environ.get(THREADS_VARIABLE)
+        if named is None:
+            return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        try:
+            threads = int(named)
+        except ValueError:
+            raise ValueError(f"{THREADS_VARIABLE} = {named!r}: must be a whole number of threads") from None
+    if threads < 1:
+        raise ValueError(f"threads = {threads}: at least one is needed")
+    return threads
+
+
+def solve(
+    scene: Scene, *, start: Solution | None = None, threads: int | None = None, tolerance: float = TOLERANCE
+) -> Solution:
+    """Solve every case of a scene.
+
+    Args:
+        scene: what to solve; its array fields broadcast to the case axes.
+        start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
+        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
+            it, 1e-10 is accepted and `Solution.residual` tells.
+
+    Returns:
+        Solution: raises nothing for a physical outcome; `status` and `message` say what happened, case by case.
+
+    Raises:
+        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
+    """
+    if not 0.0 < tolerance <= 0.1:
+        raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    began = time.perf_counter()
+    maker = CaseMaker(scene)
+    count = maker.count
+    ring, position, control = _state(start, maker)
+    load, residual = np.empty((count, 5)), np.empty(count)
+    codes, notes = np.empty(count, np.int8), np.empty(count, np.int8)
+    iterations = np.empty(count, np.int32)
+    cases: NDArray | None = None
+    workers = thread_count(threads)
+
+    def solve_stretch(begin: int, stop: int) -> NDArray:
+        records = maker.make(begin, stop)
+        part = slice(begin, stop)
+        solve_cases(
+            records,
+            tolerance,
+            start is not None,
+            ring[part],
+            position[part],
+            control[part],
+            load[part],
+            codes[part],
+            notes[part],
+            iterations[part],
+            residual[part],
+        )
+        return records
+
+    if count <= KEPT_RECORDS:
+        cases = solve_stretch(0, count)
+    else:
+        _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
+    seconds = time.perf_counter() - began
+    return Solution(maker, cases, ring, position, control, load, codes, notes, iterations, residual, seconds)
+
+
+def _in_threads(solve_stretch: Any, count: int, workers: int) -> None:
+    begins = range(0, count, CHUNK)
+    if workers == 1:
+        for begin in begins:
+            solve_stretch(begin, min(begin + CHUNK, count))
+        return
+    from concurrent.futures import ThreadPoolExecutor
+
+    solve_stretch(0, min(CHUNK, count))  # compiled or loaded once, not by every thread
+    with ThreadPoolExecutor(workers) as pool:
+        for done in [pool.submit(solve_stretch, begin, min(begin + CHUNK, count)) for begin in begins[1:]]:
+            done.result()
+
+
+def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:
+    """Ring, ball positions and controls to fill, holding the start where there is one."""
+    count, balls = maker.count, maker.ball_axis
+    if start is None:
+        return np.empty((count, 5)), np.empty((count, balls, 2)), np.zeros((count, balls), np.int8)
+    if start._maker.ball_axis != balls or start._maker.count not in (1, count):
+        raise ValueError(
+            f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"{balls}: a start must match, or be a single case with as many balls"
+        )
+    ring = np.empty((count, 5))
+    position, control = np.empty((count, balls, 2)), np.empty((count, balls), np.int8)
+    # A start that failed holds no place to continue from: its own cases start afresh from zero, which Newton rejects.
+    ring[:], position[:], control[:] = start._ring, start._position, start._control
+    return ring, position, control

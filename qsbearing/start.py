@@ -1,0 +1,125 @@
+"""Starting values: where ring and balls are likely to be, from closed forms.
+
+In the spirit of (19.16)-(19.17), where "ao" means the free angle: the contact angles at speed follow from a thrust
+balance of one ball,
+
+    cot ao = cot ai + Fc/q,     (Li + di) cos ai + (Lo + do) cos ao = BD cos a0,     d = (q/(K sin a))^(2/3),
+
+q being the axial load a ball. At rest ao = ai and the two relations are the usual ones of a thrust-loaded bearing.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from numpy import ndarray
+
+from qsbearing.ball import groove_stiffness, inertia, series_stiffness
+from qsbearing.compiled import kernel
+from qsbearing.contact import direction
+from qsbearing.ring import Workspace, inner_groove_centre
+
+# Balls thought unloaded at first are given this part of the load of the others: enough to have a direction.
+LEAST_SEAT = 1e-3
+
+
+@kernel
+def resting_thrust(case: ndarray, axial_load: float) -> float:
+    """Axial displacement of the ring at rest under pure thrust, to a few per cent."""
+    length = case.inner_coefficient + case.outer_coefficient - 1.0
+    q = abs(axial_load) / (case.ball_count * case.series_stiffness)
+    # Near a0 = 0 the angle is made by the load: sin a = sqrt(2 d/l), q = d^(3/2) sin a.
+    sine = max(case.sin_free, (q * sqrt(2.0 / length)) ** 0.25 * sqrt(sqrt(2.0 / length)))
+    approach = 0.0
+    for _ in range(4):
+        approach = (q / sine) ** (2.0 / 3.0)
+        cosine = case.cos_free * length / (length + approach)
+        sine = sqrt(max(1.0 - cosine * cosine, 1e-12))
+    size = (length + approach) * sine
+    return (size if axial_load >= 0.0 else -size) - length * case.sin_free
+
+
+@kernel
+def ring_at_rest(case: ndarray, ring: ndarray) -> None:
+    """First displacement of the ring at rest."""
+    for i in range(5):
+        ring[i] = case.prescribed[i] if case.is_held[i] else 0.0
+    length = case.inner_coefficient + case.outer_coefficient - 1.0
+    radial = 0.0
+    for i in range(1, 3):
+        if not case.is_held[i]:
+            radial += case.prescribed[i] * case.prescribed[i]
+    for i in range(3, 5):
+        if not case.is_held[i]:
+            moment = case.prescribed[i] / (0.5 * case.pitch_diameter)
+            radial += moment * moment
+    radial = sqrt(radial)
+    thrust = case.prescribed[0]
+    if not case.is_held[0] and (thrust != 0.0 or radial > 0.0):
+        # Without thrust the balls seat where the axial forces cancel, at angle zero.
+        ring[0] = resting_thrust(case, thrust) if thrust != 0.0 else -length * case.sin_free
+    gap = length * (1.0 - case.cos_free) if thrust == 0.0 and not case.is_held[0] else 0.0
+    if radial > 0.0:
+        # Stribeck's largest ball load, 4.37 Fr/Z, if little else holds the ring.
+        size = gap + (4.37 * radial / (case.ball_count * case.series_stiffness)) ** (2.0 / 3.0)
+        for i in range(1, 3):
+            if not case.is_held[i]:
+                ring[i] = size * case.prescribed[i] / radial
+
+
+@kernel
+def seat_balls(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, is_moving: bool) -> None:
+    """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
+    s, c = case.sin_free, case.cos_free
+    length = case.inner_coefficient + case.outer_coefficient - 1.0
+    outer_length = case.outer_coefficient - 0.5
+    for n in range(balls):
+        j = w.ball[n]
+        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
+        approach, n1, n2, _ = direction(length, s, c, a1, a2)
+        if approach > 0.0:
+            outer, _ = groove_stiffness(case, 1, n1, n2)
+            series, _ = series_stiffness(case, n1, n2)
+            reach = approach * (series / outer) ** (2.0 / 3.0)
+        else:
+            reach = 0.5 * approach  # midway in the gap, for want of a place of its own
+            if is_moving:
+                # thrown outward: in the groove's bottom, pressed by its own centrifugal force
+                fc, _, _, _, _, _ = inertia(case, w.control[j], 0.0, 1.0, 0.0, 1.0)
+                depth = (fc / case.outer_stiffness) ** (2.0 / 3.0)
+                u1, u2 = -outer_length * s, outer_length * (1.0 - c) + depth
+                inner, _, _, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+                if inner < 0.0:
+                    n1, n2, reach = 0.0, 1.0, depth
+        position[j, 0] = outer_length * (n1 - s) + reach * n1
+        position[j, 1] = outer_length * (n2 - c) + reach * n2
+
+
+@kernel
+def moving_thrust(case: ndarray, control: int, axial_load: float) -> tuple[float, float, float]:
+    """Ring and ball under thrust at speed, without the gyroscopic moment: (axial displacement, u1, u2).
+
+    The two relations above, solved for t = cot ai with the elastic approaches and Fc brought up to date on the way.
+    """
+    s, c = case.sin_free, case.cos_free
+    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    radial = (li + lo) * c
+    q = max(axial_load, 0.0) / case.ball_count
+    ki, ko = case.inner_stiffness, case.outer_stiffness
+    si, ci, so, co = s, c, s, c
+    t = c / max(s, 0.05)
+    di, do = 0.0, 0.0
+    for _ in range(6):
+        fc, _, _, _, _, _ = inertia(case, control, si, ci, so, co)
+        ratio = fc / q
+        for _ in range(3):
+            ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
+            wi, wo = li + (q * ri / ki) ** (2.0 / 3.0), lo + (q * ro / ko) ** (2.0 / 3.0)
+            value = wi * t / ri + wo * (t + ratio) / ro - radial
+            slope = wi / ri**3 + wo / ro**3
+            t = max(t - value / slope, 0.02)
+        ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
+        si, ci, so, co = 1.0 / ri, t / ri, 1.0 / ro, (t + ratio) / ro
+        di, do = (q * ri / ki) ** (2.0 / 3.0), (q * ro / ko) ** (2.0 / 3.0)
+    x1, x2 = (lo + do) * so, (lo + do) * co
+    return (li + di) * si + x1 - (li + lo) * s, x1 - lo * s, x2 - lo * c

@@ -1,0 +1,1 @@
+"""An independent high-precision reference for quasi-static ball-bearing models."""
