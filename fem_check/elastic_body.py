@@ -53,7 +53,7 @@ class Support(StrEnum):
     """Its deepest face slides on a plane, the sides are free: half a ball between two opposite contacts."""
 
 
-class _Field:
+class Field:
     """20-node displacement field on a mesh: numbering and positions of its nodes."""
 
     def __init__(self, mesh: MeshHex) -> None:
@@ -90,7 +90,7 @@ def element_matrices(gradients: Array, volumes: Array, poisson_ratio: float) -> 
     return matrix.reshape(count, 3 * shapes, 3 * shapes)
 
 
-def stiffness(field: _Field, poisson_ratio: float, progress: Progress = silent) -> sp.csr_matrix:
+def stiffness(field: Field, poisson_ratio: float, progress: Progress = silent) -> sp.csr_matrix:
     """The body's stiffness matrix, assembled chunk by chunk."""
     size = 3 * field.count
     total = sp.csr_matrix((size, size))
@@ -150,9 +150,9 @@ def condense(
         slope: the contact surface's slopes dz/dx, dz/dy at (x, y), z into the body; None: flat.
         progress: told how far it is.
     """
-    reference = _Field(brick).nodes
+    reference = Field(brick).nodes
     body = brick if shape is None else MeshHex(shape(brick.p), brick.t, _boundaries=brick.boundaries, sort_t=False)
-    field = _Field(body)
+    field = Field(body)
     matrix = stiffness(field, poisson_ratio, progress)
 
     high = reference.max(axis=1)
@@ -231,7 +231,7 @@ class _Inside:
     poisson_ratio: float
 
     @classmethod
-    def near_centre(cls, field: _Field, hats: PressureHats, poisson_ratio: float) -> _Inside:
+    def near_centre(cls, field: Field, hats: PressureHats, poisson_ratio: float) -> _Inside:
         centres = field.mesh.p[:, field.mesh.t].mean(axis=1)
         # The first two columns of elements beside each symmetry plane at least: the fit on the axis needs four points
         # each way, and the map of the plane x = 0 its nearest ones.
@@ -254,7 +254,7 @@ class _Inside:
         return np.concatenate([normal, second * sheared[None]]).reshape(4, -1, displacement.shape[1])
 
 
-def _contact_loads(field: _Field, hats: PressureHats, slope: Slope | None) -> sp.csr_matrix:
+def _contact_loads(field: Field, hats: PressureHats, slope: Slope | None) -> sp.csr_matrix:
     """Nodal forces of each hat of unit pressure, shape (dof, hat).
 
     Pressure acts along the inward normal: on the piece of surface over dx dy that is p (-dz/dx, -dz/dy, 1) dx dy.

@@ -86,3 +86,8 @@ def largest_shear(ellipticity: float, poisson_ratio: float) -> tuple[float, floa
 
     found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-8})
     return -float(found.fun), float(found.x)
+
+
+def curvature_ratio(ratio: float) -> float:
+    """curvature_x/curvature_y that gives an ellipse of the given b/a: the inverse of `axis_ratio`."""
+    return float(elliprd(0.0, ratio * ratio, 1.0) / elliprd(0.0, 1.0, ratio * ratio))

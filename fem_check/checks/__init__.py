@@ -1,0 +1,33 @@
+"""The checks, one question a file. A new one: a new file that states question, reference and tolerance; a line here."""
+
+from fem_check.checks import (
+    ball_in_inner_groove,
+    ball_in_outer_groove,
+    body_size,
+    convergence_order,
+    hertz_formula,
+    hybrid_contact,
+    load_power_law,
+    other_contacts,
+    patch_test,
+    sphere_on_plane,
+)
+
+ALL = {
+    check.name: check
+    for check in (
+        patch_test.CHECK,
+        sphere_on_plane.CHECK,
+        ball_in_inner_groove.CHECK,
+        ball_in_outer_groove.CHECK,
+        hybrid_contact.CHECK,
+        other_contacts.CHECK,
+        load_power_law.CHECK,
+        body_size.CHECK,
+        convergence_order.CHECK,
+        hertz_formula.CHECK,
+    )
+}
+"""Every check by name, in the order of the report."""
+
+__all__ = ["ALL"]

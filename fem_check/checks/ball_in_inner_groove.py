@@ -1,0 +1,16 @@
+"""Does the finite-element contact of B218's ball and inner groove, as half-spaces, agree with Hertz at real loads?"""
+
+from functools import partial
+
+from fem_check.agreement import Check, Kind
+from fem_check.checks import groove_contacts
+
+CHECK = Check(
+    name="ball_in_inner_groove",
+    question="B218, inner raceway, half-spaces: does the finite-element contact give Hertz's, at the loads of real operation?",
+    kind=Kind.VERIFICATION,
+    reference="Hertz in closed form, exact for this idealised problem",
+    tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",
+    run=partial(groove_contacts.run, "inner"),
+    largest_dofs=groove_contacts.largest_dofs,
+)

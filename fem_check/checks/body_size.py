@@ -1,0 +1,116 @@
+"""Is the far field right, or only put in? Clamped boxes of growing size must tend to it without being told."""
+
+from __future__ import annotations
+
+
+import numpy as np
+
+from fem_check import contact, elastic_body, meshing, references
+from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.checks import groove_contacts
+from fem_check.elastic_body import CondensedBody, Support
+from fem_check.half_space_contact import stretched
+from fem_check.references import axis_ratio, hertz
+from fem_check.scenes import groove_contact
+
+SIZES = (8.0, 16.0, 32.0)
+"""Half-width and depth of the boxes, in semi-major axes."""
+ELEMENTS = {Level.QUICK: 4, Level.RELEASE: 6}
+LOAD = 1000.0
+TOLERANCE = 0.5
+
+
+def recipe(elements: int, size: float, ellipticity: float) -> meshing.Recipe:
+    """A cube of `size` semi-major axes round a contact's quarter; lengths in semi-axes, z in the minor one."""
+    near = meshing.half_space(elements)
+    first = 1.0 / elements
+    inner = near.x[0]
+    along = meshing.growing(size - inner.length, first, meshing.SIDE_GROWTH)
+    across = meshing.growing(size * ellipticity - inner.length, first, meshing.SIDE_GROWTH)
+    fine = near.z[0]
+    deep = meshing.growing(size * ellipticity - fine.length, fine.length / fine.elements, meshing.DEPTH_GROWTH + 0.2)
+    return meshing.Recipe(
+        f"clamped_box_{elements:02d}_{size:g}_{ellipticity:g}", elements, (inner, along), (inner, across), (fine, deep)
+    )
+
+
+def run(level: Level, progress: Progress) -> Findings:
+    """Clamped boxes of 8, 16 and 32 semi-major axes and their limit, against the exact far field at 2.5 and Hertz."""
+    problem = groove_contact(groove_contacts.SCENE, "inner").problem(LOAD)
+    exact = hertz(problem)
+    ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 1)
+    elements = ELEMENTS[level]
+    approaches = []
+    body: CondensedBody | None = None
+    for size in (*SIZES, 0.0):
+        if size:
+            made, support = recipe(elements, size, ellipticity), Support.CLAMPED
+        else:
+            made, support = recipe(elements, SIZES[0], ellipticity), Support.HALF_SPACE
+        mesh = stretched(meshing.load(made), ellipticity, 1.0, 1.0)
+        hats = elastic_body.hats_of(mesh)
+        body = elastic_body.condense(mesh, hats, problem.race.poisson_ratio, support, progress=progress)
+        unit = contact.edge_positions(exact.semi_minor_axis, made.x[0].length / made.x[0].elements)
+        field = contact.solve(problem, hats, contact.total_flexibility(problem, body, body), unit)
+        approaches.append(float(field.approaches.mean()))
+    *clamped, open_far = approaches
+    assert body is not None
+    # A far load's displacement falls like 1/distance, and what the walls take back with it: the next term is 1/distance^3.
+    table = np.column_stack([np.ones(3), 1.0 / np.asarray(SIZES), 1.0 / np.asarray(SIZES) ** 3])
+    limit = float(np.linalg.solve(table, np.asarray(clamped))[0])
+    case = f"inner groove, Q = {LOAD:.0f} N"
+    rows = [
+        Row(
+            f"{case}: clamped at {size:g} semi-major axes",
+            "approach",
+            "m",
+            exact.approach,
+            references.HERTZ_SOURCE,
+            approach,
+            None,
+            None,
+            "a finding: what a finite box costs",
+        )
+        for size, approach in zip(SIZES, clamped, strict=True)
+    ]
+    rows.append(
+        Row(
+            f"{case}: clamped boxes extrapolated to infinity",
+            "approach",
+            "m",
+            open_far,
+            "the same mesh with Boussinesq's displacement of the contact pressure on its far faces",
+            limit,
+            None,
+            TOLERANCE,
+            "three boxes, each on its own mesh: the extrapolation multiplies their mesh differences by about two",
+        )
+    )
+    rows.append(
+        Row(
+            f"{case}: exact far field",
+            "approach",
+            "m",
+            exact.approach,
+            references.HERTZ_SOURCE,
+            open_far,
+            None,
+            0.3,
+            "as every contact at the quick level",
+        )
+    )
+    largest = recipe(elements, SIZES[-1], ellipticity)
+    entry = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
+    series = {"body_size": {"size": list(SIZES), "approach": clamped, "limit": limit, "far_field": open_far, "hertz": exact.approach}}
+    return Findings(rows, entry, body.solver, series)
+
+
+CHECK = Check(
+    name="body_size",
+    question="Do clamped boxes, growing, tend to the answer that the exact far field gives at once?",
+    kind=Kind.VERIFICATION,
+    reference="the limit of clamped boxes, which knows nothing of the far field",
+    tolerance="0.5 %",
+    run=run,
+    largest_dofs=lambda level: recipe(ELEMENTS[level], SIZES[-1], 8.2).dofs,
+)

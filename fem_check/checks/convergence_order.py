@@ -1,0 +1,81 @@
+"""Do the errors fall with the element as they should, on aligned and misaligned meshes, and does the estimate cover them?"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from fem_check import convergence, half_space_contact, references
+from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.checks import groove_contacts
+from fem_check.contact_problem import QUANTITIES
+from fem_check.half_space_contact import STRETCHES
+from fem_check.references import hertz
+from fem_check.scenes import groove_contact
+
+COUNTS = {Level.QUICK: (3, 4, 5, 6), Level.RELEASE: (4, 6, 8, 10, 14)}
+LEAST_ORDER = 1.5
+LOAD = 1000.0
+
+
+def run(level: Level, progress: Progress) -> Findings:
+    """Each mesh aligned and twice misaligned; the error is the root mean square over the three."""
+    problem = groove_contact(groove_contacts.SCENE, "inner").problem(LOAD)
+    exact = hertz(problem)
+    sizes: list[float] = []
+    errors: dict[str, list[float]] = {name: [] for name in QUANTITIES}
+    single: dict[str, list[float]] = {name: [] for name in QUANTITIES}
+    for count in COUNTS[level]:
+        readings = []
+        for stretch in STRETCHES:
+            pair = half_space_contact.bodies(problem, count, stretch, progress=progress)
+            readings.append(half_space_contact.solve_on(problem, pair)[1])
+        sizes.append(pair.edge_element)
+        for name in QUANTITIES:
+            reference = getattr(exact, name)
+            means = np.array([getattr(reading.mean, name) for reading in readings]) / reference - 1.0
+            errors[name].append(float(np.sqrt(np.mean(means**2))))
+            all_positions = np.concatenate([reading.each[name] for reading in readings]) / reference - 1.0
+            single[name].append(float(np.abs(all_positions).max()))
+    rows = []
+    for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure"):
+        order = convergence.fitted_order(sizes, errors[name])
+        rows.append(
+            Row(
+                f"inner groove, {COUNTS[level][0]} to {COUNTS[level][-1]} elements per semi-axis",
+                f"shortfall of the order of {name}",
+                "1",
+                0.0,
+                f"theory: the pressure's root at the edge allows {LEAST_ORDER} or better; found {order:.2f}",
+                max(0.0, LEAST_ORDER - order),
+                None,
+                0.0,
+                "the order must not fall below what the edge allows; above it, it is the averaging's gift",
+            )
+        )
+    rows.append(
+        Row(
+            "finest mesh",
+            "largest error of any single position",
+            "1",
+            0.0,
+            references.HERTZ_SOURCE,
+            max(values[-1] for name, values in single.items() if name != "max_shear_depth"),
+            None,
+            None,
+            "a finding: what the mean over the positions takes out",
+        )
+    )
+    series = {"convergence": {"size": sizes, "rms_error": errors, "worst_single_position": single}}
+    entry = {"elements_per_semi_axis": COUNTS[level][-1], "dofs": pair.race.dofs, "file": pair.recipe.file_name}
+    return Findings(rows, entry, pair.race.solver, series)
+
+
+CHECK = Check(
+    name="convergence_order",
+    question="Do the errors fall with the element size at the order that theory allows?",
+    kind=Kind.VERIFICATION,
+    reference="theory: 3/2 or better for a pressure that ends like a square root",
+    tolerance="no shortfall of the order",
+    run=run,
+    largest_dofs=groove_contacts.largest_dofs,
+)

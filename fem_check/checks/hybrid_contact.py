@@ -1,0 +1,36 @@
+"""Does a contact of two unlike materials (ceramic ball, steel ring) give Hertz's?"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import qsbearing
+
+from fem_check import references
+from fem_check.agreement import Check, Findings, Kind, Level, Progress
+from fem_check.checks import groove_contacts
+from fem_check.contact_problem import ElasticConstants
+from fem_check.scenes import groove_contact
+
+LOAD = 1000.0
+
+
+def run(level: Level, progress: Progress) -> Findings:
+    """B218's inner groove with a ball of silicon nitride: two meshes, each with its own Poisson's ratio, one contact."""
+    ceramic = qsbearing.SILICON_NITRIDE
+    ball = ElasticConstants(float(ceramic.elastic_modulus), float(ceramic.poisson_ratio))
+    problem = replace(groove_contact(groove_contacts.SCENE, "inner"), ball=ball).problem(LOAD)
+    case = f"silicon nitride ball, inner groove: Q = {LOAD:.0f} N"
+    rows, found = groove_contacts.single(case, problem, level, progress, references.HERTZ_SOURCE)
+    return Findings(rows, groove_contacts.mesh_entry(found), found.pair.race.solver)
+
+
+CHECK = Check(
+    name="hybrid_contact",
+    question="Ceramic ball in a steel groove: are two unlike bodies put together rightly?",
+    kind=Kind.VERIFICATION,
+    reference="Hertz in closed form with 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2",
+    tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",
+    run=run,
+    largest_dofs=groove_contacts.largest_dofs,
+)

@@ -1,0 +1,123 @@
+"""Do approach and semi-axes grow with load as 2/3 and 1/3 of its logarithm, over two decades on one and the same mesh?"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from fem_check import contact, elastic_body, measuring, meshing, references
+from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.checks import groove_contacts
+from fem_check.contact_problem import QUANTITIES
+from fem_check.elastic_body import CondensedBody, Support
+from fem_check.half_space_contact import soundness_rows, stretched
+from fem_check.pressure_hats import PressureHats
+from fem_check.references import axis_ratio, hertz
+from fem_check.scenes import groove_contact
+
+LOADS = (50.0, 107.7, 232.1, 500.0, 1077.2, 2320.8, 5000.0)
+"""Two decades in even steps [N]."""
+SPAN = (LOADS[-1] / LOADS[0]) ** (1.0 / 3.0)
+"""Largest over smallest contact."""
+ELEMENTS = {Level.QUICK: 6, Level.RELEASE: 8}
+TOLERANCE = 0.2
+EXPONENT_TOLERANCE = 0.1
+EXPONENTS = {
+    "approach": 2.0 / 3.0,
+    "semi_major_axis": 1.0 / 3.0,
+    "semi_minor_axis": 1.0 / 3.0,
+    "max_pressure": 1.0 / 3.0,
+    "max_shear_stress": 1.0 / 3.0,
+    "max_shear_depth": 1.0 / 3.0,
+}
+
+
+def recipe(level: Level) -> meshing.Recipe:
+    """The one mesh."""
+    return meshing.load_series(ELEMENTS[level], round(SPAN, 6))
+
+
+@lru_cache(maxsize=1)
+def _body(level: Level, ellipticity: float, poisson_ratio: float) -> tuple[CondensedBody, PressureHats]:
+    mesh = stretched(meshing.load(recipe(level)), ellipticity, 1.0, 1.0)
+    hats = elastic_body.hats_of(mesh)
+    return elastic_body.condense(mesh, hats, poisson_ratio, Support.HALF_SPACE), hats
+
+
+def run(level: Level, progress: Progress) -> Findings:
+    """B218's inner groove: one factorisation for all loads, each contact at its own place in the mesh."""
+    groove = groove_contact(groove_contacts.SCENE, "inner")
+    problem = groove.problem(LOADS[0])
+    ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
+    body, hats = _body(level, ellipticity, problem.race.poisson_ratio)
+    progress("solving", 1.0)
+    # Elements grow by this from one to the next: the pattern of the mesh repeats, so the edge passes through one element.
+    growth = recipe(level).x[1].growth
+    smallest = hertz(problem).semi_minor_axis * growth
+    rows, found = [], []
+    for load in LOADS:
+        problem = groove.problem(load)
+        steps = (np.arange(contact.POSITIONS) + 0.5) / contact.POSITIONS - 0.5
+        field = contact.solve(
+            problem, hats, contact.total_flexibility(problem, body, body), smallest * growth ** (-steps)
+        )
+        measured = measuring.measure(field, body, body)
+        exact = hertz(problem)
+        found.append(measured.mean)
+        rows += [
+            Row(
+                f"Q = {load:g} N",
+                name,
+                unit,
+                getattr(exact, name),
+                references.HERTZ_SOURCE,
+                getattr(measured.mean, name),
+                100.0 * measured.position_uncertainty(name) / getattr(exact, name),
+                TOLERANCE if name != "max_shear_depth" else None,
+                "a gate set beforehand, for one mesh over two decades; the depth, flat at the maximum, is shown only",
+            )
+            for name, unit in QUANTITIES.items()
+        ]
+        rows += soundness_rows(f"Q = {load:g} N", [measured])
+    for name, expected in EXPONENTS.items():
+        values = [getattr(reading, name) for reading in found]
+        slope = float(np.polyfit(np.log(LOADS), np.log(values), 1)[0])
+        # Two ends each 0.2 % off the other way over two decades change the exponent by 0.004/ln(100) = 0.0009.
+        rows.append(
+            Row(
+                "50 to 5000 N",
+                f"exponent of {name}",
+                "1",
+                expected,
+                "Hertz: contacts of one shape are similar",
+                slope,
+                None,
+                EXPONENT_TOLERANCE if name != "max_shear_depth" else None,
+                "0.2 % at either end, the other way, over ln(100) would be 0.13 % and 0.26 %: half of the smaller",
+            )
+        )
+    entry = {
+        "elements_per_semi_axis": recipe(level).elements_per_semi_axis,
+        "dofs": body.dofs,
+        "file": recipe(level).file_name,
+    }
+    series = {
+        "load_series": {
+            "load_N": list(LOADS),
+            **{name: [getattr(reading, name) for reading in found] for name in QUANTITIES},
+            **{f"hertz_{name}": [getattr(hertz(groove.problem(load)), name) for load in LOADS] for name in QUANTITIES},
+        }
+    }
+    return Findings(rows, entry, body.solver, series)
+
+
+CHECK = Check(
+    name="load_power_law",
+    question="From 50 to 5000 N on one mesh: do approach and semi-axes follow Hertz's powers of the load?",
+    kind=Kind.VERIFICATION,
+    reference="Hertz: delta ~ Q^(2/3); a, b, p0, tau ~ Q^(1/3)",
+    tolerance="0.2 % at every load, 0.1 % on each exponent",
+    run=run,
+    largest_dofs=lambda level: recipe(level).dofs,
+)

@@ -1,0 +1,42 @@
+"""Does it hold for contacts that nothing here was tuned on: another bearing, a slender ellipse (k = 20)?"""
+
+from __future__ import annotations
+
+from fem_check import references
+from fem_check.agreement import Check, Findings, Kind, Level, Progress
+from fem_check.checks import groove_contacts
+from fem_check.contact_problem import ContactProblem, ElasticConstants
+from fem_check.scenes import groove_contact
+
+STEEL = ElasticConstants(elastic_modulus=208e9, poisson_ratio=0.3)
+SLENDER = 20.0
+OTHER_BEARING, OTHER_LOAD = "7210c", 250.0
+
+
+def slender_problem(ellipticity: float, load: float = 1000.0) -> ContactProblem:
+    """A steel contact with a/b as given and 10 mm of radius along its short axis."""
+    ratio = references.curvature_ratio(1.0 / ellipticity)
+    return ContactProblem(f"k = {ellipticity:g}", ratio / 10e-3, 1.0 / 10e-3, STEEL, STEEL, load)
+
+
+def run(level: Level, progress: Progress) -> Findings:
+    """Another bearing's outer groove, and an ellipse twenty times as long as wide."""
+    other = groove_contact(OTHER_BEARING, "outer").problem(OTHER_LOAD)
+    rows, found = groove_contacts.single(
+        f"{other.name} groove: Q = {OTHER_LOAD:.0f} N", other, level, progress, references.HERTZ_SOURCE
+    )
+    more, found = groove_contacts.single(
+        f"a/b = {SLENDER:g}: Q = 1000 N", slender_problem(SLENDER), level, progress, references.HERTZ_SOURCE
+    )
+    return Findings(rows + more, groove_contacts.mesh_entry(found), found.pair.race.solver)
+
+
+CHECK = Check(
+    name="other_contacts",
+    question="Does the agreement hold for contacts that the meshes were not tuned on?",
+    kind=Kind.VERIFICATION,
+    reference="Hertz in closed form",
+    tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",
+    run=run,
+    largest_dofs=groove_contacts.largest_dofs,
+)

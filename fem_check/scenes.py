@@ -1,0 +1,129 @@
+"""Contacts of real bearings, and the loads that the quasi-static model gives them: the way into `qsbearing`."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import qsbearing
+
+from fem_check.contact_problem import ElasticConstants
+from fem_check.groove import RACES, BallInGroove
+
+
+class SceneProblem(Exception):
+    """A scene gives no contact; the message says why."""
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """A pure thrust load at a speed: every ball carries the same."""
+
+    axial_load: float
+    """[N]"""
+    speed: float
+    """Of the inner ring [rad/s]."""
+
+    @property
+    def label(self) -> str:
+        """In the field's units."""
+        speed = f"{self.speed / qsbearing.rpm:.0f} rpm" if self.speed else "at rest"
+        return f"Fa = {self.axial_load:.0f} N, {speed}"
+
+
+OPERATING_POINTS = tuple(
+    OperatingPoint(load, speed * qsbearing.rpm) for load in (500.0, 2000.0, 17800.0, 44500.0) for speed in (0.0, 10000.0)
+)
+"""B218, light to heavy, at rest and at 10 000 rpm."""
+
+
+def load_scene(name: str) -> Any:
+    """A scene file or a built-in example."""
+    if hasattr(qsbearing, "load_scene"):
+        return qsbearing.load_scene(name)
+    return _scene_from_catalogue(name)
+
+
+def _scene_from_catalogue(name: str) -> Any:
+    """Stands in until `qsbearing.load_scene` is there: the [bearing] table of a file, with both ball effects."""
+    import tomllib
+    from pathlib import Path
+
+    from qsbearing.material import BY_NAME as materials
+
+    path = Path(name) if name.endswith(".toml") else Path(qsbearing.__file__).parent / "catalogue" / f"{name}.toml"
+    if not path.is_file():
+        raise ValueError(f"no such scene file or built-in example: {name}")
+    table = tomllib.loads(path.read_text())["bearing"]
+    bearing = qsbearing.BallBearing(
+        ball_count=table["ball_count"],
+        ball_diameter=table["ball_diameter_mm"] * qsbearing.mm,
+        pitch_diameter=table["pitch_diameter_mm"] * qsbearing.mm,
+        inner_groove_radius=table["inner_groove_radius_mm"] * qsbearing.mm,
+        outer_groove_radius=table["outer_groove_radius_mm"] * qsbearing.mm,
+        free_contact_angle=table["free_contact_angle_deg"] * qsbearing.deg,
+        ball_material=materials[table["ball_material"]],
+        ring_material=materials[table["ring_material"]],
+        name=path.stem.upper(),
+    )
+    return qsbearing.Scene(
+        bearing,
+        ball_effects=(qsbearing.CentrifugalForce(), qsbearing.GyroscopicMoment()),
+        raceway_control=qsbearing.RacewayControl.OUTER,
+    )
+
+
+def groove_contact(scene: str, race: str) -> BallInGroove:
+    """Ball and raceway of a scene, at the free contact angle.
+
+    Raises:
+        SceneProblem: unknown race, or a scene that does not describe one bearing.
+    """
+    if race not in RACES:
+        raise SceneProblem(f"race {race!r}: must be one of {', '.join(RACES)}")
+    try:
+        bearing = load_scene(scene).bearing
+    except (OSError, ValueError, KeyError) as problem:
+        raise SceneProblem(f"scene {scene}: {problem}") from problem
+
+    def number(value: Any, field: str) -> float:
+        array = np.asarray(value, dtype=float)
+        if array.size != 1:
+            raise SceneProblem(f"scene {scene}: {field} holds {array.size} values; one contact needs a single bearing")
+        return float(array.ravel()[0])
+
+    def constants(material: Any, field: str) -> ElasticConstants:
+        return ElasticConstants(
+            number(material.elastic_modulus, f"{field}.elastic_modulus"),
+            number(material.poisson_ratio, f"{field}.poisson_ratio"),
+        )
+
+    return BallInGroove(
+        name=bearing.name or scene,
+        race_name=race,
+        ball_diameter=number(bearing.ball_diameter, "ball_diameter"),
+        groove_radius=number(getattr(bearing, f"{race}_groove_radius"), f"{race}_groove_radius"),
+        pitch_diameter=number(bearing.pitch_diameter, "pitch_diameter"),
+        contact_angle=number(bearing.free_contact_angle, "free_contact_angle"),
+        ball=constants(bearing.ball_material, "ball_material"),
+        race=constants(bearing.ring_material, "ring_material"),
+    )
+
+
+@lru_cache(maxsize=8)
+def operating_loads(scene_name: str, race: str) -> tuple[tuple[str, float], ...]:
+    """Label and contact load [N] at every operating point, from the quasi-static model with both ball effects."""
+    scene = load_scene(scene_name)
+    found = []
+    for point in OPERATING_POINTS:
+        operation = qsbearing.Operation(speed=point.speed, axial_load=point.axial_load)
+        solution = qsbearing.solve(dataclasses.replace(scene, operation=operation))
+        contacts = solution.inner if race == "inner" else solution.outer
+        load = float(np.asarray(contacts.load).ravel()[0])
+        if not load > 0.0:
+            raise SceneProblem(f"{scene_name} at {point.label}: the model gives the {race} raceway no load")
+        found.append((point.label, load))
+    return tuple(found)
