@@ -141,7 +141,23 @@ def load_series(elements: int, span: float) -> Recipe:
     )
 
 
-COMMITTED = (half_space(4), half_space(6), half_space(8))
+def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
+    """A box of `size` semi-major axes each way round a contact's quarter; lengths in semi-axes, z in the minor one."""
+    near = half_space(elements)
+    inner, fine = near.x[0], near.z[0]
+    first = 1.0 / elements
+    along = growing(size - inner.length, first, SIDE_GROWTH)
+    across = growing(size * ellipticity - inner.length, first, SIDE_GROWTH)
+    deep = growing(size * ellipticity - fine.length, fine.length / fine.elements, DEPTH_GROWTH + 0.2)
+    name = f"clamped_box_{elements:02d}_{size:g}_{ellipticity:g}"
+    return Recipe(name, elements, (inner, along), (inner, across), (fine, deep))
+
+
+COMMITTED = (
+    *(half_space(elements) for elements in (3, 4, 5, 6)),
+    load_series(6, 4.641589),
+    *(clamped_box(4, size, 8.2) for size in (8.0, 16.0, 32.0)),
+)
 """The meshes of the quick level."""
 
 

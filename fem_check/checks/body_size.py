@@ -20,20 +20,6 @@ LOAD = 1000.0
 TOLERANCE = 0.5
 
 
-def recipe(elements: int, size: float, ellipticity: float) -> meshing.Recipe:
-    """A cube of `size` semi-major axes round a contact's quarter; lengths in semi-axes, z in the minor one."""
-    near = meshing.half_space(elements)
-    first = 1.0 / elements
-    inner = near.x[0]
-    along = meshing.growing(size - inner.length, first, meshing.SIDE_GROWTH)
-    across = meshing.growing(size * ellipticity - inner.length, first, meshing.SIDE_GROWTH)
-    fine = near.z[0]
-    deep = meshing.growing(size * ellipticity - fine.length, fine.length / fine.elements, meshing.DEPTH_GROWTH + 0.2)
-    return meshing.Recipe(
-        f"clamped_box_{elements:02d}_{size:g}_{ellipticity:g}", elements, (inner, along), (inner, across), (fine, deep)
-    )
-
-
 def run(level: Level, progress: Progress) -> Findings:
     """Clamped boxes of 8, 16 and 32 semi-major axes and their limit, against the exact far field at 2.5 and Hertz."""
     problem = groove_contact(groove_contacts.SCENE, "inner").problem(LOAD)
@@ -44,9 +30,9 @@ def run(level: Level, progress: Progress) -> Findings:
     body: CondensedBody | None = None
     for size in (*SIZES, 0.0):
         if size:
-            made, support = recipe(elements, size, ellipticity), Support.CLAMPED
+            made, support = meshing.clamped_box(elements, size, ellipticity), Support.CLAMPED
         else:
-            made, support = recipe(elements, SIZES[0], ellipticity), Support.HALF_SPACE
+            made, support = meshing.clamped_box(elements, SIZES[0], ellipticity), Support.HALF_SPACE
         mesh = stretched(meshing.load(made), ellipticity, 1.0, 1.0)
         hats = elastic_body.hats_of(mesh)
         body = elastic_body.condense(mesh, hats, problem.race.poisson_ratio, support, progress=progress)
@@ -99,7 +85,7 @@ def run(level: Level, progress: Progress) -> Findings:
             "as every contact at the quick level",
         )
     )
-    largest = recipe(elements, SIZES[-1], ellipticity)
+    largest = meshing.clamped_box(elements, SIZES[-1], ellipticity)
     entry = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
     series = {"body_size": {"size": list(SIZES), "approach": clamped, "limit": limit, "far_field": open_far, "hertz": exact.approach}}
     return Findings(rows, entry, body.solver, series)
@@ -112,5 +98,5 @@ CHECK = Check(
     reference="the limit of clamped boxes, which knows nothing of the far field",
     tolerance="0.5 %",
     run=run,
-    largest_dofs=lambda level: recipe(ELEMENTS[level], SIZES[-1], 8.2).dofs,
+    largest_dofs=lambda level: meshing.clamped_box(ELEMENTS[level], SIZES[-1], 8.2).dofs,
 )

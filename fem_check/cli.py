@@ -1,0 +1,213 @@
+"""`fem-check`: list, run, contact, report. It formats and calls; the checks compute."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NoReturn
+
+import click
+from rich.box import SIMPLE
+from rich.console import Console, Group
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.text import Text
+
+OUT_OF_TOLERANCE = 1
+BAD_INPUT = 2
+
+# The number that a quantity is shown with, and its unit.
+DISPLAY = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa")}
+
+
+def refuse(message: str) -> NoReturn:
+    """Say what is wrong, on stderr, and stop with the exit code for bad input."""
+    Console(stderr=True, soft_wrap=True, highlight=False, markup=False).print(f"fem-check: {message}")
+    sys.exit(BAD_INPUT)
+
+
+@contextmanager
+def progress_bar(quiet: bool) -> Iterator[Any]:
+    """A bar on stderr; hands out a function that makes a reporter for a named piece of work."""
+    console = Console(stderr=True)
+    bar = Progress(
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.fields[stage]}"),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+        disable=quiet or not console.is_terminal,
+    )
+    with bar:
+        tasks: dict[str, Any] = {}
+
+        def reporter(name: str) -> Any:
+            tasks[name] = bar.add_task(name, total=1.0, stage="")
+
+            def report(stage: str, part: float) -> None:
+                bar.update(tasks[name], completed=part, stage=stage)
+
+            return report
+
+        yield reporter
+
+
+@click.group()
+@click.version_option(package_name="qsbearing", prog_name="fem-check")
+def cli() -> None:
+    """Three-dimensional finite-element checks of the contacts that qsbearing takes from Hertz."""
+
+
+@cli.command("list")
+def list_checks() -> None:
+    """The checks: name, kind, question."""
+    checks = _load_checks()
+    table = Table(show_lines=False)
+    for heading in ("check", "kind", "question", "tolerance"):
+        table.add_column(heading, overflow="fold")
+    for check in checks.values():
+        table.add_row(check.name, str(check.kind), check.question, check.tolerance)
+    Console().print(table)
+
+
+@cli.command("run")
+@click.argument("names", nargs=-1, metavar="[CHECK ...]")
+@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option("--json", "as_json", is_flag=True, help="One record a line on stdout, and nothing else.")
+@click.option("--records", type=click.Path(path_type=Path), default=None, help="Where to keep the records.")
+def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path | None) -> None:
+    """Run checks (all by default), print the agreement and keep the records."""
+    _load_checks()
+    from fem_check import records_store, runner
+    from fem_check.agreement import Level
+
+    folder = records or records_store.FOLDER
+    failed = False
+    console = Console()
+    try:
+        chosen = runner.selected(names)
+        with progress_bar(as_json) as reporter:
+            for entry in runner.run(chosen, Level(level), folder, lambda check: reporter(check.name)):
+                failed |= entry["verdict"] != "pass"
+                if as_json:
+                    print(json.dumps(entry), flush=True)
+                else:
+                    console.print(agreement_table(entry))
+    except runner.BadInput as problem:
+        refuse(str(problem))
+    except OSError as problem:
+        refuse(f"the records in {folder} cannot be written: {problem}")
+    sys.exit(OUT_OF_TOLERANCE if failed else 0)
+
+
+@cli.command("contact")
+@click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
+@click.option("--race", required=True, help="inner or outer")
+@click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
+@click.option("--elements", default=6, show_default=True, type=int, help="Per semi-axis.")
+@click.option("--geometry", type=click.Choice(["parabolic", "true"]), default="parabolic", show_default=True)
+@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+def contact(scene: str, race: str, load: float, elements: int, geometry: str, as_json: bool) -> None:
+    """Solve one contact of a scene and hold it against Hertz."""
+    _load_checks()
+    from fem_check import memory, meshing, records_store, runner, single_contact
+    from fem_check.contact import ContactError
+    from fem_check.meshing import MeshError
+    from fem_check.scenes import SceneProblem, groove_contact
+
+    if not 0.0 < load < float("inf"):
+        refuse(f"--load-N {load:g}: a contact carries a positive load")
+    if elements < single_contact.LEAST_ELEMENTS:
+        refuse(f"--elements {elements}: at least {single_contact.LEAST_ELEMENTS} per semi-axis")
+    try:
+        groove = groove_contact(scene, race)
+        runner.refuse_too_large(meshing.half_space(elements).dofs, f"--elements {elements}")
+        memory.restart_peak()
+        with progress_bar(as_json) as reporter:
+            start, cpu = time.perf_counter(), time.process_time()
+            findings = single_contact.run(groove, load, elements, geometry, reporter("contact"))
+            seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
+    except (SceneProblem, MeshError, ContactError, runner.BadInput, ValueError) as problem:
+        refuse(str(problem))
+    entry = records_store.record(None, "contact", geometry, findings, seconds, cpu_seconds, memory.peak_MB())
+    if as_json:
+        print(json.dumps(entry))
+    else:
+        Console().print(agreement_table(entry))
+    sys.exit(OUT_OF_TOLERANCE if findings.verdict == "fail" else 0)
+
+
+@cli.command("report")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder of REPORT.md.")
+@click.option("--records", type=click.Path(path_type=Path), default=None, help="Where the records are.")
+def report(out: Path | None, records: Path | None) -> None:
+    """Build REPORT.md and its pictures from the records alone; runs nothing."""
+    _load_checks()
+    from fem_check import records_store
+    from fem_check.report import book
+
+    try:
+        path = book.write(records or records_store.FOLDER, out or records_store.FOLDER)
+    except (records_store.RecordError, OSError) as problem:
+        refuse(str(problem))
+    Console(soft_wrap=True).print(f"wrote {path}")
+
+
+def _load_checks() -> dict[str, Any]:
+    try:
+        from fem_check.checks import ALL
+    except ImportError as problem:
+        refuse(f"{problem}: the finite-element checks need `pip install qsbearing[fem]`")
+    return dict(ALL)
+
+
+def shown(value: float, unit: str) -> tuple[float, str]:
+    """A value in the unit that tables use."""
+    factor, name = DISPLAY.get(unit, (1.0, "" if unit == "1" else unit))
+    return value * factor, name
+
+
+def agreement_table(entry: dict[str, Any]) -> Group:
+    """A record as tables, one a case."""
+    style = {"pass": "green", "fail": "bold red"}
+    parts: list[Any] = [
+        Text.assemble(
+            (f"{entry['check']} ({entry['level']}): ", "bold"),
+            (entry["verdict"], style[entry["verdict"]]),
+            f"   {entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB, {entry['mesh'].get('dofs', 0)} unknowns, "
+            f"{entry['solver']}",
+        )
+    ]
+    for case in dict.fromkeys(row["case"] for row in entry["rows"]):
+        table = Table(title=case, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
+        table.add_column("", no_wrap=True)
+        for heading in ("reference", "found", "dev. %", "± %", "tol. %"):
+            table.add_column(heading, justify="right", no_wrap=True)
+        table.add_column("")
+        for row in entry["rows"]:
+            if row["case"] != case:
+                continue
+            reference, unit = shown(row["reference"], row["unit"])
+            found, _ = shown(row["found"], row["unit"])
+            table.add_row(
+                f"{row['quantity']} \\[{unit}]" if unit else row["quantity"],
+                f"{reference:.6g}",
+                f"{found:.6g}",
+                f"{row['deviation_percent']:+.2g}",
+                "" if row["uncertainty_percent"] is None else f"{row['uncertainty_percent']:.2g}",
+                "" if row["tolerance_percent"] is None else f"{row['tolerance_percent']:.2g}",
+                Text(row["verdict"], style=style.get(row["verdict"], "")),
+            )
+        parts.append(table)
+    return Group(*parts)
+
+
+def main() -> None:
+    """Entry point."""
+    cli()

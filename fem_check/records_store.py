@@ -1,0 +1,101 @@
+"""Records on disk: one JSON file per check and level, written whole or not at all."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from fem_check import meshing
+from fem_check.agreement import Check, Findings, Level
+
+FOLDER = Path(__file__).parent / "records"
+FIELDS = ("check", "level", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")
+
+
+class RecordError(Exception):
+    """Records cannot be read; the message says which and why."""
+
+
+def versions() -> dict[str, str]:
+    """Versions of what the numbers rest on."""
+    found = {}
+    for package in ("qsbearing", "numpy", "scipy", "scikit-fem", "meshio", "rslab", "pypardiso", "scikit-sparse"):
+        try:
+            found[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    gmsh = meshing.gmsh_version()
+    return found | ({"gmsh": gmsh} if gmsh else {})
+
+
+def record(
+    check: Check | None, name: str, level: str, findings: Findings, seconds: float, cpu_seconds: float, peak_memory_MB: float
+) -> dict[str, Any]:
+    """A check's findings as they are kept and printed.
+
+    The processor's time stands beside the clock's: on a machine that others use too, only it tells the work done.
+    """
+    entry: dict[str, Any] = {
+        "check": name,
+        "level": str(level),
+        "verdict": findings.verdict,
+        "seconds": round(seconds, 2),
+        "cpu_seconds": round(cpu_seconds, 2),
+        "peak_memory_MB": round(peak_memory_MB),
+        "mesh": findings.mesh,
+        "solver": findings.solver,
+        "versions": versions(),
+        "rows": [row.as_dict() for row in findings.rows],
+    }
+    if check is not None:
+        entry |= {
+            "question": check.question,
+            "kind": str(check.kind),
+            "reference": check.reference,
+            "tolerance": check.tolerance,
+        }
+    entry["notes"] = findings.notes
+    entry["pictures"] = findings.pictures
+    return entry
+
+
+def path_of(name: str, level: str, folder: Path = FOLDER) -> Path:
+    """Where a check's record is kept."""
+    return folder / str(level) / f"{name}.json"
+
+
+def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
+    """Keep a record: the file is replaced in one step, so an interrupted run leaves the earlier one whole."""
+    path = path_of(entry["check"], entry["level"], folder)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(entry, indent=1, allow_nan=False) + "\n"
+    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    try:
+        with os.fdopen(handle, "w") as file:
+            file.write(text)
+        Path(temporary).chmod(0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+    return path
+
+
+def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:
+    """The records of each check, the release level's where there is one, else the quick level's."""
+    found: dict[str, dict[str, Any]] = {}
+    for level in (Level.QUICK, Level.RELEASE):
+        for path in sorted((folder / level).glob("*.json")):
+            try:
+                entry = json.loads(path.read_text())
+                missing = [field for field in FIELDS if field not in entry]
+            except (ValueError, OSError) as problem:
+                raise RecordError(f"{path} is no record ({problem}); run its check again") from problem
+            if missing:
+                raise RecordError(f"{path} lacks {', '.join(missing)}; run its check again")
+            found[entry["check"]] = entry
+    return found

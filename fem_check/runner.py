@@ -1,0 +1,73 @@
+"""Runs checks: refuses what cannot work before starting, then one record after another."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from fem_check import half_space_contact, linear_solver, memory, records_store
+from fem_check.agreement import Check, Level, Progress
+from fem_check.checks import ALL
+from fem_check.contact import ContactError
+from fem_check.meshing import MeshError
+from fem_check.scenes import SceneProblem
+
+
+class BadInput(Exception):
+    """Nothing was run; the message says what to change."""
+
+
+def selected(names: tuple[str, ...]) -> list[Check]:
+    """The named checks, all of them for none."""
+    unknown = [name for name in names if name not in ALL]
+    if unknown:
+        raise BadInput(f"no check named {', '.join(unknown)}; there are: {', '.join(ALL)}")
+    return [ALL[name] for name in names] if names else list(ALL.values())
+
+
+def refuse_too_large(dofs: int, what: str) -> None:
+    """Refuse what would not fit into memory."""
+    need, have = memory.estimate_MB(dofs), memory.available_MB()
+    if have is not None and need > have:
+        raise BadInput(
+            f"{what} needs about {need:.0f} MB ({dofs} unknowns), {have:.0f} MB are free: take a lower level or fewer "
+            "elements, or free some memory"
+        )
+
+
+def run(
+    checks: list[Check],
+    level: Level,
+    folder: Path,
+    progress: Callable[[Check], Progress],
+) -> Iterator[dict[str, Any]]:
+    """Run checks and keep their records; each record is handed out as it is written.
+
+    Raises:
+        BadInput: a check cannot be run; records written before stay, its own earlier record too.
+    """
+    try:
+        linear_solver.chosen()
+    except ValueError as problem:
+        raise BadInput(str(problem)) from problem
+    for check in checks:
+        refuse_too_large(check.largest_dofs(level), f"{check.name} at level {level}")
+    for check in checks:
+        memory.restart_peak()
+        start, cpu = time.perf_counter(), time.process_time()
+        try:
+            findings = check.run(level, progress(check))
+        except (MeshError, SceneProblem) as problem:
+            raise BadInput(f"{check.name}: {problem}") from problem
+        except ContactError as problem:
+            raise BadInput(f"{check.name}: {problem}") from problem
+        seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
+        entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB())
+        records_store.write(entry, folder)
+        if level is Level.RELEASE:
+            half_space_contact.forget()
+        yield entry
+
+
