@@ -138,6 +138,7 @@ def condense(
     shape: Callable[[Array], Array] | None = None,
     slope: Slope | None = None,
     progress: Progress = silent,
+    surface_order: int = SURFACE_ORDER,
 ) -> CondensedBody:
     """Condense the body onto its contact.
 
@@ -149,6 +150,7 @@ def condense(
         shape: bends the brick's points (3, point) into the body; None leaves it a brick.
         slope: the contact surface's slopes dz/dx, dz/dy at (x, y), z into the body; None: flat.
         progress: told how far it is.
+        surface_order: quadrature order of the contact's facets.
     """
     reference = Field(brick).nodes
     body = brick if shape is None else MeshHex(shape(brick.p), brick.t, _boundaries=brick.boundaries, sort_t=False)
@@ -178,7 +180,7 @@ def condense(
     else:
         driven_displacement = np.zeros((len(driven_dofs), count))
 
-    loads = _contact_loads(field, hats, slope)
+    loads = _contact_loads(field, hats, slope, surface_order)
     rows = matrix[free]
     coupling = sp.csr_matrix(rows[:, driven_dofs])
     supported = held[:, 2] if support is Support.EQUATOR else driven
@@ -254,13 +256,13 @@ class _Inside:
         return np.concatenate([normal, second * sheared[None]]).reshape(4, -1, displacement.shape[1])
 
 
-def _contact_loads(field: Field, hats: PressureHats, slope: Slope | None) -> sp.csr_matrix:
+def _contact_loads(field: Field, hats: PressureHats, slope: Slope | None, surface_order: int) -> sp.csr_matrix:
     """Nodal forces of each hat of unit pressure, shape (dof, hat).
 
     Pressure acts along the inward normal: on the piece of surface over dx dy that is p (-dz/dx, -dz/dy, 1) dx dy.
     """
     facets = field.mesh.boundaries["contact"]
-    basis = FacetBasis(field.mesh, ElementHexS2(), facets=facets, intorder=SURFACE_ORDER)
+    basis = FacetBasis(field.mesh, ElementHexS2(), facets=facets, intorder=surface_order)
     positions = np.asarray(basis.global_coordinates())
     # scikit-fem's facet measure is of the facet itself; its shadow on the tangent plane carries the pressure.
     shadow = np.abs(np.asarray(basis.normals)[2]) * basis.dx

@@ -153,10 +153,27 @@ def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
     return Recipe(name, elements, (inner, along), (inner, across), (fine, deep))
 
 
+def finite_body(elements: int) -> Recipe:
+    """A brick for a whole body round a contact: the contact in semi-axes as in `half_space`, then a far part of length 1.
+
+    The far part's elements are even here; `true_bodies` grades them to the size of the body, so one mesh fits every load.
+    """
+    near = half_space(elements)
+    return Recipe(
+        f"finite_body_{elements:02d}",
+        elements,
+        (near.x[0], Segment(1.0, 5)),
+        (near.y[0], Segment(1.0, 7)),
+        (near.z[0], Segment(1.0, 6)),
+        contact_segments=2,
+    )
+
+
 COMMITTED = (
     *(half_space(elements) for elements in (3, 4, 5, 6)),
     load_series(6, 4.641589),
     *(clamped_box(4, size, 8.2) for size in (8.0, 16.0, 32.0)),
+    finite_body(4),
 )
 """The meshes of the quick level."""
 

@@ -4,6 +4,7 @@ from fem_check.checks import (
     ball_in_inner_groove,
     ball_in_outer_groove,
     body_size,
+    conformity,
     convergence_order,
     hertz_formula,
     hybrid_contact,
@@ -11,6 +12,7 @@ from fem_check.checks import (
     other_contacts,
     patch_test,
     sphere_on_plane,
+    true_geometry,
 )
 
 ALL = {
@@ -26,6 +28,8 @@ ALL = {
         body_size.CHECK,
         convergence_order.CHECK,
         hertz_formula.CHECK,
+        true_geometry.CHECK,
+        conformity.CHECK,
     )
 }
 """Every check by name, in the order of the report."""

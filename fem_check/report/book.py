@@ -1,0 +1,58 @@
+"""REPORT.md: its order, and nothing typed that a record does not hold."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from fem_check import records_store
+from fem_check.report import figures, tables
+from fem_check.report.tables import Entry
+
+PICTURES = "pictures"
+
+HEAD = """# Finite elements against Hertz
+
+Built by `fem-check report` from the records in this folder; every number below is theirs.
+
+*Verification* asks whether the finite elements solve the contact problem right: bodies are half-spaces, the gap a parabola,
+Hertz is exact, and every per cent of deviation is an error. *Validation* asks how far Hertz is from a true ball in a true
+groove: the deviation is the finding, and only what an independent method also gives is gated. Neither is a measurement.
+
+Each value found is the mean over eight places of the contact's edge within an element; held against the reference is the
+worst of three meshes, one in the contact's proportions and two stretched out of them by 3 to 7 %. The uncertainty is of the
+mesh: sequence of three sizes, places of the edge, and alignment together. A verdict of *finding* is not gated.
+"""
+
+
+def write(records: Path, out: Path) -> Path:
+    """Write REPORT.md and its pictures; returns its path."""
+    entries = list(records_store.read_all(records).values())
+    if not entries:
+        raise records_store.RecordError(f"no records in {records}: run `fem-check run` first")
+    out.mkdir(parents=True, exist_ok=True)
+    kinds = {"verification": "Verification", "validation": "Validation"}
+    order = {name: place for place, name in enumerate(kinds)}
+    entries.sort(key=lambda entry: (order[entry["kind"]], entry["check"]))
+    parts = [HEAD, "## Summary\n", tables.summary(entries) + "\n"]
+    for kind, heading in kinds.items():
+        chosen = [entry for entry in entries if entry["kind"] == kind]
+        if chosen:
+            parts.append(f"## {heading}\n")
+            parts += [_section(entry, out) for entry in chosen]
+    path = out / "REPORT.md"
+    handle, temporary = tempfile.mkstemp(dir=out, suffix=".part")
+    with os.fdopen(handle, "w") as file:
+        file.write("\n".join(parts))
+    Path(temporary).chmod(0o644)
+    os.replace(temporary, path)
+    return path
+
+
+def _section(entry: Entry, out: Path) -> str:
+    lines = [f"### {entry['check']}\n", f"{entry['question']} **{entry['verdict']}** ({entry['level']}).\n"]
+    lines += [f"{note}\n" for note in entry["notes"]]
+    lines += [f"![{caption}]({PICTURES}/{name})\n" for name, caption in figures.draw_all(entry, out / PICTURES)]
+    lines += [tables.agreement(entry) + "\n", tables.sources(entry) + "\n"]
+    return "\n".join(lines)

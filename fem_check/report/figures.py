@@ -1,0 +1,223 @@
+"""Pictures, drawn from the numbers in the records."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
+
+Entry = dict[str, Any]
+DPI = 110
+HERTZ = {"color": "black", "linewidth": 1.2}
+FOUND = {"color": "#c44e52", "marker": ".", "linestyle": "none", "markersize": 3}
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write without the date and version that would change the file."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+    plt.close(figure)
+
+
+def pressure_map(entry: Entry) -> Figure:
+    """Pressure over the ellipse, with Hertz's outline."""
+    contact = entry["pictures"]["contact"]
+    x, y, p = (np.asarray(contact["ellipse"][name]) for name in "xyp")
+    loaded = x**2 + y**2 < 1.35
+    figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
+    # One quarter is solved; the picture is mirrored in both planes of symmetry.
+    every_x, every_y, every_p = [], [], []
+    for sx in (1, -1):
+        for sy in (1, -1):
+            every_x.append(sx * x[loaded])
+            every_y.append(sy * y[loaded])
+            every_p.append(p[loaded])
+    u, v, w = (np.concatenate(parts) for parts in (every_x, every_y, every_p))
+    _, first = np.unique(np.round(np.stack([u, v]), 6), axis=1, return_index=True)
+    a, b = contact["a_mm"], contact["b_mm"]
+    picture = axes.tricontourf(
+        Triangulation(u[first] * a, v[first] * b), w[first] * contact["p0_MPa"], levels=16, cmap="viridis"
+    )
+    angle = np.linspace(0.0, 2.0 * np.pi, 361)
+    axes.plot(a * np.cos(angle), b * np.sin(angle), color="white", linewidth=1.5, label="Hertz")
+    axes.legend(loc="upper right", facecolor="grey", labelcolor="white")
+    figure.colorbar(picture, ax=axes, label="pressure, MPa")
+    axes.set(xlabel="across the groove, mm", ylabel="along rolling, mm (stretched)", title=title(contact))
+    return figure
+
+
+def title(contact: dict[str, Any]) -> str:
+    """What is shown."""
+    return f"{contact['name']}, Q = {contact['load_N']:.0f} N ({contact['label']})"
+
+
+def profiles(entry: Entry) -> Figure:
+    """Pressure along both axes."""
+    contact = entry["pictures"]["contact"]
+    figure, pair = plt.subplots(1, 2, figsize=(8.4, 3.3), sharey=True, layout="constrained")
+    r = np.linspace(0.0, 1.0, 400)
+    for axes, key, name in zip(pair, ("x", "y"), ("a", "b"), strict=True):
+        axes.plot(r, np.sqrt(1.0 - r**2), label="Hertz", **HERTZ)
+        along = contact[f"along_{key}"]
+        axes.plot(along[key], along["p"], label="finite elements, all positions", **FOUND)
+        axes.set(xlabel=f"{key}/{name}", xlim=(0, 1.25))
+    pair[0].set(ylabel="p/p0")
+    pair[0].legend(loc="lower left")
+    figure.suptitle(title(contact), fontsize=10)
+    return figure
+
+
+def shear_map(entry: Entry) -> Figure:
+    """Largest shear below the surface, in the plane across the short axis."""
+    contact = entry["pictures"]["contact"]
+    y, z, tau = (np.asarray(contact["shear"][name]) for name in ("y", "z", "tau"))
+    # The two Gauss points of an element on either side of the plane x = 0 fall on one point of it: their mean.
+    places, where = np.unique(np.round(np.stack([y, z]), 5), axis=1, return_inverse=True)
+    tau = np.bincount(where.ravel(), tau) / np.bincount(where.ravel())
+    y, z = places
+    seen = (z < 2.2) & (y < 1.35)
+    figure, axes = plt.subplots(figsize=(6.0, 4.4), layout="constrained")
+    mirrored = Triangulation(np.concatenate([y[seen], -y[seen]]), np.concatenate([z[seen], z[seen]]))
+    picture = axes.tricontourf(mirrored, np.concatenate([tau[seen], tau[seen]]), levels=18, cmap="magma")
+    figure.colorbar(picture, ax=axes, label="largest shear stress over p0")
+    axes.plot(0.0, contact["max_shear_depth_over_b"], "wx", markersize=9, label="theory: largest on the axis")
+    axes.legend(loc="lower right", facecolor="grey", labelcolor="white")
+    axes.invert_yaxis()
+    axes.set(xlabel="y/b", ylabel="depth z/b", title=title(contact))
+    return figure
+
+
+def mesh(entry: Entry) -> Figure:
+    """The block's lines, seen from above and from the side."""
+    lines = entry["pictures"]["mesh"]
+    figure, pair = plt.subplots(1, 2, figsize=(8.4, 4.0), layout="constrained")
+    for axes, (first, second, labels) in zip(
+        pair, (("x", "y", ("x/a", "y/b")), ("y", "z", ("y/b", "depth z/b"))), strict=True
+    ):
+        _grid(axes, lines[first], lines[second])
+        axes.set(xlabel=labels[0], ylabel=labels[1], aspect="equal")
+    angle = np.linspace(0.0, 0.5 * np.pi, 91)
+    pair[0].plot(np.cos(angle), np.sin(angle), color="#c44e52", linewidth=1.8)
+    pair[1].plot([0.0, 1.0], [0.0, 0.0], color="#c44e52", linewidth=4)
+    pair[1].invert_yaxis()
+    figure.suptitle(f"{lines['elements']} hexahedra with 20 nodes; red: the contact", fontsize=10)
+    return figure
+
+
+def _grid(axes: Axes, across: list[float], along: list[float]) -> None:
+    axes.vlines(across, along[0], along[-1], color="grey", linewidth=0.6)
+    axes.hlines(along, across[0], across[-1], color="grey", linewidth=0.6)
+
+
+def load_series(entry: Entry) -> Figure:
+    """Deviation from Hertz over the load, one mesh."""
+    series = entry["pictures"]["load_series"]
+    figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
+    for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max_shear_stress"):
+        ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
+        axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=name.replace("_", " "))
+    axes.axhline(0.0, **HERTZ)
+    axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, two decades of load")
+    axes.legend(fontsize=8)
+    return figure
+
+
+def body_size(entry: Entry) -> Figure:
+    """Approach of clamped boxes over their size."""
+    series = entry["pictures"]["body_size"]
+    figure, axes = plt.subplots(figsize=(6.0, 3.4), layout="constrained")
+    inverse = 1.0 / np.asarray(series["size"])
+    axes.plot(inverse, 1e6 * np.asarray(series["approach"]), "o", color="#c44e52", label="clamped boxes")
+    axes.plot([0.0], [1e6 * series["limit"]], "s", color="#c44e52", label="their limit")
+    axes.plot([0.0], [1e6 * series["far_field"]], "x", color="#4c72b0", markersize=10, label="exact far field")
+    axes.axhline(1e6 * series["hertz"], label="Hertz", **HERTZ)
+    axes.set(xlabel="semi-major axis over half-width of the box", ylabel="approach, µm")
+    axes.legend()
+    return figure
+
+
+def convergence(entry: Entry) -> Figure:
+    """Errors over element size."""
+    series = entry["pictures"]["convergence"]
+    figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+    for index, name in enumerate(("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")):
+        colour = f"C{index}"
+        label = name.replace("_", " ")
+        axes.loglog(series["size"], 100.0 * np.asarray(series["rms_error"][name]), "o-", color=colour, label=label)
+        axes.loglog(
+            series["size"], 100.0 * np.asarray(series["worst_single_position"][name]), ":", color=colour, linewidth=1
+        )
+    axes.set(
+        xlabel="element size over semi-axis",
+        ylabel="error, %",
+        title="solid: mean over positions; dotted: worst single position",
+    )
+    axes.legend(fontsize=8)
+    return figure
+
+
+def true_geometry(entry: Entry) -> Figure:
+    """Deviation of the true bodies from Hertz, split."""
+    series = entry["pictures"]["true_geometry"]
+    figure, grid = plt.subplots(2, 2, figsize=(8.4, 6.0), sharex=True, layout="constrained")
+    names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
+    for axes, name in zip(grid.ravel(), names, strict=True):
+        for race, style in (("inner", "-"), ("outer", "--")):
+            part = series[race]
+            shape = np.asarray(part["gap_shape_percent"][name])
+            bodies = np.asarray(part["finite_bodies_percent"][name])
+            axes.semilogx(part["load_N"], shape, f"o{style}", color="#4c72b0", markersize=3, label=f"gap shape, {race}")
+            axes.semilogx(part["load_N"], bodies, f"s{style}", color="#c44e52", markersize=3, label=f"bodies, {race}")
+        axes.axhline(0.0, **HERTZ)
+        axes.set(title=name.replace("_", " "), ylabel="deviation from Hertz, %")
+    for axes in grid[1]:
+        axes.set(xlabel="load, N")
+    grid[0, 0].legend(fontsize=8)
+    return figure
+
+
+def conformity(entry: Entry) -> Figure:
+    """Worst deviation over load for each groove."""
+    series = entry["pictures"]["conformity"]
+    figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    for coefficient, curve in series["curves"].items():
+        worst = np.max(np.abs(np.asarray(list(curve.values()))), axis=0)
+        axes.loglog(series["load_N"], worst, "o-", markersize=3, label=f"f = {coefficient}")
+    for limit in (1.0, 5.0):
+        axes.axhline(limit, color="black", linewidth=0.8, linestyle=":")
+    axes.set(xlabel="load, N", ylabel="worst of approach, a, b, p0: off Hertz by, %", title="B218 inner, groove radius varied")
+    axes.legend(fontsize=8)
+    return figure
+
+
+DRAWN: dict[str, tuple[Callable[[Entry], Figure], str]] = {
+    "contact": (pressure_map, "Pressure over the ellipse, Hertz's outline in white"),
+    "contact profiles": (profiles, "Pressure along both axes"),
+    "contact shear": (shear_map, "Largest shear stress below the surface"),
+    "mesh": (mesh, "Mesh"),
+    "load_series": (load_series, "Deviation over the load"),
+    "body_size": (body_size, "Approach of clamped boxes"),
+    "convergence": (convergence, "Convergence"),
+    "true_geometry": (true_geometry, "True bodies against Hertz"),
+    "conformity": (conformity, "Closing grooves"),
+}
+
+
+def draw_all(entry: Entry, folder: Path) -> list[tuple[str, str]]:
+    """Draw every picture that a record has numbers for: file name and caption of each."""
+    drawn = []
+    for key, (draw, caption) in DRAWN.items():
+        if key.split()[0] in entry["pictures"]:
+            name = f"{entry['check']}-{key.replace(' ', '-').replace('_', '-')}.png"
+            save(draw(entry), folder / name)
+            drawn.append((name, caption))
+    return drawn
