@@ -276,7 +276,7 @@ def _contact_loads(field: Field, hats: PressureHats, slope: Slope | None, surfac
     column = np.arange(x.size)
     rows, columns, values = [], [], []
     for i in range(basis.Nbfun):
-        value = (np.asarray(basis.basis[i][0].value) * shadow).ravel()
+        value = (np.asarray(basis.basis[i][0]) * shadow).ravel()
         rows.append(np.repeat(basis.element_dofs[i], points))
         columns.append(column)
         values.append(value)

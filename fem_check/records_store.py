@@ -33,7 +33,13 @@ def versions() -> dict[str, str]:
 
 
 def record(
-    check: Check | None, name: str, level: str, findings: Findings, seconds: float, cpu_seconds: float, peak_memory_MB: float
+    check: Check | None,
+    name: str,
+    level: str,
+    findings: Findings,
+    seconds: float,
+    cpu_seconds: float,
+    peak_memory_MB: float,
 ) -> dict[str, Any]:
     """A check's findings as they are kept and printed.
 

@@ -69,5 +69,3 @@ def run(
         if level is Level.RELEASE:
             half_space_contact.forget()
         yield entry
-
-

@@ -35,7 +35,9 @@ class OperatingPoint:
 
 
 OPERATING_POINTS = tuple(
-    OperatingPoint(load, speed * qsbearing.rpm) for load in (500.0, 2000.0, 17800.0, 44500.0) for speed in (0.0, 10000.0)
+    OperatingPoint(load, speed * qsbearing.rpm)
+    for load in (500.0, 2000.0, 17800.0, 44500.0)
+    for speed in (0.0, 10000.0)
 )
 """B218, light to heavy, at rest and at 10 000 rpm."""
 

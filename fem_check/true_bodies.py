@@ -62,9 +62,7 @@ def graded(values: Array, near: float, near_size: float, elements: int, far: flo
     )
 
 
-def bodies(
-    groove: BallInGroove, a: float, b: float, elements: int, progress: Progress = silent
-) -> TrueBodies:
+def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Progress = silent) -> TrueBodies:
     """Condense ball and raceway for a contact of about the given semi-axes [m]."""
     recipe = meshing.finite_body(elements)
     brick = meshing.load(recipe)
@@ -93,7 +91,13 @@ def bodies(
 
     return TrueBodies(
         ball=elastic_body.condense(
-            ball_brick, hats, groove.ball.poisson_ratio, Support.EQUATOR, ball_shape, ball_slope, progress,
+            ball_brick,
+            hats,
+            groove.ball.poisson_ratio,
+            Support.EQUATOR,
+            ball_shape,
+            ball_slope,
+            progress,
             surface_order=BALL_SURFACE_ORDER,
         ),
         race=elastic_body.condense(
@@ -124,12 +128,15 @@ def inflated(xi: Array, eta: Array, zeta: Array) -> Array:
 def _sized(brick: MeshHex, recipe: meshing.Recipe, ellipticity: float, size: tuple[float, ...]) -> MeshHex:
     """The brick, graded to a body of `size`; lengths in units of b."""
     points = np.empty_like(brick.p)
-    for axis, (segments, scale) in enumerate(
-        zip((recipe.x, recipe.y, recipe.z), (ellipticity, 1.0, 1.0), strict=True)
-    ):
+    for axis, (segments, scale) in enumerate(zip((recipe.x, recipe.y, recipe.z), (ellipticity, 1.0, 1.0), strict=True)):
         near, far = segments
         points[axis] = graded(
-            brick.p[axis], near.length, near.length * scale, far.elements, size[axis], near.length * scale / near.elements
+            brick.p[axis],
+            near.length,
+            near.length * scale,
+            far.elements,
+            size[axis],
+            near.length * scale / near.elements,
         )
     return MeshHex(points, brick.t, _boundaries=brick.boundaries, sort_t=False)
 

@@ -87,7 +87,15 @@ def run(level: Level, progress: Progress) -> Findings:
     )
     largest = meshing.clamped_box(elements, SIZES[-1], ellipticity)
     entry = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
-    series = {"body_size": {"size": list(SIZES), "approach": clamped, "limit": limit, "far_field": open_far, "hertz": exact.approach}}
+    series = {
+        "body_size": {
+            "size": list(SIZES),
+            "approach": clamped,
+            "limit": limit,
+            "far_field": open_far,
+            "hertz": exact.approach,
+        }
+    }
     return Findings(rows, entry, body.solver, series)
 
 

@@ -22,7 +22,9 @@ def run(race: str, level: Level, progress: Progress) -> Findings:
         found = half_space_contact.answer(contact.problem(load), level, progress)
         rows += half_space_contact.rows(f"{label}: Q = {load:.1f} N", found, level, references.HERTZ_SOURCE)
     assert found is not None
-    return Findings(rows, mesh_entry(found), found.pair.race.solver, contact_pictures(found.field, found.pair, loads[-1][0]))
+    return Findings(
+        rows, mesh_entry(found), found.pair.race.solver, contact_pictures(found.field, found.pair, loads[-1][0])
+    )
 
 
 def mesh_entry(found: Answer) -> dict[str, object]:
@@ -39,9 +41,9 @@ def largest_dofs(level: Level) -> int:
     return meshing.half_space(half_space_contact.SEQUENCES[level][-1]).dofs
 
 
-def single(case: str, problem: ContactProblem, level: Level, progress: Progress, source: str) -> tuple[list[Row], Answer]:
+def single(
+    case: str, problem: ContactProblem, level: Level, progress: Progress, source: str
+) -> tuple[list[Row], Answer]:
     """One contact: its rows and the answer."""
     found = half_space_contact.answer(problem, level, progress)
     return half_space_contact.rows(case, found, level, source), found
-
-

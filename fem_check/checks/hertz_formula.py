@@ -23,7 +23,10 @@ SHAPES = (1.0, 1.001, 2.0, 5.0, 10.0, 20.0, 50.0)
 def of_qsbearing(problem: ContactProblem) -> dict[str, float]:
     """The contact as `qsbearing` computes it."""
     modulus = effective_modulus(
-        problem.ball.elastic_modulus, problem.ball.poisson_ratio, problem.race.elastic_modulus, problem.race.poisson_ratio
+        problem.ball.elastic_modulus,
+        problem.ball.poisson_ratio,
+        problem.race.elastic_modulus,
+        problem.race.poisson_ratio,
     )
     contact = qsbearing.point_contact(problem.load, problem.curvature_x, problem.curvature_y, modulus)
     shear = qsbearing.subsurface_shear(contact.ellipticity, problem.race.poisson_ratio)
@@ -52,8 +55,17 @@ def run(level: Level, progress: Progress) -> Findings:
                 # A maximum found to 1e-8 of its value is found to the root of that in its place.
                 tolerance, why = 1e-4, "a flat maximum: its place is known to the root of its value's precision"
             rows.append(
-                Row(f"a/b = {shape:g}, closed form", name, unit, getattr(exact, name), references.HERTZ_SOURCE
-                    if not name.startswith("max_shear") else references.SHEAR_SOURCE, found[name], None, 100.0 * tolerance, why)
+                Row(
+                    f"a/b = {shape:g}, closed form",
+                    name,
+                    unit,
+                    getattr(exact, name),
+                    references.HERTZ_SOURCE if not name.startswith("max_shear") else references.SHEAR_SOURCE,
+                    found[name],
+                    None,
+                    100.0 * tolerance,
+                    why,
+                )
             )
     answer = None
     for race in RACES:

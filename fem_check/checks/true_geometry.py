@@ -20,7 +20,9 @@ GAP_TOLERANCES = {"approach": 0.1, "semi_major_axis": 0.1, "semi_minor_axis": 0.
 LINEAR_TOLERANCE = 5.0
 
 
-def half_space(groove: BallInGroove, load: float, level: Level, progress: Progress) -> tuple[ContactReading, ContactReading]:
+def half_space(
+    groove: BallInGroove, load: float, level: Level, progress: Progress
+) -> tuple[ContactReading, ContactReading]:
     """The contact of half-spaces with the exact gap and with its parabola, on one and the same mesh."""
     problem = groove.problem(load)
     pair = half_space_contact.bodies(problem, half_space_contact.SEQUENCES[level][-1], progress=progress)
@@ -144,7 +146,11 @@ def run(level: Level, progress: Progress) -> Findings:
         "Pressure acts on each body along its own surface's normal and the gap is measured along the contact's normal. "
         "Linear theory leaves open which body's normal is meant; the semi-axes of the true bodies are certain only to that.",
     ]
-    entry = {"elements_per_semi_axis": ELEMENTS[level], "dofs": dofs, "file": meshing.finite_body(ELEMENTS[level]).file_name}
+    entry = {
+        "elements_per_semi_axis": ELEMENTS[level],
+        "dofs": dofs,
+        "file": meshing.finite_body(ELEMENTS[level]).file_name,
+    }
     solver = half_space_contact.bodies(
         groove_contact(groove_contacts.SCENE, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-1]
     ).race.solver
@@ -158,7 +164,5 @@ CHECK = Check(
     reference="half-space boundary elements with the exact gap (tamaas)",
     tolerance="gap shape: a 0.1 %, b 0.2 %; finite-body approach linear in load within 5 %",
     run=run,
-    largest_dofs=lambda level: max(
-        groove_contacts.largest_dofs(level), meshing.finite_body(ELEMENTS[level]).dofs
-    ),
+    largest_dofs=lambda level: max(groove_contacts.largest_dofs(level), meshing.finite_body(ELEMENTS[level]).dofs),
 )

@@ -194,7 +194,11 @@ def conformity(entry: Entry) -> Figure:
         axes.loglog(series["load_N"], worst, "o-", markersize=3, label=f"f = {coefficient}")
     for limit in (1.0, 5.0):
         axes.axhline(limit, color="black", linewidth=0.8, linestyle=":")
-    axes.set(xlabel="load, N", ylabel="worst of approach, a, b, p0: off Hertz by, %", title="B218 inner, groove radius varied")
+    axes.set(
+        xlabel="load, N",
+        ylabel="worst of approach, a, b, p0: off Hertz by, %",
+        title="B218 inner, groove radius varied",
+    )
     axes.legend(fontsize=8)
     return figure
 

@@ -1,0 +1,149 @@
+"""The command line: exit codes, sentences, records kept whole, the report's sameness."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from fem_check import memory, records_store, runner
+from fem_check.agreement import Findings, Level, Row
+from fem_check.checks import ALL
+from fem_check.cli import cli
+from fem_check.report import book
+
+
+def call(*arguments: str):
+    return CliRunner().invoke(cli, list(arguments))
+
+
+def test_list_names_every_check():
+    result = call("list")
+    assert result.exit_code == 0
+    assert all(name[:10] in result.output for name in ALL)
+
+
+def test_run_keeps_and_prints_one_record(tmp_path):
+    result = call("run", "patch_test", "--json", "--records", str(tmp_path))
+    assert result.exit_code == 0
+    printed = json.loads(result.stdout)
+    kept = json.loads((tmp_path / "quick" / "patch_test.json").read_text())
+    assert printed == kept
+    assert set(records_store.FIELDS) <= set(kept)
+    assert kept["verdict"] == "pass"
+    assert {"elements_per_semi_axis", "dofs", "file"} <= set(kept["mesh"])
+    assert set(kept["rows"][0]) == {
+        "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",
+        "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict",
+    }  # fmt: skip
+
+
+def test_a_row_out_of_tolerance_is_exit_1(tmp_path, monkeypatch):
+    bad = Row("case", "approach", "m", 1.0, "source", 1.1, None, 1.0, "why")
+    monkeypatch.setitem(ALL, "patch_test", _replaced(Findings([bad], {"dofs": 1}, "none")))
+    result = call("run", "patch_test", "--records", str(tmp_path))
+    assert result.exit_code == 1
+    assert "fail" in result.output
+
+
+def _replaced(findings):
+    from dataclasses import replace
+
+    return replace(ALL["patch_test"], run=lambda level, progress: findings)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["run", "patch_tst"], "no check named patch_tst"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "0"], "positive load"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "nan"], "positive load"),
+        (["contact", "--scene", "b218", "--race", "cage", "--load-N", "10"], "must be one of inner, outer"),
+        (["contact", "--scene", "no_such", "--race", "inner", "--load-N", "10"], "no_such"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "2"], "at least 5"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "400"], "MB are free"),
+        (["report", "--records", "/no/such/folder"], "run `fem-check run` first"),
+    ],
+)
+def test_bad_input_is_exit_2_with_a_sentence(arguments, said):
+    result = call(*arguments)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert "Traceback" not in result.output
+
+
+def test_too_little_memory_is_said_before_starting(tmp_path, monkeypatch):
+    monkeypatch.setattr(memory, "available_MB", lambda: 100.0)
+    (tmp_path / "quick").mkdir()
+    (tmp_path / "quick" / "patch_test.json").write_text("earlier")
+    result = call("run", "patch_test", "--records", str(tmp_path))
+    assert result.exit_code == 2
+    assert "100 MB are free" in result.stderr
+    assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
+
+
+def test_an_interrupted_run_leaves_the_earlier_records(tmp_path, monkeypatch):
+    checks = [ALL["patch_test"], _interrupting()]
+    done = []
+    with pytest.raises(KeyboardInterrupt):
+        for entry in runner.run(checks, Level.QUICK, tmp_path, lambda check: lambda stage, part: None):
+            done.append(entry["check"])
+    assert done == ["patch_test"]
+    assert [path.name for path in (tmp_path / "quick").iterdir()] == ["patch_test.json"]
+    json.loads((tmp_path / "quick" / "patch_test.json").read_text())
+
+
+def _interrupting():
+    from dataclasses import replace
+
+    def stop(level, progress):
+        raise KeyboardInterrupt
+
+    return replace(ALL["patch_test"], name="stopped", run=stop)
+
+
+def test_contact_of_another_scene():
+    result = call("contact", "--scene", "7210c", "--race", "outer", "--load-N", "300", "--elements", "5", "--json")
+    assert result.exit_code == 0
+    record = json.loads(result.stdout)
+    approach = record["rows"][0]
+    assert approach["quantity"] == "approach"
+    assert abs(approach["deviation_percent"]) < 0.3
+    # Five elements are not gated, and the record says so.
+    assert approach["verdict"] == "finding"
+
+
+def test_report_is_the_same_every_time(tmp_path):
+    records = tmp_path / "records"
+    entry = runner.run([ALL["patch_test"]], Level.QUICK, records, lambda check: lambda stage, part: None)
+    assert [each["verdict"] for each in entry] == ["pass"]
+    first = _files(book.write(records, tmp_path / "a").parent)
+    second = _files(book.write(records, tmp_path / "b").parent)
+    assert first == second
+    assert "patch_test" in first["REPORT.md"].decode()
+
+
+def test_the_committed_report_is_that_of_the_committed_records(tmp_path):
+    if not (records_store.FOLDER / "REPORT.md").is_file():
+        pytest.skip("no report is committed")
+    book.write(records_store.FOLDER, tmp_path)
+    # The text: pictures may differ by a pixel between builds of matplotlib.
+    assert (tmp_path / "REPORT.md").read_text() == (records_store.FOLDER / "REPORT.md").read_text()
+
+
+def _files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def test_a_damaged_record_is_named(tmp_path):
+    (tmp_path / "quick").mkdir()
+    (tmp_path / "quick" / "patch_test.json").write_text("{")
+    result = call("report", "--records", str(tmp_path), "--out", str(tmp_path / "out"))
+    assert result.exit_code == 2
+    assert "patch_test.json is no record" in result.stderr
+
+
+def test_memory_estimate_bounds_what_was_measured():
+    # Peaks of one contact in a process of its own (MB), by unknowns: the larger of rslab's and PARDISO's.
+    for dofs, peak in ((4320, 254), (12474, 493), (20412, 568), (26784, 725), (68112, 1472)):
+        assert peak <= memory.estimate_MB(dofs) <= 3.0 * peak

@@ -1,0 +1,183 @@
+"""The whole contact on coarse meshes, its invariants, and planted errors that must not pass."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fem_check import agreement, contact, elastic_body, half_space_contact, measuring, true_bodies
+from fem_check.checks import ALL
+from fem_check.contact_problem import ContactProblem, ElasticConstants
+from fem_check.elastic_body import Support
+from fem_check.references import hertz
+from fem_check.scenes import groove_contact
+
+STEEL = ElasticConstants(208e9, 0.3)
+LEVEL = agreement.Level.QUICK
+
+
+def silent(stage: str, part: float) -> None:
+    pass
+
+
+@pytest.fixture(scope="module")
+def inner():
+    return groove_contact("b218", "inner")
+
+
+def test_quick_level_is_within_its_gate(inner):
+    found = half_space_contact.answer(inner.problem(1000.0), LEVEL)
+    rows = half_space_contact.rows("case", found, LEVEL, "Hertz")
+    assert [row for row in rows if row.verdict != "pass"] == []
+    # The estimate must own up to the error it makes: the true error of each gated quantity is known here.
+    for row in rows[:4]:
+        assert abs(row.deviation_percent) <= 2.0 * row.uncertainty_percent
+
+
+def test_similar_contacts_are_exactly_similar(inner):
+    pair = half_space_contact.bodies(inner.problem(1.0), 4)
+    light, heavy = (half_space_contact.solve_on(inner.problem(load), pair)[1].mean for load in (10.0, 80.0))
+    # The same mesh at twice the size: only rounding is between them.
+    assert heavy.semi_major_axis / light.semi_major_axis == pytest.approx(2.0, rel=1e-9)
+    assert heavy.approach / light.approach == pytest.approx(4.0, rel=1e-9)
+
+
+def test_compliances_add(inner):
+    problem = inner.problem(1000.0)
+    rigid = replace(problem, ball=ElasticConstants(1e6 * STEEL.elastic_modulus, 0.3))
+    pair = half_space_contact.bodies(problem, 4)
+    both, one = (half_space_contact.solve_on(p, pair)[1].mean for p in (problem, rigid))
+    # delta ~ compliance^(2/3): half the compliance, and the unit length of the mesh follows.
+    assert one.approach / both.approach == pytest.approx(0.5 ** (2.0 / 3.0), rel=1e-5)
+
+
+def test_a_stiffer_ball_gives_less(inner):
+    problem = inner.problem(1000.0)
+    ceramic = replace(problem, ball=ElasticConstants(310e9, 0.27))
+    pair, hybrid = half_space_contact.bodies(problem, 4), half_space_contact.bodies(ceramic, 4)
+    found = half_space_contact.solve_on(ceramic, hybrid)[1].mean
+    assert found.approach < half_space_contact.solve_on(problem, pair)[1].mean.approach
+    # Four elements per semi-axis: 0.5 % is what that mesh gives for steel too.
+    assert found.approach == pytest.approx(hertz(ceramic).approach, rel=5e-3)
+
+
+def test_a_patch_too_small_is_said(inner):
+    problem = inner.problem(1000.0)
+    pair = half_space_contact.bodies(problem, 4)
+    flexibility = contact.total_flexibility(problem, pair.ball, pair.race)
+    with pytest.raises(contact.ContactError, match="fills the whole patch"):
+        contact.solve(problem, pair.hats, flexibility, np.array([0.5 * hertz(problem).semi_minor_axis]))
+
+
+def test_inflated_cube_is_a_ball():
+    grid = np.linspace(0.0, 1.0, 6)
+    x, y = (part.ravel() for part in np.meshgrid(grid, grid, indexing="ij"))
+    one = np.ones_like(x)
+    for face in ((x, y, one), (one, x, y), (x, one, y)):
+        u, v, depth = true_bodies.inflated(*face)
+        np.testing.assert_allclose(u**2 + v**2 + (1.0 - depth) ** 2, 1.0, atol=1e-12)
+    u, v, depth = true_bodies.inflated(x, y, np.zeros_like(x))
+    np.testing.assert_allclose(depth, 1.0)
+
+
+# --- planted errors: each must turn the verdict -----------------------------------------------------------------------
+
+
+def verdict_of(name: str) -> str:
+    return ALL[name].run(LEVEL, silent).verdict
+
+
+@pytest.fixture
+def one_load(monkeypatch):
+    from fem_check.checks import groove_contacts
+
+    monkeypatch.setattr(groove_contacts, "operating_loads", lambda scene, race: (("one load", 1000.0),))
+
+
+@pytest.mark.usefixtures("one_load")
+def test_no_planted_error_passes():
+    assert verdict_of("ball_in_inner_groove") == "pass"
+
+
+@pytest.mark.usefixtures("one_load")
+def test_planted_wrong_modulus(monkeypatch):
+    right = contact.total_flexibility
+
+    def wrong(problem, ball, race):
+        return right(replace(problem, ball=replace(problem.ball, elastic_modulus=1.02 * 208e9)), ball, race)
+
+    monkeypatch.setattr(contact, "total_flexibility", wrong)
+    assert verdict_of("ball_in_inner_groove") == "fail"
+
+
+@pytest.mark.usefixtures("one_load")
+def test_planted_groove_radius(monkeypatch):
+    right = contact.solve
+
+    def wrong(problem, hats, flexibility, unit_lengths, gap=None):
+        off = replace(groove_contact("b218", "inner"), groove_radius=1.01 * 11.6281e-3).problem(problem.load)
+        return right(replace(problem, curvature_x=off.curvature_x), hats, flexibility, unit_lengths, gap)
+
+    monkeypatch.setattr(contact, "solve", wrong)
+    assert verdict_of("ball_in_inner_groove") == "fail"
+
+
+@pytest.mark.usefixtures("one_load")
+@pytest.mark.parametrize("check", ["asymmetry", "force_imbalance", "penetration"])
+def test_planted_unsoundness(check, monkeypatch):
+    right = measuring.measure
+
+    def wrong(field, ball, race):
+        measured = right(field, ball, race)
+        return replace(measured, soundness=replace(measured.soundness, **{check: 0.01}))
+
+    monkeypatch.setattr(measuring, "measure", wrong)
+    assert verdict_of("ball_in_inner_groove") == "fail"
+
+
+def test_planted_error_in_the_formula(monkeypatch):
+    from fem_check.checks import hertz_formula
+
+    right = hertz_formula.of_qsbearing
+    monkeypatch.setattr(hertz_formula, "RACES", ("inner",))  # the outer raceway's meshes would cost four seconds more
+    monkeypatch.setattr(
+        hertz_formula, "of_qsbearing", lambda problem: {name: 1.004 * value for name, value in right(problem).items()}
+    )
+    assert verdict_of("hertz_formula") == "fail"
+
+
+@pytest.mark.usefixtures("one_load")
+def test_planted_missing_far_field(monkeypatch):
+    right = elastic_body.condense
+
+    def wrong(brick, hats, poisson_ratio, support, **rest):
+        return right(brick, hats, poisson_ratio, Support.CLAMPED, **rest)
+
+    monkeypatch.setattr(elastic_body, "condense", wrong)
+    monkeypatch.setattr(half_space_contact, "STRETCHES", ((1.0, 1.0),))
+    half_space_contact.forget()
+    try:
+        assert verdict_of("ball_in_inner_groove") == "fail"
+    finally:
+        half_space_contact.forget()
+
+
+# --- the gates of the release level: minutes --------------------------------------------------------------------------
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize("name", list(ALL))
+def test_release_level(name):
+    findings = ALL[name].run(agreement.Level.RELEASE, silent)
+    assert [row for row in findings.rows if row.verdict == "fail"] == []
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize("k", [1.0, 20.0])
+def test_release_level_other_shapes(k):
+    from fem_check.checks.other_contacts import slender_problem
+
+    problem: ContactProblem = slender_problem(k)
+    found = half_space_contact.answer(problem, agreement.Level.RELEASE)
+    rows = half_space_contact.rows("case", found, agreement.Level.RELEASE, "Hertz")
+    assert [row for row in rows if row.verdict != "pass"] == []

@@ -1,0 +1,103 @@
+"""Small parts: point load, hats, active set, solvers, convergence, rows."""
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+from scipy.optimize import nnls
+
+from fem_check import boussinesq, contact, convergence, linear_solver
+from fem_check.agreement import Row
+from fem_check.pressure_hats import PressureHats
+
+
+def test_point_load_on_the_surface_and_below():
+    # Johnson 1985, eq. 3.22: u_z = (1-nu^2)/(pi E r) on the surface; below the load (1+nu)(3-2nu)/(2 pi E z).
+    nu = 0.3
+    zero = np.array([0.0])
+    _, _, surface = boussinesq.point_load_displacement(np.array([2.0]), zero, zero, nu)
+    assert surface[0] == pytest.approx((1 - nu**2) / (2.0 * np.pi))
+    _, _, below = boussinesq.point_load_displacement(zero, zero, np.array([2.0]), nu)
+    assert below[0] == pytest.approx((1 + nu) * (3 - 2 * nu) / (4.0 * np.pi))
+
+
+def test_far_field_of_the_hats_is_that_of_their_force():
+    hats = PressureHats(np.linspace(0, 1, 4), np.linspace(0, 1, 4))
+    points = np.array([[30.0, 0.0], [40.0, 0.0], [0.0, 50.0]])
+    found = boussinesq.hat_displacement(points, hats.samples[0], hats.loads, 0.3)
+    whole = found.sum(axis=2)
+    force = 4.0 * hats.forces.sum()
+    single = np.stack(boussinesq.point_load_displacement(points[0], points[1], points[2], 0.3)) * force
+    # The quadrupole of a patch of size 1 at distance 50: (1/50)^2.
+    np.testing.assert_allclose(whole, single, rtol=2e-3, atol=1e-12)
+
+
+def test_hats_integrate_exactly():
+    hats = PressureHats(np.array([0.0, 0.3, 1.0]), np.array([0.0, 0.6, 2.0]))
+    x, y = np.meshgrid([0.0, 0.3, 1.0], [0.0, 0.6, 2.0], indexing="ij")
+    inside = (x**2 + (y / 2.0) ** 2).ravel() <= 1.0 + 1e-9
+    assert hats.points.shape[1] == inside.sum()
+    # The hat at the origin is (1 - x/0.3)(1 - y/0.6): its volume and second moment by hand.
+    assert hats.forces[0] == pytest.approx(0.3 * 0.6 / 4.0)
+    assert hats.weighted(lambda x, y: x**2)[0] == pytest.approx(0.3**3 / 12.0 * 0.3)
+
+
+def test_active_set_is_the_constrained_minimum():
+    generator = np.random.default_rng(7)
+    count = 30
+    root = generator.normal(size=(count, count))
+    flexibility = root @ root.T + count * np.eye(count)
+    gaps, areas = generator.uniform(0, 3, count), generator.uniform(0.5, 1.5, count)
+    pressure, approach, left = contact._active_set(flexibility, gaps, areas, 0.2, gaps < 1.0)
+    # At its approach the pressure minimises the energy over p >= 0: another route to it, by least squares.
+    factor = np.linalg.cholesky(flexibility)
+    other, _ = nnls(factor.T, np.linalg.solve(factor, approach * areas - gaps))
+    np.testing.assert_allclose(pressure, other, atol=1e-9)
+    assert areas @ pressure == pytest.approx(0.2)
+    assert pressure.min() >= 0.0
+    assert left.min() >= -1e-9
+
+
+@pytest.mark.parametrize("solver", linear_solver.available())
+def test_every_solver_solves(solver, monkeypatch):
+    monkeypatch.setenv(linear_solver.ENVIRONMENT, solver)
+    size = 200
+    matrix = sp.diags([np.full(size - 1, -1.0), np.full(size, 2.5), np.full(size - 1, -1.0)], [-1, 0, 1]).tocsc()
+    sides = np.random.default_rng(1).normal(size=(size, 3))
+    factor = linear_solver.factorise(matrix)
+    np.testing.assert_allclose(matrix @ factor.solve(sides), sides, atol=1e-12)
+    np.testing.assert_allclose(matrix @ factor.solve(sides[:, 0]), sides[:, 0], atol=1e-12)
+    factor.release()
+
+
+def test_unknown_solver_is_refused(monkeypatch):
+    monkeypatch.setenv(linear_solver.ENVIRONMENT, "abacus")
+    with pytest.raises(ValueError, match="not usable here; installed: .*scipy"):
+        linear_solver.chosen()
+
+
+def test_estimate_finds_a_power_law():
+    sizes = [0.25, 0.2, 0.125]
+    found = convergence.estimate(sizes, [3.0 + 2.0 * h**2.5 for h in sizes])
+    assert found.order == pytest.approx(2.5, rel=1e-9)
+    assert found.extrapolated == pytest.approx(3.0, rel=1e-12)
+    assert found.uncertainty == pytest.approx(1.25 * 2.0 * 0.125**2.5, rel=1e-9)
+
+
+def test_estimate_is_careful_without_one():
+    found = convergence.estimate([0.25, 0.2, 0.125], [3.1, 2.9, 3.0])
+    assert found.order is None
+    assert found.uncertainty >= 0.1 * 0.9  # no smaller than what the meshes differ by
+    with pytest.raises(ValueError, match="at least three"):
+        convergence.estimate([0.2, 0.1], [1.0, 2.0])
+
+
+def row(found: float, tolerance: float | None) -> Row:
+    return Row("case", "approach", "m", 2.0, "source", found, None, tolerance, "why")
+
+
+def test_verdicts():
+    assert row(2.002, 0.2).verdict == "pass"
+    assert row(2.01, 0.2).verdict == "fail"
+    assert row(float("nan"), 0.2).verdict == "fail"
+    assert row(2.5, None).verdict == "finding"
+    assert row(2.002, 0.2).deviation_percent == pytest.approx(0.1)
