@@ -99,7 +99,7 @@ def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path 
                     print(json.dumps(entry), flush=True)
                 else:
                     console.print(agreement_table(entry))
-    except runner.BadInput as problem:
+    except runner.BadInputError as problem:
         refuse(str(problem))
     except OSError as problem:
         refuse(f"the records in {folder} cannot be written: {problem}")
@@ -119,7 +119,7 @@ def contact(scene: str, race: str, load: float, elements: int, geometry: str, as
     from fem_check import memory, meshing, records_store, runner, single_contact
     from fem_check.contact import ContactError
     from fem_check.meshing import MeshError
-    from fem_check.scenes import SceneProblem, groove_contact
+    from fem_check.scenes import SceneProblemError, groove_contact
 
     if not 0.0 < load < float("inf"):
         refuse(f"--load-N {load:g}: a contact carries a positive load")
@@ -133,7 +133,7 @@ def contact(scene: str, race: str, load: float, elements: int, geometry: str, as
             start, cpu = time.perf_counter(), time.process_time()
             findings = single_contact.run(groove, load, elements, geometry, reporter("contact"))
             seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
-    except (SceneProblem, MeshError, ContactError, runner.BadInput, ValueError) as problem:
+    except (SceneProblemError, MeshError, ContactError, runner.BadInputError, ValueError) as problem:
         refuse(str(problem))
     entry = records_store.record(None, "contact", geometry, findings, seconds, cpu_seconds, memory.peak_MB())
     if as_json:

@@ -67,12 +67,12 @@ class BallInGroove:
         return -r2 / (self.ball_radius + np.sqrt(self.ball_radius**2 - r2))
 
     def ball_slope(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """dz/dx and dz/dy of the ball's surface; near its rim and beyond, where no contact reaches, a steep constant."""
+        """dz/dx and dz/dy of the ball's surface; held constant near its rim, where no contact reaches."""
         height = np.sqrt(np.maximum(self.ball_radius**2 - x * x - y * y, 0.01 * self.ball_radius**2))
         return -x / height, -y / height
 
     def race_height(self, x: Array, y: Array) -> Array:
-        """z of the raceway's surface [m]: the groove rises at its flanks (z < 0); inside a ring it also rises along y."""
+        """z of the raceway's surface [m]: the groove rises at its flanks (z < 0), an outer ring along y too."""
         rise = x * x / (self.groove_radius + np.sqrt(self.groove_radius**2 - x * x))
         profile = self.rolling_radius - self._sign * rise  # distance from the bearing axis
         drop = y * y / (profile + np.sqrt(profile**2 - y * y))

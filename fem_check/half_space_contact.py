@@ -155,7 +155,8 @@ def answer(problem: ContactProblem, level: Level, progress: Progress = silent) -
         pair = bodies(problem, count, progress=progress)
         sizes.append(pair.edge_element)
         sequence.append(solve_on(problem, pair)[1])
-    finest, fields = [], []
+    finest: list[Measured] = []
+    fields: list[ContactField] = []
     for stretch in reversed(STRETCHES):
         pair = bodies(problem, counts[-1], stretch, progress=progress)
         field, measured = solve_on(problem, pair)

@@ -123,7 +123,7 @@ def half_space(elements: int) -> Recipe:
 
 
 def load_series(elements: int, span: float) -> Recipe:
-    """One block for contacts from 1 to `span` times the smallest: elements proportional to the distance from the centre.
+    """One block for contacts from 1 to `span` times the smallest: elements grow with the distance.
 
     Lengths are in semi-axes of the smallest contact; `elements` counts those on the outer 1 of any semi-axis's length.
     """
@@ -154,9 +154,9 @@ def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
 
 
 def finite_body(elements: int) -> Recipe:
-    """A brick for a whole body round a contact: the contact in semi-axes as in `half_space`, then a far part of length 1.
+    """A brick for a whole body: the contact in semi-axes as in `half_space`, then a far part of length 1.
 
-    The far part's elements are even here; `true_bodies` grades them to the size of the body, so one mesh fits every load.
+    The far part's elements are even here; `true_bodies` grades them to the body's size, so one mesh fits every load.
     """
     near = half_space(elements)
     return Recipe(
@@ -222,7 +222,7 @@ def make(recipe: Recipe, path: Path) -> None:
         try:
             gmsh.write(temporary)
             Path(temporary).chmod(0o644)
-            os.replace(temporary, path)
+            Path(temporary).replace(path)
         except BaseException:
             Path(temporary).unlink(missing_ok=True)
             raise

@@ -58,7 +58,7 @@ def contact_pictures(field: ContactField, pair: Bodies, label: str) -> dict[str,
 
 def mesh_lines(pair: Bodies) -> dict[str, Any]:
     """Grid lines of the block along each axis, in semi-axes of the contact."""
-    lines = {}
+    lines: dict[str, Any] = {}
     for axis, segments in zip("xyz", (pair.recipe.x, pair.recipe.y, pair.recipe.z), strict=True):
         stations = [0.0]
         for segment in segments:

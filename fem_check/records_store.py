@@ -84,7 +84,7 @@ def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
         with os.fdopen(handle, "w") as file:
             file.write(text)
         Path(temporary).chmod(0o644)
-        os.replace(temporary, path)
+        Path(temporary).replace(path)
     except BaseException:
         Path(temporary).unlink(missing_ok=True)
         raise

@@ -12,10 +12,10 @@ from fem_check.agreement import Check, Level, Progress
 from fem_check.checks import ALL
 from fem_check.contact import ContactError
 from fem_check.meshing import MeshError
-from fem_check.scenes import SceneProblem
+from fem_check.scenes import SceneProblemError
 
 
-class BadInput(Exception):
+class BadInputError(Exception):
     """Nothing was run; the message says what to change."""
 
 
@@ -23,7 +23,7 @@ def selected(names: tuple[str, ...]) -> list[Check]:
     """The named checks, all of them for none."""
     unknown = [name for name in names if name not in ALL]
     if unknown:
-        raise BadInput(f"no check named {', '.join(unknown)}; there are: {', '.join(ALL)}")
+        raise BadInputError(f"no check named {', '.join(unknown)}; there are: {', '.join(ALL)}")
     return [ALL[name] for name in names] if names else list(ALL.values())
 
 
@@ -31,7 +31,7 @@ def refuse_too_large(dofs: int, what: str) -> None:
     """Refuse what would not fit into memory."""
     need, have = memory.estimate_MB(dofs), memory.available_MB()
     if have is not None and need > have:
-        raise BadInput(
+        raise BadInputError(
             f"{what} needs about {need:.0f} MB ({dofs} unknowns), {have:.0f} MB are free: take a lower level or fewer "
             "elements, or free some memory"
         )
@@ -46,12 +46,12 @@ def run(
     """Run checks and keep their records; each record is handed out as it is written.
 
     Raises:
-        BadInput: a check cannot be run; records written before stay, its own earlier record too.
+        BadInputError: a check cannot be run; records written before stay, its own earlier record too.
     """
     try:
         linear_solver.chosen()
     except ValueError as problem:
-        raise BadInput(str(problem)) from problem
+        raise BadInputError(str(problem)) from problem
     for check in checks:
         refuse_too_large(check.largest_dofs(level), f"{check.name} at level {level}")
     for check in checks:
@@ -59,10 +59,10 @@ def run(
         start, cpu = time.perf_counter(), time.process_time()
         try:
             findings = check.run(level, progress(check))
-        except (MeshError, SceneProblem) as problem:
-            raise BadInput(f"{check.name}: {problem}") from problem
+        except (MeshError, SceneProblemError) as problem:
+            raise BadInputError(f"{check.name}: {problem}") from problem
         except ContactError as problem:
-            raise BadInput(f"{check.name}: {problem}") from problem
+            raise BadInputError(f"{check.name}: {problem}") from problem
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
         entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB())
         records_store.write(entry, folder)

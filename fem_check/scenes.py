@@ -8,13 +8,13 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-import qsbearing
 
+import qsbearing
 from fem_check.contact_problem import ElasticConstants
 from fem_check.groove import RACES, BallInGroove
 
 
-class SceneProblem(Exception):
+class SceneProblemError(Exception):
     """A scene gives no contact; the message says why."""
 
 
@@ -54,7 +54,7 @@ def _scene_from_catalogue(name: str) -> Any:
     import tomllib
     from pathlib import Path
 
-    from qsbearing.material import BY_NAME as materials
+    from qsbearing.material import BY_NAME
 
     path = Path(name) if name.endswith(".toml") else Path(qsbearing.__file__).parent / "catalogue" / f"{name}.toml"
     if not path.is_file():
@@ -67,8 +67,8 @@ def _scene_from_catalogue(name: str) -> Any:
         inner_groove_radius=table["inner_groove_radius_mm"] * qsbearing.mm,
         outer_groove_radius=table["outer_groove_radius_mm"] * qsbearing.mm,
         free_contact_angle=table["free_contact_angle_deg"] * qsbearing.deg,
-        ball_material=materials[table["ball_material"]],
-        ring_material=materials[table["ring_material"]],
+        ball_material=BY_NAME[table["ball_material"]],
+        ring_material=BY_NAME[table["ring_material"]],
         name=path.stem.upper(),
     )
     return qsbearing.Scene(
@@ -82,19 +82,21 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
     """Ball and raceway of a scene, at the free contact angle.
 
     Raises:
-        SceneProblem: unknown race, or a scene that does not describe one bearing.
+        SceneProblemError: unknown race, or a scene that does not describe one bearing.
     """
     if race not in RACES:
-        raise SceneProblem(f"race {race!r}: must be one of {', '.join(RACES)}")
+        raise SceneProblemError(f"race {race!r}: must be one of {', '.join(RACES)}")
     try:
         bearing = load_scene(scene).bearing
     except (OSError, ValueError, KeyError) as problem:
-        raise SceneProblem(f"scene {scene}: {problem}") from problem
+        raise SceneProblemError(f"scene {scene}: {problem}") from problem
 
     def number(value: Any, field: str) -> float:
         array = np.asarray(value, dtype=float)
         if array.size != 1:
-            raise SceneProblem(f"scene {scene}: {field} holds {array.size} values; one contact needs a single bearing")
+            raise SceneProblemError(
+                f"scene {scene}: {field} holds {array.size} values; one contact needs a single bearing"
+            )
         return float(array.ravel()[0])
 
     def constants(material: Any, field: str) -> ElasticConstants:
@@ -126,6 +128,6 @@ def operating_loads(scene_name: str, race: str) -> tuple[tuple[str, float], ...]
         contacts = solution.inner if race == "inner" else solution.outer
         load = float(np.asarray(contacts.load).ravel()[0])
         if not load > 0.0:
-            raise SceneProblem(f"{scene_name} at {point.label}: the model gives the {race} raceway no load")
+            raise SceneProblemError(f"{scene_name} at {point.label}: the model gives the {race} raceway no load")
         found.append((point.label, load))
     return tuple(found)

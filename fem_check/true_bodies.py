@@ -1,9 +1,9 @@
 """The true bodies: half a ball between two opposite contacts, and a block of raceway under the true groove.
 
 Conventions, on which the approach depends. The ball's reference is its equator, the plane through its centre normal to
-the contact: half a ball is held there by a plane of symmetry, as between two equal and opposite contacts, its sides free.
-The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-space's would.
-Pressure acts along the ball's normal on both bodies, and the gap is measured along the contact's normal.
+the contact: half a ball is held there by a plane of symmetry, as between two equal and opposite contacts, its sides
+free. The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-space's
+would. Pressure acts on each body along its own surface's normal, and the gap is measured along the contact's normal.
 """
 
 from __future__ import annotations
@@ -112,8 +112,8 @@ def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Pr
 def inflated(xi: Array, eta: Array, zeta: Array) -> Array:
     """A cube's octant blown up to a ball's, shape (3, point): pole at zeta = 1, depth counted from it along z.
 
-    The classical mapping x = xi sqrt(1 - eta^2/2 - zeta^2/2 + eta^2 zeta^2/3) and its cyclic kin: the cube's faces go to
-    the sphere, its planes of symmetry to themselves.
+    The classical mapping x = xi sqrt(1 - eta^2/2 - zeta^2/2 + eta^2 zeta^2/3) and its cyclic kin: the cube's faces go
+    to the sphere, its planes of symmetry to themselves.
     """
     x2, y2, z2 = xi * xi, eta * eta, zeta * zeta
     return np.stack(

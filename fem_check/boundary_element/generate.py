@@ -4,10 +4,10 @@
     python -m fem_check.boundary_element.generate
 
 tamaas (L. Frerot et al., J. Open Source Software 5, 2020) solves the normal contact of half-spaces with piecewise
-constant pressure on a regular grid, by Polonsky & Keer's conjugate gradients, with a non-periodic convolution. Nothing of
-it is shared with the finite elements. Each contact is solved twice on one grid, with the exact gap and with its parabola;
-the parabola's answer is Hertz's, so the ratio of the two is free of most of the grid's own error, and its difference to
-Hertz, kept too, shows how large that error is.
+constant pressure on a regular grid, by Polonsky & Keer's conjugate gradients, with a non-periodic convolution. Nothing
+of it is shared with the finite elements. Each contact is solved twice on one grid, with the exact gap and with its
+parabola; the parabola's answer is Hertz's, so the ratio of the two is free of most of the grid's own error, and its
+difference to Hertz, kept too, shows how large that error is.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ B218 = {
 
 def solve(problem: ContactProblem, gap: GapFunction, a: float, b: float) -> dict[str, float]:
     """Approach and semi-axes (from the pressure's moments) of one contact."""
-    import tamaas as tm
+    import tamaas as tm  # type: ignore[import-untyped]
 
     size = [SPAN * a, SPAN * b]
     x, y = ((np.arange(POINTS) + 0.5) / POINTS * length - 0.5 * length for length in size)

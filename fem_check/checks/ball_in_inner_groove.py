@@ -7,7 +7,7 @@ from fem_check.checks import groove_contacts
 
 CHECK = Check(
     name="ball_in_inner_groove",
-    question="B218, inner raceway, half-spaces: does the finite-element contact give Hertz's, at the loads of real operation?",
+    question="B218, inner raceway, half-spaces: do finite elements give Hertz's contact at real loads?",
     kind=Kind.VERIFICATION,
     reference="Hertz in closed form, exact for this idealised problem",
     tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",

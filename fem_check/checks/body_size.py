@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 import numpy as np
 
 from fem_check import contact, elastic_body, meshing, references
@@ -41,7 +40,7 @@ def run(level: Level, progress: Progress) -> Findings:
         approaches.append(float(field.approaches.mean()))
     *clamped, open_far = approaches
     assert body is not None
-    # A far load's displacement falls like 1/distance, and what the walls take back with it: the next term is 1/distance^3.
+    # What the walls take back falls like 1/distance; the patch's size enters with 1/distance^3.
     table = np.column_stack([np.ones(3), 1.0 / np.asarray(SIZES), 1.0 / np.asarray(SIZES) ** 3])
     limit = float(np.linalg.solve(table, np.asarray(clamped))[0])
     case = f"inner groove, Q = {LOAD:.0f} N"

@@ -89,8 +89,8 @@ def run(level: Level, progress: Progress) -> Findings:
         "file": pair.recipe.file_name,
     }
     notes = [
-        f"The gap's shape alone, on half-spaces; boundary-element values from {values.source()}. What finite bodies add to the "
-        "approach is the same for every groove and stands under true_geometry."
+        f"The gap's shape alone, on half-spaces; boundary-element values from {values.source()}. What finite bodies "
+        "add to the approach is about the same for every groove and stands under true_geometry."
     ]
     return Findings(rows, entry, pair.race.solver, {"conformity": series}, notes)
 

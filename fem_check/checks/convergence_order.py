@@ -1,4 +1,4 @@
-"""Do the errors fall with the element as they should, on aligned and misaligned meshes, and does the estimate cover them?"""
+"""Do the errors fall with the element as they should, on aligned and misaligned meshes?"""
 
 from __future__ import annotations
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import qsbearing
-from qsbearing.hertz import effective_modulus
 
+import qsbearing
 from fem_check import half_space_contact, references
 from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
@@ -14,6 +13,7 @@ from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.groove import RACES
 from fem_check.half_space_contact import TOLERANCES, WHY
 from fem_check.scenes import groove_contact
+from qsbearing.hertz import effective_modulus
 
 # Both routes claim full precision; each loses a few digits of 16 in its root finding.
 CLOSED_FORM_TOLERANCE = 1e-8

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import qsbearing
+import numpy as np
 
+import qsbearing
 from fem_check import references
 from fem_check.agreement import Check, Findings, Kind, Level, Progress
 from fem_check.checks import groove_contacts
@@ -16,9 +17,9 @@ LOAD = 1000.0
 
 
 def run(level: Level, progress: Progress) -> Findings:
-    """B218's inner groove with a ball of silicon nitride: two meshes, each with its own Poisson's ratio, one contact."""
+    """B218's inner groove with a ball of silicon nitride: two bodies, each with its own Poisson's ratio."""
     ceramic = qsbearing.SILICON_NITRIDE
-    ball = ElasticConstants(float(ceramic.elastic_modulus), float(ceramic.poisson_ratio))
+    ball = ElasticConstants(float(np.asarray(ceramic.elastic_modulus)), float(np.asarray(ceramic.poisson_ratio)))
     problem = replace(groove_contact(groove_contacts.SCENE, "inner"), ball=ball).problem(LOAD)
     case = f"silicon nitride ball, inner groove: Q = {LOAD:.0f} N"
     rows, found = groove_contacts.single(case, problem, level, progress, references.HERTZ_SOURCE)

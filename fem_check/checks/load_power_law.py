@@ -1,4 +1,4 @@
-"""Do approach and semi-axes grow with load as 2/3 and 1/3 of its logarithm, over two decades on one and the same mesh?"""
+"""Do approach and semi-axes grow like the powers 2/3 and 1/3 of the load, over two decades on one mesh?"""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def run(level: Level, progress: Progress) -> Findings:
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     body, hats = _body(level, ellipticity, problem.race.poisson_ratio)
     progress("solving", 1.0)
-    # Elements grow by this from one to the next: the pattern of the mesh repeats, so the edge passes through one element.
+    # Elements grow by this from one to the next, so the mesh's pattern repeats: the edge passes through one element.
     growth = recipe(level).x[1].growth
     smallest = hertz(problem).semi_minor_axis * growth
     rows, found = [], []

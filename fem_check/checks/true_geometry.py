@@ -1,4 +1,4 @@
-"""Where does Hertz stop being true for the real sphere and groove, and how much is the gap's shape, how much the bodies?"""
+"""How far is Hertz from the real sphere and groove, and is it the gap's shape or the bodies' size?"""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from fem_check.checks import groove_contacts
 from fem_check.contact_problem import QUANTITIES, ContactReading
 from fem_check.groove import RACES, BallInGroove
 from fem_check.references import HERTZ_SOURCE, hertz
-from fem_check.scenes import SceneProblem, groove_contact
+from fem_check.scenes import SceneProblemError, groove_contact
 
 LOADS = {Level.QUICK: (500.0, 2000.0, 5000.0), Level.RELEASE: (50.0, 500.0, 2000.0, 5000.0)}
 ELEMENTS = {Level.QUICK: 4, Level.RELEASE: 6}
@@ -41,7 +41,9 @@ def gap_rows(
     """What the gap's shape does to each quantity, finite elements against boundary elements."""
     reference = values.over_hertz(groove, load)
     if reference is None:
-        raise SceneProblem(f"{case}: not among the boundary-element values; run fem_check.boundary_element.generate")
+        raise SceneProblemError(
+            f"{case}: not among the boundary-element values; run fem_check.boundary_element.generate"
+        )
     true, parabola = half_space(groove, load, level, progress)
     # The parabola's answer on the same mesh stands for Hertz: what the mesh does to both drops out of the ratio.
     found = {name: getattr(true, name) / getattr(parabola, name) for name in reference}
@@ -140,11 +142,12 @@ def run(level: Level, progress: Progress) -> Findings:
             "added_approach_per_load": slope,
         }
     notes = [
-        "Reference points of the approach: the ball's equator (plane of symmetry through its centre, sides free, as between "
-        "two equal and opposite contacts), and infinity for the raceway (a block of 0.9 ball radii whose far faces move as "
-        "a half-space's). Another convention moves the finite-body part of the approach, and nothing else.",
-        "Pressure acts on each body along its own surface's normal and the gap is measured along the contact's normal. "
-        "Linear theory leaves open which body's normal is meant; the semi-axes of the true bodies are certain only to that.",
+        "Reference points of the approach: the ball's equator (plane of symmetry through its centre, sides free, as "
+        "between two equal and opposite contacts), and infinity for the raceway (a block of 0.9 ball radii whose far "
+        "faces move as a half-space's). Another convention moves the finite-body part of the approach, nothing else.",
+        "Pressure acts on each body along its own surface's normal; the gap is measured along the contact's normal. "
+        "The two normals differ a little, and linear theory leaves open which one the deformed bodies share: the "
+        "semi-axes of the true bodies are certain only to that.",
     ]
     entry = {
         "elements_per_semi_axis": ELEMENTS[level],

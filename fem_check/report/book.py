@@ -16,13 +16,14 @@ HEAD = """# Finite elements against Hertz
 
 Built by `fem-check report` from the records in this folder; every number below is theirs.
 
-*Verification* asks whether the finite elements solve the contact problem right: bodies are half-spaces, the gap a parabola,
-Hertz is exact, and every per cent of deviation is an error. *Validation* asks how far Hertz is from a true ball in a true
-groove: the deviation is the finding, and only what an independent method also gives is gated. Neither is a measurement.
+*Verification* asks whether the finite elements solve the contact problem right: bodies are half-spaces, the gap a
+parabola, Hertz is exact, and every per cent of deviation is an error. *Validation* asks how far Hertz is from a true
+ball in a true groove: the deviation is the finding, and only what an independent method also gives is gated. Neither is
+a measurement.
 
-Each value found is the mean over eight places of the contact's edge within an element; held against the reference is the
-worst of three meshes, one in the contact's proportions and two stretched out of them by 3 to 7 %. The uncertainty is of the
-mesh: sequence of three sizes, places of the edge, and alignment together. A verdict of *finding* is not gated.
+Each value found is the mean over several places of the contact's edge within an element; held against the reference is
+the worst of several meshes, one in the contact's proportions and others stretched out of them. The uncertainty is of
+the mesh: a sequence of sizes, places of the edge, and alignment together. A verdict of *finding* is not gated.
 """
 
 
@@ -46,7 +47,7 @@ def write(records: Path, out: Path) -> Path:
     with os.fdopen(handle, "w") as file:
         file.write("\n".join(parts))
     Path(temporary).chmod(0o644)
-    os.replace(temporary, path)
+    Path(temporary).replace(path)
     return path
 
 

@@ -17,8 +17,8 @@ from matplotlib.tri import Triangulation
 
 Entry = dict[str, Any]
 DPI = 110
-HERTZ = {"color": "black", "linewidth": 1.2}
-FOUND = {"color": "#c44e52", "marker": ".", "linestyle": "none", "markersize": 3}
+HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
+FOUND: dict[str, Any] = {"color": "#c44e52", "marker": ".", "linestyle": "none", "markersize": 3}
 
 
 def save(figure: Figure, path: Path) -> None:

@@ -71,7 +71,7 @@ def test_every_solver_solves(solver, monkeypatch):
 
 def test_unknown_solver_is_refused(monkeypatch):
     monkeypatch.setenv(linear_solver.ENVIRONMENT, "abacus")
-    with pytest.raises(ValueError, match="not usable here; installed: .*scipy"):
+    with pytest.raises(ValueError, match=r"not usable here; installed: .*scipy"):
         linear_solver.chosen()
 
 

@@ -16,7 +16,7 @@ def b218(race: str) -> BallInGroove:
     return BallInGroove("B218", race, 22.225e-3, 11.6281e-3, 125.26e-3, np.radians(40.0), STEEL, STEEL)
 
 
-# B218 at 40 degrees and 1000 N, from two independent solutions of Hertz's equations at full precision; last digit printed.
+# B218 at 40 degrees and 1000 N, from two other solutions of Hertz's equations at full precision; last digit printed.
 @pytest.mark.parametrize(
     ("race", "a", "b", "p0", "delta"),
     [("inner", 1.738585, 0.213182, 1288.233, 8.397011), ("outer", 1.700768, 0.246577, 1138.529, 8.179344)],
