@@ -79,13 +79,12 @@ class BallBearing:
 
         cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`.
         """
-        lengths = [
+        inner, outer, ball = (
             numeric("", fields[name], LENGTH)[0]
             for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
-        ]
+        )
         faults = []
         angle: ArrayLike = 0.0  # stands in while the other fields are judged
-        inner, outer, ball = lengths
         if inner is not None and outer is not None and ball is not None:
             distance = inner + outer - ball
             faults = clearance_faults(diametral_clearance, distance)

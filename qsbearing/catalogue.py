@@ -54,7 +54,7 @@ def nearest(name: str) -> str:
     similar = difflib.get_close_matches(name.strip().lower(), names, n=1, cutoff=0.5)
     if similar:
         return f"Did you mean {names[similar[0]]}?"
-    return f"The catalogue holds {', '.join(names.values())}"
+    return f"The catalogue holds {', '.join(names.values())}."
 
 
 def _entry(data: dict[str, Any]) -> Entry:

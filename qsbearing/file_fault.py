@@ -60,10 +60,10 @@ def translate(fault: Fault) -> FileFault:
     problem, cause = in_file_words(fault.problem), fault.cause
     value, allowed = fault.value, fault.allowed
     unit, size = (key.unit, key.size) if key else ("", 1.0)
-    if fault.quantity is not None and allowed is not None and isinstance(value, float | int):
-        # Python's advice on units is about SI; the file's unit needs its own. A more particular cause stays.
-        if cause == likely_slip(value, fault.quantity, *allowed):
-            cause = slip_of_unit(key, value / size, allowed)
+    judged = fault.quantity is not None and allowed is not None and isinstance(value, float | int)
+    # Python's advice on units is about SI; the file's unit needs its own. A more particular cause stays.
+    if judged and cause == likely_slip(value, fault.quantity, *allowed):  # type: ignore[arg-type,misc]
+        cause = slip_of_unit(key, value / size, allowed)  # type: ignore[arg-type]
     if isinstance(value, float | int) and not isinstance(value, bool):
         value = _clean(value / size)
     if allowed is not None:

@@ -84,10 +84,11 @@ def effect_faults(ball_effects: tuple[BallEffect, ...], raceway_control: Raceway
     if len(set(names)) < len(names):
         faults.append(Fault("ball_effects", "names an effect twice", value=names))
     if names and raceway_control is None:
+        need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
         faults.append(
             Fault(
                 "raceway_control",
-                f"missing: {' and '.join(names)} {'needs' if len(names) == 1 else 'need'} the balls' motion, which raceway control sets",
+                f"missing: {need} the balls' motion, which raceway control sets",
                 cause="State raceway_control: outer, inner or per_ball",
             )
         )

@@ -6,7 +6,7 @@ import difflib
 import os
 import tomllib
 from decimal import Decimal
-from math import nan, radians, sin
+from math import isnan, nan, radians, sin
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
@@ -41,9 +41,9 @@ class _Table(BaseModel):
 
 
 class _Material(_Table):
-    elastic_modulus_GPa: Number
-    poisson_ratio: Number
-    density_kg_m3: Number
+    elastic_modulus_GPa: Number | None = None
+    poisson_ratio: Number | None = None
+    density_kg_m3: Number | None = None
     thermal_expansion_per_K: Number | None = None
 
 
@@ -119,7 +119,7 @@ class _Checked(NamedTuple):
     good: dict[str, Any]
     """Keys with a usable value, and the keys' defaults."""
     bad: set[str]
-    """Keys that are there with a value of the wrong kind."""
+    """Keys that are there with a value of the wrong kind; a material's as `ball_material.density_kg_m3`."""
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -134,9 +134,9 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     path = Path(source)
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not _is_file(path):
         try:
-            entry = catalogue.find(source)
+            entry = catalogue.find(str(source))
         except KeyError:
-            cause = f"{catalogue.nearest(source)}. A scene of your own is a file, such as {source or 'my'}.toml"
+            cause = f"{catalogue.nearest(str(source))} A scene of your own is a file, such as {source or 'my'}.toml"
             problem = "neither a file nor a bearing of the catalogue"
             raise SceneFileError(repr(source), [FileFault("", problem, cause=cause)]) from None
         return scene_of({"bearing": {"name": entry.name}, **entry.example}, entry.name)
@@ -234,7 +234,8 @@ def _unknown_tables(document: dict[str, Any]) -> list[FileFault]:
             continue
         if isinstance(value, dict):
             shown = f"[{name}]"
-            cause = _did_you_mean(name, list(SECTIONS)) or _SCENE_HAS
+            near = difflib.get_close_matches(name.lower(), SECTIONS, n=1, cutoff=0.5)
+            cause = f"Did you mean [{near[0]}]?" if near else _SCENE_HAS
         else:
             homes = [section for section, keys in SECTIONS.items() if name in keys]
             shown = name
@@ -249,6 +250,7 @@ def _checked(model: type[BaseModel], section: str, table: Any, faults: list[File
         faults.append(FileFault(section, "is not a table", table, cause=f"Write it as [{section}], keys below it"))
         return _Checked({}, set())
     bad: set[str] = set()
+    rest = {key: dict(value) if isinstance(value, dict) else value for key, value in table.items()}
     try:
         return _Checked(dict(model.model_validate(table)), bad)
     except ValidationError as error:
@@ -256,10 +258,14 @@ def _checked(model: type[BaseModel], section: str, table: Any, faults: list[File
             where = [str(part) for part in detail["loc"]]
             if where[0].endswith("_material"):
                 del where[1:2]  # which of the two forms pydantic took it for
-            bad.add(where[0])
             faults.append(_structural(section, where, detail["type"], detail.get("input")))
-    rest = {key: value for key, value in table.items() if key not in bad}
-    return _Checked(dict(model.model_validate(rest)), bad & set(model.model_fields))
+            if len(where) == 2 and where[0].endswith("_material"):
+                rest[where[0]].pop(where[1], None)
+            else:
+                rest.pop(where[0], None)
+            if detail["type"] != "extra_forbidden":
+                bad.add(".".join(where) if where[0].endswith("_material") else where[0])
+    return _Checked(dict(model.model_validate(rest)), bad)
 
 
 def _structural(section: str, where: list[str], kind: str, value: Any) -> FileFault:
@@ -267,10 +273,6 @@ def _structural(section: str, where: list[str], kind: str, value: Any) -> FileFa
     in_material = len(where) == 2 and where[0].endswith("_material")
     if kind == "extra_forbidden":
         return FileFault(path, "unknown key", cause=_nearest_key(name, "material" if in_material else section))
-    if kind == "missing":
-        return FileFault(
-            path, "missing", cause="A material's table has elastic_modulus_GPa, poisson_ratio, density_kg_m3"
-        )
     if name in _CHOICES:
         cause = _did_you_mean(value, _CHOICES[name]) or f"One of {', '.join(_CHOICES[name])}"
         return FileFault(path, "is none of the choices", value, cause=cause)
@@ -349,9 +351,7 @@ def _bearing(document: dict[str, Any], label: str, faults: list[FileFault]) -> B
     if isinstance(document["bearing"], dict) and (entry is not None or "name" not in written):
         _missing(good, bad, faults)
     values = {key.name: good.get(key.name) for key in BEARING}
-    materials = {
-        side: _material(f"bearing.{side}", good.get(side), faults) for side in ("ball_material", "ring_material")
-    }
+    materials = {side: _material(side, good.get(side), bad, faults) for side in ("ball_material", "ring_material")}
     found = _physical(values, bad, materials, good, written, label)
     reported = {fault.key for fault in faults}
     for fault in found if isinstance(found, list) else []:
@@ -386,18 +386,23 @@ def _missing(good: dict[str, Any], bad: set[str], faults: list[FileFault]) -> No
         faults.append(FileFault("bearing.free_contact_angle_deg", "missing", cause="Or give diametral_clearance_mm"))
 
 
-def _material(path: str, value: Any, faults: list[FileFault]) -> Material:
+def _material(side: str, value: Any, bad: set[str], faults: list[FileFault]) -> Material:
     if isinstance(value, _Material):
-        return Material(
-            value.elastic_modulus_GPa * 1e9, value.poisson_ratio, value.density_kg_m3, value.thermal_expansion_per_K
-        )
+        numbers = {key.field: nan for key in MATERIAL[:3]}
+        for key in MATERIAL[:3]:
+            given = getattr(value, key.name)
+            if given is not None:
+                numbers[key.field] = given * key.size
+            elif f"{side}.{key.name}" not in bad:
+                faults.append(FileFault(f"bearing.{side}.{key.name}", "missing"))
+        return Material(**numbers, thermal_expansion=value.thermal_expansion_per_K)
     if value is None:
         return Material(nan, nan, nan)
     if value.lower() in BY_NAME:
         return BY_NAME[value.lower()]
     cause = _did_you_mean(value, [name.replace(" ", "_") for name in BY_NAME]).replace("_", " ")
     cause = cause or f"One of {', '.join(BY_NAME)}, or a table with elastic_modulus_GPa, poisson_ratio, density_kg_m3"
-    faults.append(FileFault(path, "is not a known material", value, cause=cause))
+    faults.append(FileFault(f"bearing.{side}", "is not a known material", value, cause=cause))
     return Material(nan, nan, nan)
 
 
@@ -440,9 +445,9 @@ def _physical(
 
 def _is_unknown(field: str, known: set[str], materials: dict[str, Material]) -> bool:
     """Whether a fault is about a number that is missing or already known to be no number."""
-    side = field.split(".")[1]
+    side, _, number = field.partition(".")[2].partition(".")
     if side in materials:
-        return materials[side].elastic_modulus != materials[side].elastic_modulus
+        return bool(isnan(getattr(materials[side], number)))
     return not any(key.field == side and key.name in known for key in BEARING)
 
 
