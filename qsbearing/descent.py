@@ -22,6 +22,9 @@ from qsbearing.newton import STALLED, any_held, applied_load, newton_step, remem
 from qsbearing.raceway_control import INNER
 from qsbearing.ring import Workspace, add_ball, channel_scale, clear, inner_groove_centre
 
+# A ball's force below this part of the load is beneath the solver's own tolerance.
+LEAST_BALL_FORCE = 1e-10
+
 
 @kernel
 def freeze(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, blend: float) -> None:
@@ -97,10 +100,16 @@ def convex_pass(
     channels: int,
     floor: float,
     at_rest: bool,
-) -> tuple[float, float]:
-    """Evaluate the convex problem: (largest imbalance, largest force); its condensed system is in the workspace."""
+) -> float:
+    """Evaluate the convex problem, its condensed system left in the workspace: the largest relative imbalance.
+
+    The ring's is relative to the largest force, a ball's to its own: a ball thrown into the corner between its grooves
+    by a ten-millionth of the load must find that corner before Newton can take over.
+    """
     clear(w, channels)
-    worst, scale, contact = 0.0, applied_load(case), 0.0
+    applied = applied_load(case)
+    least = LEAST_BALL_FORCE * applied
+    worst, contact, inertial = 0.0, 0.0, 0.0
     for n in range(balls):
         j = w.ball[n]
         a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
@@ -111,20 +120,24 @@ def convex_pass(
         else:
             frozen = w.inertia[j]
             r1, r2, load = frozen_ball(case, frozen, a1, a2, position[j, 0], position[j, 1], floor, h)
-            worst = max(worst, abs(r1), abs(r2))
-            scale = max(scale, abs(frozen[0]), abs(frozen[1]))
+            own = max(abs(frozen[0]), abs(frozen[1]))
+            inertial = max(inertial, own)
             contact = max(contact, load)
+            imbalance = max(abs(r1), abs(r2))
+            if imbalance > 0.0:
+                worst = max(worst, imbalance / max(own, load, least))
         w.imbalance[j, 0], w.imbalance[j, 1] = r1, r2
         add_ball(case, w, h, w.cosine[j], w.sine[j], w.weight[n], channels)
+    scale = max(applied, inertial, contact if any_held(case) else 0.0)
     for p in range(channels):
         i = w.channel[p]
         lever = channel_scale(case, i)
         w.right[p] -= case.prescribed[i]
-        worst = max(worst, abs(w.force[i] - case.prescribed[i]) / lever)
+        imbalance = abs(w.force[i] - case.prescribed[i]) / lever
+        if imbalance > 0.0:
+            worst = max(worst, imbalance / scale if scale > 0.0 else 1.0)
         w.matrix[p, p] += floor * lever * lever  # as for a ball: a channel that nothing resists keeps a step
-    if any_held(case):
-        scale = max(scale, contact)
-    return worst, scale
+    return worst
 
 
 @kernel
@@ -164,18 +177,18 @@ def search_line(
     at_rest: bool,
     fraction: float,
     first: float,
-) -> tuple[float, float]:
+) -> float:
     """Go along the step until its slope is at most half the first, by secants on the rising slope.
 
-    Returns the imbalance and the largest force where it stops.
+    Returns the relative imbalance where it stops.
     """
     low, slope_low, high, slope_high = 0.0, first, -1.0, 0.0
-    worst, scale = 0.0, 0.0
+    worst = 1.0
     for _ in range(60):
         move_straight(w, ring, position, balls, fraction)
-        worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+        worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
         slope = slope_along_step(case, w, balls, channels)
-        if abs(slope) <= 0.5 * abs(first) or worst <= tolerance * scale:
+        if abs(slope) <= 0.5 * abs(first) or worst <= tolerance:
             break
         if slope < 0.0:
             low, slope_low = fraction, slope
@@ -187,7 +200,7 @@ def search_line(
         guess = low + (high - low) * slope_low / (slope_low - slope_high)
         margin = 0.1 * (high - low)
         fraction = min(max(guess, low + margin), high - margin)
-    return worst, scale
+    return worst
 
 
 @kernel
@@ -205,20 +218,20 @@ def descend(
 ) -> tuple[bool, int, float]:
     """Minimise Pi from (ring, position), in place: (converged, iterations, relative residual)."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+    worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
     for iteration in range(most):
-        if worst <= tolerance * scale:
-            return True, iteration, worst / scale if scale > 0.0 else 0.0
+        if worst <= tolerance:
+            return True, iteration, worst
         largest = newton_step(case, w, balls, channels)
         if largest < 0.0:
-            return False, iteration, worst / scale
+            return False, iteration, worst
         first = slope_along_step(case, w, balls, channels)
         remember(w, ring, position, balls)
         before = worst
         fraction = 1.0 if largest <= length else length / largest
-        worst, scale = search_line(case, w, ring, position, balls, channels, floor, tolerance, at_rest, fraction, first)
-        if worst >= before and before <= STALLED * scale:  # the limit of rounding
+        worst = search_line(case, w, ring, position, balls, channels, floor, tolerance, at_rest, fraction, first)
+        if worst >= before and before <= STALLED:  # the limit of rounding
             move_straight(w, ring, position, balls, 0.0)
-            worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-            return True, iteration, worst / scale
-    return worst <= STALLED * scale, most, worst / scale if scale > 0.0 else 0.0
+            worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+            return True, iteration, worst
+    return worst <= STALLED, most, worst

@@ -126,7 +126,7 @@ def frozen_rounds(
     residual = 1.0
     for r in range(FREEZES_MOST):
         freeze(case, w, ring, position, balls, 1.0 if r < 3 else 0.5 if r < 10 else 0.2)
-        _, iterations, _ = descend(case, w, ring, position, balls, channels, floor, 1e-6, DESCENT_MOST, False)
+        _, iterations, _ = descend(case, w, ring, position, balls, channels, floor, 1e-8, DESCENT_MOST, False)
         total += iterations
         keep(w, ring, position, balls)
         converged, iterations, residual = newton(
