@@ -113,7 +113,8 @@ class BallBearing:
 
         (19.7) prints fi + fo - 0.5: with it B218 would have 12.14 mm instead of 1.031 mm.
         """
-        return np.asarray(self.inner_groove_radius, float) + self.outer_groove_radius - self.ball_diameter
+        inner, outer = np.asarray(self.inner_groove_radius, float), np.asarray(self.outer_groove_radius, float)
+        return inner + outer - np.asarray(self.ball_diameter, float)
 
     @property
     def diametral_clearance(self) -> NDArray:

@@ -388,7 +388,7 @@ def _missing(good: dict[str, Any], bad: set[str], faults: list[FileFault]) -> No
 
 def _material(side: str, value: Any, bad: set[str], faults: list[FileFault]) -> Material:
     if isinstance(value, _Material):
-        numbers = {key.field: nan for key in MATERIAL[:3]}
+        numbers: dict[str, Any] = {key.field: nan for key in MATERIAL[:3]}
         for key in MATERIAL[:3]:
             given = getattr(value, key.name)
             if given is not None:
