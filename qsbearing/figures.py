@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.units import MPa, deg, mm
+from qsbearing.units import MPa, deg, mm, rpm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,11 +22,14 @@ if TYPE_CHECKING:
     Index = int | tuple[int, ...]
 
 # Okabe & Ito's blue and vermilion: told apart by every kind of colour vision, and by their lightness in print.
+# The outer's hollow squares are larger than the inner's discs: where the two coincide, both are seen.
 STYLE: dict[str, dict[str, Any]] = {
-    "inner": {"color": "#d55e00", "marker": "o", "linestyle": "-"},
-    "outer": {"color": "#0072b2", "marker": "s", "linestyle": "--"},
+    "inner": {"color": "#d55e00", "marker": "o", "linestyle": "-", "zorder": 2.1},
+    "outer": {"color": "#0072b2", "marker": "s", "linestyle": "--", "markerfacecolor": "none", "zorder": 2.2},
 }
+_MARKER_SIZE = {"inner": 4.0, "outer": 7.0}
 GREY = "0.35"
+_LOADS = ("axial", "radial y", "radial z", "moment y", "moment z")
 MOST_ELLIPSES = 24
 """More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""
 
@@ -41,7 +44,7 @@ def load_distribution(solution: Solution, index: Index = ()) -> Figure:
     axes = figure.add_subplot(projection="polar")
     _draw_loads(axes, solution, index)
     _legend(figure, axes)
-    figure.suptitle(_title(solution), fontsize=10)
+    figure.suptitle(_title(solution, index), fontsize=10)
     return figure
 
 
@@ -51,7 +54,7 @@ def contact_angles(solution: Solution, index: Index = ()) -> Figure:
     axes = figure.add_subplot()
     _draw_angles(axes, solution, index)
     _legend(figure, axes)
-    figure.suptitle(_title(solution), fontsize=10)
+    figure.suptitle(_title(solution, index), fontsize=10)
     return figure
 
 
@@ -61,7 +64,7 @@ def contact_ellipses(solution: Solution, index: Index = ()) -> Figure:
     figure = _figure(10.0, 4.6)
     axes = figure.add_subplot()
     _draw_ellipses(axes, solution, index)
-    figure.suptitle(_title(solution), fontsize=10)
+    figure.suptitle(_title(solution, index), fontsize=10)
     return figure
 
 
@@ -75,7 +78,7 @@ def overview(solution: Solution, index: Index = ()) -> Figure:
     _draw_angles(angles, solution, index)
     _draw_ellipses(figure.add_subplot(grid[1, :]), solution, index)
     _legend(figure, angles, loads)
-    figure.suptitle(_title(solution), fontsize=11)
+    figure.suptitle(_title(solution, index), fontsize=11)
     return figure
 
 
@@ -87,21 +90,20 @@ def _draw_loads(axes: Any, solution: Solution, index: Index) -> None:
 
     azimuth, present = _balls(solution, index)
     axes.set_title("Contact load, N", fontsize=10, pad=18)
-    largest = 0.0
-    for side, contacts in _sides(solution):
-        load = contacts.load[index][present]
-        largest = max(largest, float(load.max()))
-        style = STYLE[side] | {"linewidth": 1.2, "markersize": _marker_size(azimuth.size), "label": f"{side} raceway"}
-        if side == "outer":
-            style["markerfacecolor"] = "white"
-        axes.plot(np.append(azimuth, azimuth[0]), np.append(load, load[0]), **style)
-    top = 1.12 * (largest or 1.0)
+    loads = {side: contacts.load[index][present] for side, contacts in _sides(solution)}
+    for side, load in loads.items():
+        axes.plot(np.append(azimuth, azimuth[0]), np.append(load, load[0]), **_style(side, azimuth.size))
+    top = 1.12 * (max(float(load.max()) for load in loads.values()) or 1.0)
     axes.set_ylim(0.0, top)
     _mark_lost(axes, solution, index, np.full(azimuth.size, 0.96 * top))
     axes.set_thetagrids(range(0, 360, 45), ["y  0°", "45°", "z  90°", "135°", "180°", "225°", "270°", "315°"])
-    axes.set_rlabel_position(22.5 if azimuth.size != 8 else 11.0)
-    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= top]
-    axes.set_rgrids(circles, [f"{value:g}" for value in circles])
+    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
+    labels = axes.set_rgrids(circles, [f"{value:g}" for value in circles])[1]
+    for label in labels:
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6})
+    # The circles are labelled between two balls, where the loads are smallest.
+    quiet = int(np.argmin(loads["inner"] + loads["outer"]))
+    axes.set_rlabel_position(float(np.degrees(azimuth[quiet]) + 180.0 / azimuth.size))
     axes.tick_params(axis="both", labelsize=8)
     axes.grid(color="0.85", linewidth=0.6)
 
@@ -110,6 +112,9 @@ def _draw_angles(axes: Axes, solution: Solution, index: Index) -> None:
     azimuth, present = _balls(solution, index)
     turned = np.degrees(azimuth) % 360.0
     order = np.argsort(turned)
+    # Once round and a little more: the last ball stands before the start, the first after the end.
+    order = np.concatenate([order[-1:], order, order[:1]])
+    along = turned[order] + np.concatenate([[-360.0], np.zeros(order.size - 2), [360.0]])
     free = float(np.broadcast_to(solution.scene.bearing.free_contact_angle, solution.shape)[index]) / deg
     axes.axhline(free, color=GREY, linewidth=0.9, linestyle=":", label="free contact angle")
     values = [free]
@@ -117,10 +122,7 @@ def _draw_angles(axes: Axes, solution: Solution, index: Index) -> None:
         loaded = contacts.load[index][present] > 0.0
         angle = np.where(loaded, contacts.angle[index][present] / deg, np.nan)
         values += list(angle[loaded])
-        style = STYLE[side] | {"linewidth": 1.2, "markersize": _marker_size(azimuth.size), "label": f"{side} raceway"}
-        if side == "outer":
-            style["markerfacecolor"] = "white"
-        axes.plot(turned[order], angle[order], **style)
+        axes.plot(along, angle[order], **_style(side, azimuth.size))
     low, high = min(values), max(values)
     margin = max(0.08 * (high - low), 1.0)
     floor = low - 2.2 * margin
@@ -135,60 +137,64 @@ def _draw_angles(axes: Axes, solution: Solution, index: Index) -> None:
 
 
 def _draw_ellipses(axes: Axes, solution: Solution, index: Index) -> None:
-    from matplotlib.patches import Ellipse
-
     chosen, names, every = _columns(solution, index)
     _, present = _balls(solution, index)
-    half_heights, half_widths = (
-        [getattr(contacts, name)[index][present][chosen] / mm for _, contacts in _sides(solution)]
-        for name in ("semi_major_axis", "semi_minor_axis")
-    )
-    tallest = float(max(values.max() for values in half_heights)) or 1.0
-    widest = float(max(values.max() for values in half_widths)) or 1.0
-    # Columns spread over about the width of the sheet, and never touch.
-    spacing = max(2.6 * widest, 3.3 * 2.2 * tallest / max(chosen.size, 3))
-    rows = {"inner": 1.45 * tallest, "outer": -1.45 * tallest}
-    rotated = chosen.size > 12
-    for position, (side, contacts) in enumerate(_sides(solution)):
-        height = rows[side]
-        colour = STYLE[side]["color"]
-        pressures = contacts.max_pressure[index][present][chosen] / MPa
-        for column in range(chosen.size):
-            x, a, b = column * spacing, float(half_heights[position][column]), float(half_widths[position][column])
+    sides = {
+        side: [
+            getattr(contacts, name)[index][present][chosen] / size
+            for name, size in (("semi_major_axis", mm), ("semi_minor_axis", mm), ("max_pressure", MPa))
+        ]
+        for side, contacts in _sides(solution)
+    }
+    tallest = float(max(major.max() for major, _, _ in sides.values())) or 1.0
+    widest = float(max(minor.max() for _, minor, _ in sides.values())) or 1.0
+    # Columns spread over the width of the sheet, and never touch.
+    spacing = max(2.6 * widest, 19.0 * tallest / max(chosen.size, 3))
+    crowded, alone = chosen.size > 16, chosen.size == 1
+    for side, columns in sides.items():
+        up = 1.0 if side == "inner" else -1.0
+        for column, (a, b, pressure) in enumerate(zip(*columns, strict=True)):
+            x, y = column * spacing, up * 1.45 * tallest
             if a == 0.0:
-                axes.plot(x, height, marker="x", color=GREY, markersize=5, linestyle="none")
+                lost = all(other[0][column] == 0.0 for other in sides.values())
+                axes.plot(x, y, "x" if lost else "+", color=GREY, markersize=6)
                 continue
-            axes.add_patch(Ellipse((x, height), 2.0 * b, 2.0 * a, facecolor=colour, alpha=0.22, edgecolor="none"))
-            axes.add_patch(
-                Ellipse((x, height), 2.0 * b, 2.0 * a, fill=False, edgecolor=colour, linestyle=STYLE[side]["linestyle"])
-            )
-            place = height + (1.1 * tallest if side == "inner" else -1.1 * tallest)
-            axes.text(
-                x,
-                place,
-                f"{pressures[column]:.0f}",
-                fontsize=7 if rotated else 8,
-                ha="center",
-                va="bottom" if side == "inner" else "top",
-                rotation=90 if rotated else 0,
-            )
+            _draw_ellipse(axes, side, x, y, float(a), float(b))
+            if alone:
+                words = f"$a$ = {a:.4g} mm\n$b$ = {b:.4g} mm\n$p_0$ = {pressure:.0f} MPa"
+                axes.text(x + 2.0 * widest + 0.5 * tallest, y, words, fontsize=10, va="center", linespacing=1.5)
+            else:
+                place: dict[str, Any] = {
+                    "va": "bottom" if up > 0.0 else "top",
+                    "ha": "center",
+                    "rotation": 90 if crowded else 0,
+                }
+                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", fontsize=7 if crowded else 8, **place)
     axes.set_aspect("equal")
-    right = (chosen.size - 1) * spacing
-    axes.set_xlim(-0.8 * spacing - 0.3 * tallest, right + 0.8 * spacing + 0.3 * tallest)
-    reach = 3.6 if rotated else 3.1
+    edge = 0.8 * spacing + 0.3 * tallest
+    axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge)
+    reach = 3.7 if crowded else 3.1
     axes.set_ylim(-reach * tallest, reach * tallest)
-    axes.set_xticks(
-        [column * spacing for column in range(chosen.size)], names, fontsize=8, rotation=60 if rotated else 0
-    )
-    axes.set_yticks(list(rows.values()), ["inner\nraceway", "outer\nraceway"], fontsize=9)
+    places = [column * spacing for column in range(chosen.size)]
+    axes.set_xticks(places, names, fontsize=8, rotation=60 if crowded else 0)
+    axes.set_yticks([1.45 * tallest, -1.45 * tallest], ["inner\nraceway", "outer\nraceway"], fontsize=9)
     axes.tick_params(length=0)
-    axes.set_xlabel("azimuth of the ball, deg" + every, fontsize=9)
-    axes.set_title(
-        "Contact ellipses to scale, rolling direction to the right; numbers: greatest pressure, MPa", fontsize=10
-    )
+    title = "Contact ellipses to scale, rolling direction to the right"
+    if not alone:
+        axes.set_xlabel(f"azimuth of the ball, deg{every}", fontsize=9)
+        title += "; numbers: greatest pressure, MPa"
+    axes.set_title(title, fontsize=10)
     for spine in axes.spines.values():
         spine.set_visible(False)
-    _scale_bar(axes, -0.5 * spacing - 0.3 * tallest, tallest)
+    _scale_bar(axes, -edge, tallest)
+
+
+def _draw_ellipse(axes: Axes, side: str, x: float, y: float, a: float, b: float) -> None:
+    from matplotlib.patches import Ellipse
+
+    colour, line = STYLE[side]["color"], STYLE[side]["linestyle"]
+    axes.add_patch(Ellipse((x, y), 2.0 * b, 2.0 * a, facecolor=colour, alpha=0.22, edgecolor="none"))
+    axes.add_patch(Ellipse((x, y), 2.0 * b, 2.0 * a, fill=False, edgecolor=colour, linestyle=line, linewidth=1.1))
 
 
 def _scale_bar(axes: Axes, left: float, tallest: float) -> None:
@@ -225,7 +231,10 @@ def _mark_lost(axes: Any, solution: Solution, index: Index, place: NDArray) -> N
     azimuth, present = _balls(solution, index)
     inner, outer = (contacts.load[index][present] == 0.0 for _, contacts in _sides(solution))
     along = azimuth if axes.name == "polar" else np.degrees(azimuth) % 360.0
-    for lost, marker, words in ((inner & outer, "x", "no load on either raceway"), (inner & ~outer, "+", "inner lost")):
+    for lost, marker, words in (
+        (inner & outer, "x", "no load on either raceway"),
+        (inner & ~outer, "+", "inner contact lost"),
+    ):
         if lost.any():
             axes.plot(along[lost], place[lost], marker, color=GREY, markersize=6, label=words, clip_on=False)
 
@@ -269,10 +278,21 @@ def _sides(solution: Solution) -> tuple[tuple[str, RacewayContacts], ...]:
     return ("inner", solution.inner), ("outer", solution.outer)
 
 
-def _marker_size(count: int) -> float:
-    return 5.0 if count <= 24 else 3.2
+def _style(side: str, count: int) -> dict[str, Any]:
+    size = _MARKER_SIZE[side] * (1.0 if count <= 24 else 0.6)
+    return STYLE[side] | {"linewidth": 1.2, "markersize": size, "label": f"{side} raceway"}
 
 
-def _title(solution: Solution) -> str:
-    """What was solved, in a line."""
-    return solution.scene.bearing.name or "Ball bearing"
+def _title(solution: Solution, index: Index) -> str:
+    """What was solved, in a line: the bearing, its speeds, and the loads that the ring carries."""
+    operation = solution.scene.operation
+    words = [solution.scene.bearing.name or "Ball bearing"]
+    for name, speed in (("", operation.speed), ("outer ring ", operation.outer_speed)):
+        if speed is not None:
+            words.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[index]) / rpm:.6g} rpm")
+    load = solution.load[index]
+    largest = np.abs(load).max()
+    for name, unit, value in zip(_LOADS, ("N", "N", "N", "N m", "N m"), load, strict=True):
+        if abs(value) > 1e-6 * largest:
+            words.append(f"{name} {value:.5g} {unit}")
+    return ", ".join(words)
