@@ -164,12 +164,9 @@ def _draw_ellipses(axes: Axes, solution: Solution, index: Index) -> None:
                 words = f"$a$ = {a:.4g} mm\n$b$ = {b:.4g} mm\n$p_0$ = {pressure:.0f} MPa"
                 axes.text(x + 2.0 * widest + 0.5 * tallest, y, words, fontsize=10, va="center", linespacing=1.5)
             else:
-                place: dict[str, Any] = {
-                    "va": "bottom" if up > 0.0 else "top",
-                    "ha": "center",
-                    "rotation": 90 if crowded else 0,
-                }
-                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", fontsize=7 if crowded else 8, **place)
+                place: dict[str, Any] = {"va": "bottom" if up > 0.0 else "top", "ha": "center"}
+                place |= {"rotation": 90, "fontsize": 7} if crowded else {"fontsize": 8}
+                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", **place)
     axes.set_aspect("equal")
     edge = 0.8 * spacing + 0.3 * tallest
     axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge)

@@ -32,64 +32,62 @@ LARGEST_FILE = 1_000_000
 _SCENE_HAS = "A scene has [bearing], [operation] and [effects]"
 BALL_EFFECTS = (CentrifugalForce.name, GyroscopicMoment.name)
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Word = Annotated[str, Field(strict=True)]
-
 
 class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+    # Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 
 class _Material(_Table):
-    elastic_modulus_GPa: Number | None = None
-    poisson_ratio: Number | None = None
-    density_kg_m3: Number | None = None
-    thermal_expansion_per_K: Number | None = None
+    elastic_modulus_GPa: float | None = None
+    poisson_ratio: float | None = None
+    density_kg_m3: float | None = None
+    thermal_expansion_per_K: float | None = None
 
 
 _NamedOrTable = Annotated[
-    Annotated[Word, Tag("name")] | Annotated[_Material, Tag("table")],
+    Annotated[str, Tag("name")] | Annotated[_Material, Tag("table")],
     Discriminator(lambda value: "table" if isinstance(value, dict | _Material) else "name"),
 ]
 
 
 class _Bearing(_Table):
-    name: Word | None = None
-    kind: BearingKind = BearingKind.ANGULAR_CONTACT
-    ball_count: Number | None = None
-    ball_diameter_mm: Number | None = None
-    pitch_diameter_mm: Number | None = None
-    inner_groove_radius_mm: Number | None = None
-    outer_groove_radius_mm: Number | None = None
-    free_contact_angle_deg: Number | None = None
-    diametral_clearance_mm: Number | None = None
+    name: str | None = None
+    kind: BearingKind = Field(BearingKind.ANGULAR_CONTACT, strict=False)
+    ball_count: float | None = None
+    ball_diameter_mm: float | None = None
+    pitch_diameter_mm: float | None = None
+    inner_groove_radius_mm: float | None = None
+    outer_groove_radius_mm: float | None = None
+    free_contact_angle_deg: float | None = None
+    diametral_clearance_mm: float | None = None
     ball_material: _NamedOrTable | None = None
     ring_material: _NamedOrTable | None = None
 
 
 class _Operation(_Table):
-    speed_rpm: Number | None = None
-    outer_speed_rpm: Number | None = None
-    axial_load_N: Number | None = None
-    axial_displacement_um: Number | None = None
-    radial_load_y_N: Number | None = None
-    radial_displacement_y_um: Number | None = None
-    radial_load_z_N: Number | None = None
-    radial_displacement_z_um: Number | None = None
-    moment_y_Nm: Number | None = None
-    tilt_y_mrad: Number | None = None
-    moment_z_Nm: Number | None = None
-    tilt_z_mrad: Number | None = None
-    first_ball_azimuth_deg: Number | None = None
+    speed_rpm: float | None = None
+    outer_speed_rpm: float | None = None
+    axial_load_N: float | None = None
+    axial_displacement_um: float | None = None
+    radial_load_y_N: float | None = None
+    radial_displacement_y_um: float | None = None
+    radial_load_z_N: float | None = None
+    radial_displacement_z_um: float | None = None
+    moment_y_Nm: float | None = None
+    tilt_y_mrad: float | None = None
+    moment_z_Nm: float | None = None
+    tilt_z_mrad: float | None = None
+    first_ball_azimuth_deg: float | None = None
 
 
 class _Effects(_Table):
-    ball: list[Word] = Field(default_factory=list)
-    raceway_control: RacewayControl | None = None
-    moment_shares: MomentShares | None = None
-    hertz_angle: HertzAngle = HertzAngle.FREE
-    hertz_form: HertzForm = HertzForm.EXACT
-    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    ball: list[str] = Field(default_factory=list)
+    raceway_control: RacewayControl | None = Field(None, strict=False)
+    moment_shares: MomentShares | None = Field(None, strict=False)
+    hertz_angle: HertzAngle = Field(HertzAngle.FREE, strict=False)
+    hertz_form: HertzForm = Field(HertzForm.EXACT, strict=False)
+    tilt_lever: TiltLever = Field(TiltLever.GROOVE_CENTRE, strict=False)
 
 
 _CHOICES: dict[str, list[str]] = {
