@@ -42,42 +42,6 @@ OPERATING_POINTS = tuple(
 """B218, light to heavy, at rest and at 10 000 rpm."""
 
 
-def load_scene(name: str) -> Any:
-    """A scene file or a built-in example."""
-    if hasattr(qsbearing, "load_scene"):
-        return qsbearing.load_scene(name)
-    return _scene_from_catalogue(name)
-
-
-def _scene_from_catalogue(name: str) -> Any:
-    """Stands in until `qsbearing.load_scene` is there: the [bearing] table of a file, with both ball effects."""
-    import tomllib
-    from pathlib import Path
-
-    from qsbearing.material import BY_NAME
-
-    path = Path(name) if name.endswith(".toml") else Path(qsbearing.__file__).parent / "catalogue" / f"{name}.toml"
-    if not path.is_file():
-        raise ValueError(f"no such scene file or built-in example: {name}")
-    table = tomllib.loads(path.read_text())["bearing"]
-    bearing = qsbearing.BallBearing(
-        ball_count=table["ball_count"],
-        ball_diameter=table["ball_diameter_mm"] * qsbearing.mm,
-        pitch_diameter=table["pitch_diameter_mm"] * qsbearing.mm,
-        inner_groove_radius=table["inner_groove_radius_mm"] * qsbearing.mm,
-        outer_groove_radius=table["outer_groove_radius_mm"] * qsbearing.mm,
-        free_contact_angle=table["free_contact_angle_deg"] * qsbearing.deg,
-        ball_material=BY_NAME[table["ball_material"]],
-        ring_material=BY_NAME[table["ring_material"]],
-        name=path.stem.upper(),
-    )
-    return qsbearing.Scene(
-        bearing,
-        ball_effects=(qsbearing.CentrifugalForce(), qsbearing.GyroscopicMoment()),
-        raceway_control=qsbearing.RacewayControl.OUTER,
-    )
-
-
 def groove_contact(scene: str, race: str) -> BallInGroove:
     """Ball and raceway of a scene, at the free contact angle.
 
@@ -87,7 +51,7 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
     if race not in RACES:
         raise SceneProblemError(f"race {race!r}: must be one of {', '.join(RACES)}")
     try:
-        bearing = load_scene(scene).bearing
+        bearing = qsbearing.load_scene(scene).bearing
     except (OSError, ValueError, KeyError) as problem:
         raise SceneProblemError(f"scene {scene}: {problem}") from problem
 
@@ -120,7 +84,7 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
 @lru_cache(maxsize=8)
 def operating_loads(scene_name: str, race: str) -> tuple[tuple[str, float], ...]:
     """Label and contact load [N] at every operating point, from the quasi-static model with both ball effects."""
-    scene = load_scene(scene_name)
+    scene = qsbearing.load_scene(scene_name)
     found = []
     for point in OPERATING_POINTS:
         operation = qsbearing.Operation(speed=point.speed, axial_load=point.axial_load)

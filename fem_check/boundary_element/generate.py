@@ -43,7 +43,7 @@ B218 = {
 
 def solve(problem: ContactProblem, gap: GapFunction, a: float, b: float) -> dict[str, float]:
     """Approach and semi-axes (from the pressure's moments) of one contact."""
-    import tamaas as tm  # type: ignore[import-untyped]
+    import tamaas as tm
 
     size = [SPAN * a, SPAN * b]
     x, y = ((np.arange(POINTS) + 0.5) / POINTS * length - 0.5 * length for length in size)
