@@ -17,7 +17,7 @@ import numpy as np
 import scipy.sparse as sp
 from skfem import CellBasis, ElementHexS2, FacetBasis, MeshHex
 
-from fem_check import boussinesq
+from fem_check import boussinesq, dissection
 from fem_check.contact_problem import Array
 from fem_check.linear_solver import factorise
 from fem_check.pressure_hats import PressureHats
@@ -192,7 +192,7 @@ def condense(
     progress("factorising", 0.0)
     square = sp.csc_matrix(rows[:, free])
     del matrix, rows
-    factor = factorise(square)
+    factor = factorise(square, dissection.order(dissection.grid_ranks(reference)[:, free // 3]))
     del square
 
     flexibility = np.zeros((count, count))

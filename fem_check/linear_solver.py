@@ -62,14 +62,22 @@ def _pardiso(matrix: sp.csc_matrix) -> Factor:
     )
 
 
-def _scipy(matrix: sp.csc_matrix) -> Factor:
+def _scipy(matrix: sp.csc_matrix, order: Array | None = None) -> Factor:
     from scipy.sparse.linalg import splu
 
-    # No pivoting: the matrix is symmetric positive definite, and its symmetric ordering halves the fill.
-    factor = splu(
-        matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True, "Equil": False}
-    )
-    return Factor("scipy SuperLU", lambda sides: np.asarray(factor.solve(np.ascontiguousarray(sides))))
+    # No pivoting: the matrix is symmetric positive definite, and a symmetric order halves the fill.
+    options = {"SymmetricMode": True, "Equil": False}
+    if order is None:
+        factor = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+        return Factor("scipy SuperLU", lambda sides: np.asarray(factor.solve(np.ascontiguousarray(sides))))
+    ordered = splu(matrix[order][:, order].tocsc(), permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options)
+
+    def solve(sides: Array) -> Array:
+        found = np.empty_like(sides)
+        found[order] = ordered.solve(np.ascontiguousarray(sides[order]))
+        return found
+
+    return Factor("scipy SuperLU", solve)
 
 
 _SOLVERS: dict[str, tuple[str, Callable[[sp.csc_matrix], Factor]]] = {
@@ -103,6 +111,12 @@ def chosen() -> str:
     return named
 
 
-def factorise(matrix: sp.csc_matrix) -> Factor:
-    """Factorise a symmetric positive definite matrix."""
-    return _SOLVERS[chosen()][1](sp.csc_matrix(matrix))
+def factorise(matrix: sp.csc_matrix, order: Array | None = None) -> Factor:
+    """Factorise a symmetric positive definite matrix.
+
+    Args:
+        matrix: the matrix.
+        order: a good elimination order; scipy's SuperLU, which finds a poor one, takes it, the others find their own.
+    """
+    name = chosen()
+    return _scipy(sp.csc_matrix(matrix), order) if name == "scipy" else _SOLVERS[name][1](sp.csc_matrix(matrix))

@@ -28,11 +28,18 @@ def save(figure: Figure, path: Path) -> None:
     plt.close(figure)
 
 
+def load_axis(axes: Axes, loads: list[float]) -> None:
+    """A logarithmic axis that names the loads solved for, and nothing between them."""
+    axes.set_xticks(loads, [f"{load:g}" for load in loads], fontsize=8)
+    axes.minorticks_off()
+    axes.set_xlabel("load, N")
+
+
 def pressure_map(entry: Entry) -> Figure:
     """Pressure over the ellipse, with Hertz's outline."""
     contact = entry["pictures"]["contact"]
     x, y, p = (np.asarray(contact["ellipse"][name]) for name in "xyp")
-    loaded = x**2 + y**2 < 1.35
+    loaded = x**2 + y**2 < 1.15
     figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
     # One quarter is solved; the picture is mirrored in both planes of symmetry.
     every_x, every_y, every_p = [], [], []
@@ -180,7 +187,7 @@ def true_geometry(entry: Entry) -> Figure:
         axes.axhline(0.0, **HERTZ)
         axes.set(title=name.replace("_", " "), ylabel="deviation from Hertz, %")
     for axes in grid[1]:
-        axes.set(xlabel="load, N")
+        load_axis(axes, series["inner"]["load_N"])
     grid[0, 0].legend(fontsize=8)
     return figure
 
@@ -194,8 +201,8 @@ def conformity(entry: Entry) -> Figure:
         axes.loglog(series["load_N"], worst, "o-", markersize=3, label=f"f = {coefficient}")
     for limit in (1.0, 5.0):
         axes.axhline(limit, color="black", linewidth=0.8, linestyle=":")
+    load_axis(axes, series["load_N"])
     axes.set(
-        xlabel="load, N",
         ylabel="worst of approach, a, b, p0: off Hertz by, %",
         title="B218 inner, groove radius varied",
     )
