@@ -135,7 +135,9 @@ def contact(scene: str, race: str, load: float, elements: int, geometry: str, as
             seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
     except (SceneProblemError, MeshError, ContactError, runner.BadInputError, ValueError) as problem:
         refuse(str(problem))
-    entry = records_store.record(None, "contact", geometry, findings, seconds, cpu_seconds, memory.peak_MB())
+    entry = records_store.record(
+        None, "contact", single_contact.level_of(elements), findings, seconds, cpu_seconds, memory.peak_MB()
+    )
     if as_json:
         print(json.dumps(entry))
     else:

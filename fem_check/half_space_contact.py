@@ -74,6 +74,7 @@ def _block(
     return elastic_body.condense(mesh, hats, poisson_ratio, support, progress=_progress[-1]), hats
 
 
+# The bodies' cache must not see who watches: the reporter comes by this stack, not as an argument.
 _progress: list[Progress] = [silent]
 
 

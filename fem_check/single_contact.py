@@ -13,6 +13,11 @@ LEAST_ELEMENTS = 5
 """The sequence of three needs two coarser meshes, and two elements per semi-axis hold no contact."""
 
 
+def level_of(elements: int) -> Level:
+    """The level whose gate so many elements are held to."""
+    return Level.RELEASE if elements >= half_space_contact.SEQUENCES[Level.RELEASE][-1] else Level.QUICK
+
+
 def run(groove: BallInGroove, load: float, elements: int, geometry: str, progress: Progress) -> Findings:
     """Solve one contact on `elements` per semi-axis and two coarser meshes."""
     problem = groove.problem(load)
@@ -27,7 +32,7 @@ def run(groove: BallInGroove, load: float, elements: int, geometry: str, progres
         sequence.append(measuring.measure(field, pair.ball, pair.race))
         sizes.append(pair.edge_element)
     case = f"{problem.name}, Q = {load:g} N, {geometry} gap"
-    level = Level.RELEASE if elements >= half_space_contact.SEQUENCES[Level.RELEASE][-1] else Level.QUICK
+    level = level_of(elements)
     gated = geometry == "parabolic" and elements >= half_space_contact.SEQUENCES[Level.QUICK][-1]
     why = half_space_contact.WHY[level] if gated else "a finding: the true gap, or too coarse a mesh to gate"
     rows = []
@@ -50,5 +55,5 @@ def run(groove: BallInGroove, load: float, elements: int, geometry: str, progres
         )
     rows += half_space_contact.soundness_rows(case, sequence)
     recipe = meshing.half_space(elements)
-    mesh = {"elements_per_semi_axis": elements, "dofs": pair.race.dofs, "file": recipe.file_name}
+    mesh = {"elements_per_semi_axis": elements, "dofs": pair.race.dofs, "file": recipe.file_name, "geometry": geometry}
     return Findings(rows, mesh, pair.race.solver)

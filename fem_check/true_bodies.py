@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from skfem import MeshHex
 
 from fem_check import elastic_body, meshing
-from fem_check.contact_problem import Array, ContactReading
+from fem_check.contact_problem import Array
 from fem_check.elastic_body import CondensedBody, Progress, Support, silent
 from fem_check.groove import BallInGroove
 from fem_check.pressure_hats import PressureHats
@@ -145,8 +145,3 @@ def _hats(brick: MeshHex, recipe: meshing.Recipe, ellipticity: float) -> Pressur
     every = elastic_body.hats_of(brick)
     reach = recipe.x[0].length * (1.0 + 1e-6)
     return PressureHats(every.lines_x[every.lines_x <= reach * ellipticity], every.lines_y[every.lines_y <= reach])
-
-
-def shift(true: ContactReading, flat: ContactReading, quantity: str) -> float:
-    """What the finite bodies add to a quantity, as a part of the half-space's."""
-    return float(getattr(true, quantity) / getattr(flat, quantity) - 1.0)
