@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import importlib
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -88,24 +88,26 @@ _SOLVERS: dict[str, tuple[str, Callable[[sp.csc_matrix], Factor]]] = {
 }
 
 
-def available() -> list[str]:
-    """The solvers that load here, best first."""
-    found = []
+def _usable() -> Iterator[str]:
     for name, (module, _) in _SOLVERS.items():
         try:
             importlib.import_module(module)
         except (ImportError, OSError):  # OSError: a wheel whose system library is missing
             continue
-        found.append(name)
-    return found
+        yield name
+
+
+def available() -> list[str]:
+    """The solvers that load here, best first."""
+    return list(_usable())
 
 
 def chosen() -> str:
     """The solver that will be used: the best installed, or the one named in FEM_CHECK_SOLVER."""
     named = os.environ.get(ENVIRONMENT)
-    usable = available()
     if named is None:
-        return usable[0]
+        return next(_usable())  # no further: loading PARDISO's library takes a second
+    usable = available()
     if named not in usable:
         raise ValueError(f"{ENVIRONMENT} = {named}: not usable here; installed: {', '.join(usable)}")
     return named

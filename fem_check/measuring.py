@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
+from scipy.linalg import lstsq
 
 from fem_check.contact import ContactField
 from fem_check.contact_problem import QUANTITIES, Array, ContactReading
@@ -78,25 +79,27 @@ def largest_shear(field: ContactField, body: CondensedBody, a: Array, b: Array) 
     deepest = SHEAR_DEPTH * float((b / unit_lengths).max())
     near = (size[0] < reach_x) & (size[1] < reach_y) & (size[2] < deepest)
     positions = size[:, near]
-    stresses = np.einsum("cph,hm->cpm", body.stresses[:3, near], field.pressures, optimize=True)
+    stresses = np.einsum("cph,hm->pcm", body.stresses[:3, near], field.pressures, optimize=True)
+    x2, y2, depth = (positions[0] / reach_x) ** 2, (positions[1] / reach_y) ** 2, positions[2]
+    degree = min(MAX_DEGREE, max(2, len(np.unique(np.round(depth, 6))) - 3))
+    top = float(depth.max())
+    profile = np.polynomial.chebyshev.chebvander(2.0 * depth / top - 1.0, degree)
+    # Even in x and y by symmetry: the stress off the axis is carried by these and does not bend the profile.
+    table = np.concatenate(
+        [profile * side[:, None] for side in (np.ones_like(x2), x2, y2, x2 * x2, x2 * y2, y2 * y2)], axis=1
+    )
+    # One fit in the mesh's own lengths serves all positions. QR with pivoting: the coarsest mesh has fewer columns of
+    # points than powers.
+    fitted = lstsq(table, stresses.reshape(len(depth), -1), lapack_driver="gelsy")[0][: degree + 1]
+    fitted = fitted.reshape(degree + 1, 3, -1)
     found = np.zeros((2, len(unit_lengths)))
-    depths = np.linspace(0.25, 1.25, 2001)
+    over_b = np.linspace(0.25, 1.25, 2001)
     for case, length in enumerate(unit_lengths):
-        x2, y2 = (positions[0] * length / a[case]) ** 2, (positions[1] * length / b[case]) ** 2
-        depth = positions[2] * length / b[case]
-        levels = len(np.unique(np.round(depth, 6)))
-        degree = min(MAX_DEGREE, max(2, levels - 3))
-        top = float(depth.max())
-        profile = np.polynomial.chebyshev.chebvander(2.0 * depth / top - 1.0, degree)
-        # Even in x and y by symmetry: the stress off the axis is carried by these and does not bend the profile.
-        table = np.concatenate(
-            [profile * side[:, None] for side in (np.ones_like(x2), x2, y2, x2 * x2, x2 * y2, y2 * y2)], axis=1
-        )
-        fitted = np.linalg.lstsq(table, stresses[:, :, case].T, rcond=None)[0][: degree + 1]
-        principal = np.polynomial.chebyshev.chebvander(2.0 * depths / top - 1.0, degree) @ fitted
+        places = over_b * b[case] / length
+        principal = np.polynomial.chebyshev.chebvander(2.0 * places / top - 1.0, degree) @ fitted[:, :, case]
         shear = 0.5 * (principal.max(axis=1) - principal.min(axis=1))
         best = int(np.argmax(shear))
-        found[:, case] = shear[best], depths[best] * b[case]
+        found[:, case] = shear[best], over_b[best] * b[case]
     return found[0], found[1]
 
 
