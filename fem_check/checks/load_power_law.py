@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from fem_check import contact, elastic_body, measuring, meshing, references
@@ -38,11 +36,12 @@ def recipe(level: Level) -> meshing.Recipe:
     return meshing.load_series(ELEMENTS[level], round(SPAN, 6))
 
 
-@lru_cache(maxsize=1)
-def _body(level: Level, ellipticity: float, poisson_ratio: float) -> tuple[CondensedBody, PressureHats]:
+def _body(
+    level: Level, ellipticity: float, poisson_ratio: float, progress: Progress
+) -> tuple[CondensedBody, PressureHats]:
     mesh = stretched(meshing.load(recipe(level)), ellipticity, 1.0, 1.0)
     hats = elastic_body.hats_of(mesh)
-    return elastic_body.condense(mesh, hats, poisson_ratio, Support.HALF_SPACE), hats
+    return elastic_body.condense(mesh, hats, poisson_ratio, Support.HALF_SPACE, progress=progress), hats
 
 
 def run(level: Level, progress: Progress) -> Findings:
@@ -50,8 +49,7 @@ def run(level: Level, progress: Progress) -> Findings:
     groove = groove_contact(groove_contacts.SCENE, "inner")
     problem = groove.problem(LOADS[0])
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
-    body, hats = _body(level, ellipticity, problem.race.poisson_ratio)
-    progress("solving", 1.0)
+    body, hats = _body(level, ellipticity, problem.race.poisson_ratio, progress)
     # Elements grow by this from one to the next, so the mesh's pattern repeats: the edge passes through one element.
     growth = recipe(level).x[1].growth
     smallest = hertz(problem).semi_minor_axis * growth
