@@ -3,7 +3,8 @@
 Conventions, on which the approach depends. The ball's reference is its equator, the plane through its centre normal to
 the contact: half a ball is held there by a plane of symmetry, as between two equal and opposite contacts, its sides
 free. The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-space's
-would. Pressure acts on each body along its own surface's normal, and the gap is measured along the contact's normal.
+would. Pressure acts along the normal of the surface that the deformed bodies share; the gap counts along the contact's
+normal.
 """
 
 from __future__ import annotations
@@ -74,8 +75,14 @@ def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Pr
         height = groove.race_height(points[0] * b, points[1] * b) / b
         return np.stack([points[0], points[1], points[2] + height * (1.0 - points[2] / (BLOCK * radius))])
 
-    def normal_slope(x: Array, y: Array) -> tuple[Array, Array]:
-        return groove.race_slope(x * b, y * b)
+    # The deformed bodies share one surface: each gives way by its share of the compliance, so that surface lies between
+    # the undeformed two, and with it the normal along which the pressure acts on both.
+    share = groove.ball.compliance / (groove.ball.compliance + groove.race.compliance)
+
+    def common_slope(x: Array, y: Array) -> tuple[Array, Array]:
+        ball_x, ball_y = groove.ball_slope(x * b, y * b)
+        race_x, race_y = groove.race_slope(x * b, y * b)
+        return (1.0 - share) * ball_x + share * race_x, (1.0 - share) * ball_y + share * race_y
 
     # Half the side of a cube inflated to the ball: near the pole, x on the ball is x of this brick.
     side = radius / sqrt(2.0)
@@ -84,9 +91,9 @@ def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Pr
     def ball_shape(points: Array) -> Array:
         return inflated(points[0] / side, points[1] / side, 1.0 - points[2] / radius) * radius
 
-    def ball_slope(x: Array, y: Array) -> tuple[Array, Array]:
+    def slope_into_ball(x: Array, y: Array) -> tuple[Array, Array]:
         # The ball's own z points into it, away from the raceway.
-        slope_x, slope_y = groove.ball_slope(x * b, y * b)
+        slope_x, slope_y = common_slope(x, y)
         return -slope_x, -slope_y
 
     return TrueBodies(
@@ -96,12 +103,12 @@ def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Pr
             groove.ball.poisson_ratio,
             Support.EQUATOR,
             ball_shape,
-            ball_slope,
+            slope_into_ball,
             progress,
             surface_order=BALL_SURFACE_ORDER,
         ),
         race=elastic_body.condense(
-            race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, race_shape, normal_slope, progress
+            race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, race_shape, common_slope, progress
         ),
         flat=elastic_body.condense(race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, progress=progress),
         hats=hats,

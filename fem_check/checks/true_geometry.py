@@ -145,9 +145,10 @@ def run(level: Level, progress: Progress) -> Findings:
         "Reference points of the approach: the ball's equator (plane of symmetry through its centre, sides free, as "
         "between two equal and opposite contacts), and infinity for the raceway (a block of 0.9 ball radii whose far "
         "faces move as a half-space's). Another convention moves the finite-body part of the approach, nothing else.",
-        "Pressure acts on each body along its own surface's normal; the gap is measured along the contact's normal. "
-        "The two normals differ a little, and linear theory leaves open which one the deformed bodies share: the "
-        "semi-axes of the true bodies are certain only to that.",
+        "Pressure acts along the normal of the surface that the deformed bodies share, which lies between the "
+        "undeformed two by their compliances; the gap is measured along the contact's normal. In linear theory that "
+        "surface is an assumption: with each body's own normal instead, the semi-axes at the heaviest load move by "
+        "about a tenth of a per cent. The true bodies' semi-axes are certain only to that, and are not gated.",
     ]
     entry = {
         "elements_per_semi_axis": ELEMENTS[level],
