@@ -91,10 +91,11 @@ _SOLVERS: dict[str, tuple[str, Callable[[sp.csc_matrix], Factor]]] = {
 def _usable() -> Iterator[str]:
     for name, (module, _) in _SOLVERS.items():
         try:
-            importlib.import_module(module)
+            loaded = importlib.import_module(module)
         except (ImportError, OSError):  # OSError: a wheel whose system library is missing
             continue
-        yield name
+        if name != "cholmod" or hasattr(loaded, "cholesky"):  # scikit-sparse 0.4's way in, the one used here
+            yield name
 
 
 def available() -> list[str]:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from fem_check import memory, records_store, runner
+from fem_check import memory, meshing, records_store, runner
 from fem_check.agreement import Findings, Level, Row
 from fem_check.checks import ALL
 from fem_check.cli import cli
@@ -79,6 +79,19 @@ def test_too_little_memory_is_said_before_starting(tmp_path, monkeypatch):
     result = call("run", "patch_test", "--records", str(tmp_path))
     assert result.exit_code == 2
     assert "100 MB are free" in result.stderr
+    assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
+
+
+def test_a_lost_mesh_is_exit_2_and_leaves_the_record(tmp_path, monkeypatch):
+    (tmp_path / "meshes").mkdir()
+    committed = meshing.committed_folder()
+    (tmp_path / "meshes" / meshing.MANIFEST).write_text((committed / meshing.MANIFEST).read_text())
+    monkeypatch.setattr(meshing, "committed_folder", lambda: tmp_path / "meshes")
+    (tmp_path / "quick").mkdir()
+    (tmp_path / "quick" / "patch_test.json").write_text("earlier")
+    result = call("run", "patch_test", "--records", str(tmp_path))
+    assert result.exit_code == 2
+    assert "half_space_04.msh is missing" in result.stderr
     assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
 
 
