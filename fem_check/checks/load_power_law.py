@@ -18,7 +18,7 @@ LOADS = (50.0, 107.7, 232.1, 500.0, 1077.2, 2320.8, 5000.0)
 """Two decades in even steps [N]."""
 SPAN = (LOADS[-1] / LOADS[0]) ** (1.0 / 3.0)
 """Largest over smallest contact."""
-ELEMENTS = {Level.QUICK: 6, Level.RELEASE: 8}
+ELEMENTS = {Level.QUICK: 6, Level.RELEASE: 7}
 TOLERANCE = 0.2
 EXPONENT_TOLERANCE = 0.1
 EXPONENTS = {
