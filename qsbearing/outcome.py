@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.operation import CHANNELS
-from qsbearing.readings import stiffness_of_cases
+from qsbearing.solution import tangents
 from qsbearing.solver import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -81,8 +81,8 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
             "No equilibrium: "
             + _unsupported(case)
             + (
-                " Balls would have to press on the open side of the groove, at contact angles below zero. (A bearing with "
-                "shoulders on both sides: kind = deep_groove.)"
+                " Balls would have to press on the open side of the groove, at contact angles below zero. (A bearing "
+                "with shoulders on both sides: kind = deep_groove.)"
             )
         )
     return "No equilibrium."
@@ -131,7 +131,7 @@ def warnings(solution: Solution, index: int | tuple[int, ...] = ()) -> list[str]
             f"Contact pressure reaches {pressure / 1e6:.0f} MPa, above the {STATIC_PRESSURE_LIMIT / 1e6:.0f} MPa of "
             "the static load rating: the contact yields, and the elastic numbers are no longer true."
         )
-    tilt = np.abs(solution.displacement[(*where, slice(3, 5))]).max()
+    tilt = np.abs(solution.displacement[where][3:]).max()
     if tilt > SMALL_TILT:
         found.append(f"The ring tilts by {tilt * 1e3:.0f} mrad: beyond the small rotations that the model assumes.")
     return found
@@ -180,12 +180,8 @@ def _slipping_balls(solution: Solution, where: tuple[int, ...]) -> list[str]:
 
 def _idle_directions(solution: Solution, k: int) -> list[str]:
     """Free directions that nothing resists, found as the null space of the stiffness of the free channels."""
-    part = slice(k, k + 1)
     case = solution._maker.make(k, k + 1)
-    matrix = np.empty((1, 5, 5))
-    stiffness_of_cases(
-        case, solution._codes[part], solution._ring[part], solution._position[part], solution._control[part], matrix
-    )
+    matrix = tangents(solution, slice(k, k + 1), case)
     lever = 0.5 * case["pitch_diameter"][0] * case["length"][0]
     scale = np.array([1.0, 1.0, 1.0, 1.0 / lever, 1.0 / lever])
     free = np.flatnonzero(case["is_held"][0] == 0)
