@@ -96,51 +96,60 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     return values
 
 
-def case_shape(scene: Scene) -> tuple[int, ...]:
-    """The leading case axes: all array fields of the scene, broadcast together.
-
-    Raises:
-        ValueError: the fields' shapes do not broadcast.
-    """
-    values = case_arrays(scene)
-    shapes = [value.shape if isinstance(value, np.ndarray) else np.shape(value) for value in values.values()]
-    shapes = [shape for shape in shapes if shape]
-    if not shapes:
-        return ()
-    try:
-        return np.broadcast_shapes(*shapes)
-    except ValueError:
-        named = {name: np.shape(value) for name, value in values.items() if np.shape(value)}
-        raise ValueError(f"the scene's array fields do not broadcast to common case axes: {named}") from None
+def _arrays_among(values: dict[str, Any]) -> dict[str, NDArray]:
+    """The values that vary over cases; a plain number is told at once, which is most of them."""
+    return {
+        name: np.asarray(value, float)
+        for name, value in values.items()
+        if not (value is None or isinstance(value, float | int)) and np.shape(value)
+    }
 
 
 class CaseMaker:
-    """Flattens a scene to case records, any stretch of its cases at a time (a million need not exist at once)."""
+    """Flattens a scene to case records, any stretch of its cases at a time (a million need not exist at once).
+
+    Raises:
+        ValueError: the scene's array fields do not broadcast to common case axes.
+    """
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self.shape = case_shape(scene)
-        self.count = prod(self.shape)
         self._values = case_arrays(scene)
-        counts = np.asarray(scene.bearing.ball_count)
-        self.ball_axis = int(counts.max()) if counts.shape else int(counts)
+        self._arrays = _arrays_among(self._values)
+        self.shape = self._common_shape()
+        """The leading case axes: all array fields broadcast together."""
+        self.count = prod(self.shape)
+        counts = self._arrays.get("ball_count")
+        self.ball_axis = int(self._values["ball_count"] if counts is None else counts.max())
+        """Length of the ball axis: the largest ball count."""
 
-    def _stretch(self, name: str, start: int, stop: int) -> Any:
-        """The field over these cases: a float where it does not vary, else an array."""
-        value = self._values[name]
-        if not np.shape(value):
-            return value
-        array = np.asarray(value, float)
-        if array.shape == self.shape and array.flags.c_contiguous:
-            return array.reshape(-1)[start:stop]
-        index = np.unravel_index(np.arange(start, stop), self.shape)
-        return np.broadcast_to(array, self.shape)[index]
+    def _common_shape(self) -> tuple[int, ...]:
+        if not self._arrays:
+            return ()
+        try:
+            return np.broadcast_shapes(*(array.shape for array in self._arrays.values()))
+        except ValueError:
+            named = {name: array.shape for name, array in self._arrays.items()}
+            raise ValueError(f"the scene's array fields do not broadcast to common case axes: {named}") from None
+
+    def _stretch(self, start: int, stop: int) -> dict[str, Any]:
+        """All fields over these cases: plain numbers where they do not vary."""
+        values = dict(self._values)
+        index: Any = None
+        for name, array in self._arrays.items():
+            if array.shape == self.shape and array.flags.c_contiguous:
+                values[name] = array.reshape(-1)[start:stop]
+                continue
+            if index is None:
+                index = np.unravel_index(np.arange(start, stop), self.shape)
+            values[name] = np.broadcast_to(array, self.shape)[index]
+        return values
 
     def make(self, start: int = 0, stop: int | None = None) -> NDArray:
         """Case records of the flattened cases [start, stop)."""
         stop = self.count if stop is None else stop
         scene = self.scene
-        v = {name: self._stretch(name, start, stop) for name in self._values}
+        v = self._stretch(start, stop)
         cases = np.empty(stop - start, CASE)
 
         diameter = v["ball_diameter"]
@@ -195,10 +204,10 @@ class CaseMaker:
     def _fill_stiffness(self, cases: NDArray, pitch: Any, inner_f: Any, outer_f: Any, cos_free: Any) -> None:
         cosine = 1.0 if self.scene.hertz_angle is HertzAngle.ZERO else cos_free
         # One evaluation where the bearing does not vary, which is most often.
-        parts = [np.atleast_1d(np.asarray(part, float)) for part in (pitch, inner_f, outer_f, cosine)]
-        pitch, inner_f, outer_f, cosine = (np.ascontiguousarray(part) for part in np.broadcast_arrays(*parts))
-        inner, outer = np.empty(pitch.size), np.empty(pitch.size)
-        _groove_stiffness(FORM_CODES[self.scene.hertz_form], pitch, inner_f, outer_f, cosine, inner, outer)
+        parts = np.broadcast_arrays(pitch, inner_f, outer_f, cosine)
+        geometry = np.array([np.atleast_1d(part) for part in parts], float)
+        inner, outer = np.empty_like(geometry[0]), np.empty_like(geometry[0])
+        _groove_stiffness(FORM_CODES[self.scene.hertz_form], *geometry, inner, outer)
         cases["inner_stiffness"] = inner
         cases["outer_stiffness"] = outer
         cases["series_stiffness"] = (inner ** (-2.0 / 3.0) + outer ** (-2.0 / 3.0)) ** -1.5

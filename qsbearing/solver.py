@@ -11,10 +11,11 @@ from math import sqrt
 
 from numpy import ndarray
 
-from qsbearing.ball import inertia
+from qsbearing.ball import groove_stiffness, inertia
 from qsbearing.compiled import entry, kernel
-from qsbearing.contact import direction
+from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
+from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.newton import newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
@@ -24,12 +25,14 @@ from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 
 # What a verdict may be about; bits.
-OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD = 1, 2, 4, 8
+OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY = 1, 2, 4, 8, 16
 
 NEWTON_MOST = 30
 DESCENT_MOST = 200
 FREEZES_MOST = 25
 CONTROL_CHANGES_MOST = 30
+# A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
+RUNAWAY_DISTANCE = 5.0
 # Angles this far below zero are rounding, not contact on the open side.
 OPEN_SIDE_SINE = -1e-9
 FLOOR = 1e-13
@@ -271,28 +274,36 @@ def solve_per_ball(
 
 
 @kernel
-def objections(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int) -> int:
-    """What forbids a balance of forces to be an equilibrium of the bearing, as bits; 0 where nothing does.
+def inner_contact(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, j: int) -> tuple[float, float, float]:
+    """A ball's inner contact: (sine of its angle, its load, the friction force that the hypothesis puts there)."""
+    s, c = case.sin_free, case.cos_free
+    a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
+    u1, u2 = position[j, 0], position[j, 1]
+    delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    load, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], delta)
+    if not case.gyroscopic or not is_moving(case):
+        return si, load, 0.0
+    _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
+    share, _ = moment_shares(case.shares, w.control[j] == INNER)
+    return si, load, abs(share * inertia(case, w.control[j], si, ci, so, co)[3])
+
+
+@kernel
+def objections(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, converged: bool) -> int:
+    """What forbids an equilibrium, as bits; 0 where nothing does.
 
     A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing. Friction at an
-    inner contact without load does not exist: the hypothesis that puts it there (inner control, shares on the inner
-    raceway) has no solution.
+    inner contact without load does not exist, and no contact carries more friction than load: where Newton has lost a
+    solution on the way up in speed at such a place, the hypothesis that puts friction there (inner control, shares on
+    the inner raceway) has come to its end.
     """
-    s, c = case.sin_free, case.cos_free
     found = 0
     for n in range(balls):
-        j = w.ball[n]
-        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
-        u1, u2 = position[j, 0], position[j, 1]
-        delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
-        if delta > 0.0:
-            if case.one_sided and si < OPEN_SIDE_SINE:
-                found |= OPEN_SIDE
-        elif w.control[j] == INNER and case.gyroscopic and is_moving(case):
-            _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-            _, _, _, mg, _, _ = inertia(case, INNER, si, ci, so, co)
-            if mg != 0.0:
-                found |= FRICTION_WITHOUT_LOAD
+        sine, load, friction = inner_contact(case, w, ring, position, w.ball[n])
+        if converged and case.one_sided and load > 0.0 and sine < OPEN_SIDE_SINE:
+            found |= OPEN_SIDE
+        if friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
+            found |= FRICTION_WITHOUT_LOAD
     return found
 
 
@@ -331,8 +342,12 @@ def solve_case(
     if is_unloaded(case):
         notes |= UNLOADED_RING
     status = CONVERGED if converged else NOT_CONVERGED
-    if converged:
-        against = objections(case, w, ring, position, balls)
+    for i in range(5):
+        if not case.is_held[i] and not abs(ring[i]) < RUNAWAY_DISTANCE:
+            status = NO_EQUILIBRIUM
+            notes |= RUNAWAY
+    if notes & RUNAWAY == 0:
+        against = objections(case, w, ring, position, balls, converged)
         if against != 0:
             status = NO_EQUILIBRIUM
             notes |= against
