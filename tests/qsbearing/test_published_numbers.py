@@ -1,8 +1,8 @@
 """Published and twice-computed numbers, each to half a unit in its last printed place.
 
-Sources: the 218 bearing of Harris & Kotzalas, *Rolling Bearing Analysis*, with the groove radii of Wang et al. ("Research
-on the Dynamic Properties of Ball Bearings Based on the Quasi-Static Method", ch. 19), computed by two independent codes;
-the printed textbook example; a published set of results of ISO/TS 16281.
+Sources: the 218 bearing of Harris & Kotzalas, *Rolling Bearing Analysis*, with the groove radii of Wang, Yan, Zhang &
+Hong, "Research on the Dynamic Properties of Ball Bearings Based on the Quasi-Static Method" (chapter 19), computed by
+two independent codes; the printed textbook example; a published set of results of ISO/TS 16281.
 """
 
 from __future__ import annotations
@@ -347,7 +347,7 @@ def test_with_speed_the_outer_angle_falls_and_the_inner_rises(axial_load: float)
 
 
 def test_friction_that_raceway_control_demands() -> None:
-    """B218 asks 0.085 of the outer contact at 17 800 N, 15 000 rpm; its peak over speed is much the same at any load."""
+    """B218 asks 0.085 of the outer contact at 17.8 kN, 15 000 rpm; the peak over speed is much the same at any load."""
     rpm = np.linspace(100.0, 15000.0, 75)
     load = np.array([1e3, 2e3, 4e3, 8e3, 17.8e3])[:, None]
     solution = solved(turning(rpm, axial_load=load, hertz_angle="actual"))
