@@ -27,7 +27,7 @@ from qsbearing.raceway_control import INNER, rotation_axis
 
 @kernel
 def groove_stiffness(case: ndarray, side: int, n1: float, n2: float) -> tuple[float, float]:
-    """K of a raceway's contact and dK/d alpha: constants of the bearing, or at the contact's own angle."""
+    """K of a raceway's contact and d ln K/d alpha: constants of the bearing, or at the contact's own angle."""
     if not case.actual_angle:
         return (case.inner_stiffness if side < 0 else case.outer_stiffness), 0.0
     coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
@@ -36,14 +36,14 @@ def groove_stiffness(case: ndarray, side: int, n1: float, n2: float) -> tuple[fl
 
 @kernel
 def series_stiffness(case: ndarray, n1: float, n2: float) -> tuple[float, float]:
-    """K of both contacts in series, K^(-2/3) = Ki^(-2/3) + Ko^(-2/3), and dK/d alpha."""
+    """K of both contacts in series, K^(-2/3) = Ki^(-2/3) + Ko^(-2/3), and d ln K/d alpha."""
     if not case.actual_angle:
         return case.series_stiffness, 0.0
     ki, ki_slope = groove_stiffness(case, -1, n1, n2)
     ko, ko_slope = groove_stiffness(case, 1, n1, n2)
-    compliance = ki ** (-2.0 / 3.0) + ko ** (-2.0 / 3.0)
-    slope = compliance**-2.5 * (ki ** (-5.0 / 3.0) * ki_slope + ko ** (-5.0 / 3.0) * ko_slope)
-    return compliance**-1.5, slope
+    inner, outer = ki ** (-2.0 / 3.0), ko ** (-2.0 / 3.0)
+    compliance = inner + outer
+    return compliance**-1.5, (inner * ki_slope + outer * ko_slope) / compliance
 
 
 @kernel
@@ -103,8 +103,8 @@ def moving_ball(
     hi11, hi12, hi22 = contact_tangent(qi, qi_slope, si, ci, inverse_i)
     ho11, ho12, ho22 = contact_tangent(qo, qo_slope, so, co, inverse_o)
     # Derivatives by the two angles of everything but the contacts' own turning, which the tangents hold.
-    qi_a = qi * ki_slope / ki
-    qo_a = qo * ko_slope / ko
+    qi_a = qi * ki_slope
+    qo_a = qo * ko_slope
     r1_i = qi_a * si - ti_i * ci + ti * si + to_i * co
     r2_i = qi_a * ci + ti_i * si + ti * ci - to_i * so + fc_i
     r1_o = -qo_a * so - ti_o * ci + to_o * co - to * so
@@ -141,7 +141,7 @@ def moving_ball(
     out[8], out[9] = ha21 - hx21 * y11 - hx22 * y21, ha22 - hx21 * y12 - hx22 * y22
     out[10], out[11] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21, lever * k12 + ma2 - mx1 * y12 - mx2 * y22
     out[12], out[13], out[14], out[15], out[16], out[17] = y1, y2, y11, y12, y21, y22
-    out[18], out[19], out[20] = so, co, inverse_o
+    out[18], out[19], out[20], out[21] = so, co, inverse_o, delta_o
     return r1, r2, max(qi, qo), fc, abs(mg)
 
 
@@ -153,18 +153,18 @@ def resting_ball(case: ndarray, a1: float, a2: float, h: ndarray) -> float:
     stiffness, slope = series_stiffness(case, n1, n2)
     load, load_slope = contact_load(stiffness, approach)
     k11, k12, k22 = contact_tangent(load, load_slope, n1, n2, inverse)
-    turn = load * slope / stiffness * inverse  # of the stiffness with the contact angle
+    turn = load * slope * inverse  # of the stiffness with the contact angle
     lever = case.tilt_lever
     h[0], h[1], h[2] = load * n1, load * n2, lever * load * n1
     h[3], h[4], h[5] = h[0], h[1], h[2]
     h[6], h[7] = k11 + turn * n1 * n2, k12 - turn * n1 * n1
     h[8], h[9] = k12 + turn * n2 * n2, k22 - turn * n2 * n1
     h[10], h[11] = lever * h[6], lever * h[7]
-    for k in range(12, 21):
+    for k in range(12, 22):
         h[k] = 0.0  # the ball follows: it has no step of its own
     return load
 
 
-CONDENSED = 21
+CONDENSED = 22
 """Numbers a ball leaves: force h on the ring (3), condensed force (3), condensed stiffness (3 x 2, by A), the ball's
-own step -(y + Y dA): y (2), Y (2 x 2), and the outer contact line: so, co, 1/|X|."""
+own step -(y + Y dA): y (2), Y (2 x 2), and the outer contact line: so, co, 1/|X|, approach."""

@@ -18,9 +18,12 @@ from qsbearing.ball import inertia, resting_ball
 from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load, contact_tangent, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.newton import STALLED, any_held, applied_load, newton_step, remember
+from qsbearing.newton import STALLED, any_held, applied_load, newton_step
 from qsbearing.raceway_control import INNER
 from qsbearing.ring import Workspace, add_ball, channel_scale, clear, inner_groove_centre
+
+# A ball's force below this part of the load is beneath the solver's own tolerance.
+LEAST_BALL_FORCE = 1e-10
 
 
 @kernel
@@ -83,7 +86,7 @@ def frozen_ball(
     h[8], h[9] = i12 + i12 * y11 + i22 * y21, i22 + i12 * y12 + i22 * y22
     h[10], h[11] = lever * h[6], lever * h[7]
     h[12], h[13], h[14], h[15], h[16], h[17] = y1, y2, y11, y12, y21, y22
-    h[18], h[19], h[20] = so, co, inverse_o
+    h[18], h[19], h[20], h[21] = so, co, inverse_o, delta_o
     return r1, r2, max(qi, qo)
 
 
@@ -97,10 +100,16 @@ def convex_pass(
     channels: int,
     floor: float,
     at_rest: bool,
-) -> tuple[float, float]:
-    """Evaluate the convex problem: (largest imbalance, largest force); its condensed system is in the workspace."""
-    clear(w, channels)
-    worst, scale, contact = 0.0, applied_load(case), 0.0
+) -> float:
+    """Evaluate the convex problem, its condensed system left in the workspace: the largest relative imbalance.
+
+    The ring's is relative to the largest force, a ball's to its own: a ball thrown into the corner between its grooves
+    by a ten-millionth of the load must find that corner before Newton can take over.
+    """
+    clear(case, w, channels)
+    applied = applied_load(case)
+    least = LEAST_BALL_FORCE * applied
+    worst, contact, inertial = 0.0, 0.0, 0.0
     for n in range(balls):
         j = w.ball[n]
         a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
@@ -111,20 +120,32 @@ def convex_pass(
         else:
             frozen = w.inertia[j]
             r1, r2, load = frozen_ball(case, frozen, a1, a2, position[j, 0], position[j, 1], floor, h)
-            worst = max(worst, abs(r1), abs(r2))
-            scale = max(scale, abs(frozen[0]), abs(frozen[1]))
+            own = max(abs(frozen[0]), abs(frozen[1]))
+            inertial = max(inertial, own)
             contact = max(contact, load)
-        w.imbalance[j, 0], w.imbalance[j, 1] = r1, r2
-        add_ball(case, w, h, w.cosine[j], w.sine[j], w.weight[n], channels)
+            imbalance = max(abs(r1), abs(r2))
+            if imbalance > 0.0:
+                worst = max(worst, imbalance / max(own, load, least))
+        w.ball_imbalance[n, 0], w.ball_imbalance[n, 1] = r1, r2
+        add_ball(w, n, h, channels)
+    scale = max(applied, inertial, contact if any_held(case) else 0.0)
     for p in range(channels):
-        i = w.channel[p]
-        lever = channel_scale(case, i)
-        w.right[p] -= case.prescribed[i]
-        worst = max(worst, abs(w.force[i] - case.prescribed[i]) / lever)
+        lever = channel_scale(case, w.channel[p])
+        imbalance = abs(w.imbalance[p]) / lever
+        if imbalance > 0.0:
+            worst = max(worst, imbalance / scale if scale > 0.0 else 1.0)
         w.matrix[p, p] += floor * lever * lever  # as for a ball: a channel that nothing resists keeps a step
-    if any_held(case):
-        scale = max(scale, contact)
-    return worst, scale
+    return worst
+
+
+@kernel
+def remember(w: Workspace, ring: ndarray, position: ndarray, balls: int) -> None:
+    """Keep where ring and balls are, before a step."""
+    for i in range(5):
+        w.ring_before[i] = ring[i]
+    for n in range(balls):
+        j = w.ball[n]
+        w.before[n, 0], w.before[n, 1] = position[j, 0], position[j, 1]
 
 
 @kernel
@@ -134,20 +155,18 @@ def move_straight(w: Workspace, ring: ndarray, position: ndarray, balls: int, fr
         ring[i] = w.ring_before[i] + fraction * w.ring_step[i]
     for n in range(balls):
         j = w.ball[n]
-        position[j, 0] = w.before[j, 0] + fraction * w.step[j, 0]
-        position[j, 1] = w.before[j, 1] + fraction * w.step[j, 1]
+        position[j, 0] = w.before[n, 0] + fraction * w.step[n, 0]
+        position[j, 1] = w.before[n, 1] + fraction * w.step[n, 1]
 
 
 @kernel
-def slope_along_step(case: ndarray, w: Workspace, balls: int, channels: int) -> float:
+def slope_along_step(w: Workspace, balls: int, channels: int) -> float:
     """dPi/dt of the last pass's point along the workspace's step."""
     slope = 0.0
     for n in range(balls):
-        j = w.ball[n]
-        slope -= w.weight[n] * (w.imbalance[j, 0] * w.step[j, 0] + w.imbalance[j, 1] * w.step[j, 1])
+        slope -= w.weight[n] * (w.ball_imbalance[n, 0] * w.step[n, 0] + w.ball_imbalance[n, 1] * w.step[n, 1])
     for p in range(channels):
-        i = w.channel[p]
-        slope += (w.force[i] - case.prescribed[i]) * w.ring_step[i]
+        slope += w.imbalance[p] * w.ring_step[w.channel[p]]
     return slope
 
 
@@ -164,18 +183,18 @@ def search_line(
     at_rest: bool,
     fraction: float,
     first: float,
-) -> tuple[float, float]:
+) -> float:
     """Go along the step until its slope is at most half the first, by secants on the rising slope.
 
-    Returns the imbalance and the largest force where it stops.
+    Returns the relative imbalance where it stops.
     """
     low, slope_low, high, slope_high = 0.0, first, -1.0, 0.0
-    worst, scale = 0.0, 0.0
+    worst = 1.0
     for _ in range(60):
         move_straight(w, ring, position, balls, fraction)
-        worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-        slope = slope_along_step(case, w, balls, channels)
-        if abs(slope) <= 0.5 * abs(first) or worst <= tolerance * scale:
+        worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+        slope = slope_along_step(w, balls, channels)
+        if abs(slope) <= 0.5 * abs(first) or worst <= tolerance:
             break
         if slope < 0.0:
             low, slope_low = fraction, slope
@@ -187,7 +206,7 @@ def search_line(
         guess = low + (high - low) * slope_low / (slope_low - slope_high)
         margin = 0.1 * (high - low)
         fraction = min(max(guess, low + margin), high - margin)
-    return worst, scale
+    return worst
 
 
 @kernel
@@ -205,20 +224,20 @@ def descend(
 ) -> tuple[bool, int, float]:
     """Minimise Pi from (ring, position), in place: (converged, iterations, relative residual)."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+    worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
     for iteration in range(most):
-        if worst <= tolerance * scale:
-            return True, iteration, worst / scale if scale > 0.0 else 0.0
+        if worst <= tolerance:
+            return True, iteration, worst
         largest = newton_step(case, w, balls, channels)
         if largest < 0.0:
-            return False, iteration, worst / scale
-        first = slope_along_step(case, w, balls, channels)
+            return False, iteration, worst
+        first = slope_along_step(w, balls, channels)
         remember(w, ring, position, balls)
         before = worst
         fraction = 1.0 if largest <= length else length / largest
-        worst, scale = search_line(case, w, ring, position, balls, channels, floor, tolerance, at_rest, fraction, first)
-        if worst >= before and before <= STALLED * scale:  # the limit of rounding
+        worst = search_line(case, w, ring, position, balls, channels, floor, tolerance, at_rest, fraction, first)
+        if worst >= before and before <= STALLED:  # the limit of rounding
             move_straight(w, ring, position, balls, 0.0)
-            worst, scale = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-            return True, iteration, worst / scale
-    return worst <= STALLED * scale, most, worst / scale if scale > 0.0 else 0.0
+            worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
+            return True, iteration, worst
+    return worst <= STALLED, most, worst

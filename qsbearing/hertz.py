@@ -140,7 +140,7 @@ def stiffness_at_angle(
     cos_angle: float,
     side: int,
 ) -> tuple[float, float]:
-    """Contact stiffness of a raceway at a contact angle, and its derivative by that angle [N/m^1.5, N/m^1.5/rad]."""
+    """Contact stiffness of a raceway at a contact angle, and the derivative of its logarithm by that angle."""
     rho_x = rolling_curvature(ball_diameter, pitch_diameter, cos_angle, side)
     rho_y = transverse_curvature(ball_diameter, groove_radius_coefficient)
     ratio = min(rho_x, rho_y) / max(rho_x, rho_y)
@@ -150,7 +150,7 @@ def stiffness_at_angle(
     gamma = ball_diameter / pitch_diameter
     log_slope_x = side * gamma * sin_angle / (1.0 + side * gamma * cos_angle)
     ratio_sign = -1.0 if rho_x >= rho_y else 1.0
-    return stiffness, stiffness * log_slope_x * (ratio_sign * shape_slope - 0.5 * rho_x / (rho_x + rho_y))
+    return stiffness, log_slope_x * (ratio_sign * shape_slope - 0.5 * rho_x / (rho_x + rho_y))
 
 
 @entry

@@ -53,6 +53,8 @@ def rotation_per_axis_length(
 ) -> tuple[float, float, float]:
     """omega_R/|(p, q)| and its derivatives by ai and ao; times p it is omega_R sin(beta)."""
     _, av_i, av_o, _, bu_i, bu_o, ab, ab_i, ab_o, S = terms
-    factor = -(inner_speed - outer_speed) / (g * S)
+    inverse = 1.0 / S
+    factor = (outer_speed - inner_speed) * inverse / g
     value = factor * ab
-    return value, factor * ab_i - value * (av_i + bu_i) / S, factor * ab_o - value * (av_o + bu_o) / S
+    relative = value * inverse
+    return value, factor * ab_i - relative * (av_i + bu_i), factor * ab_o - relative * (av_o + bu_o)

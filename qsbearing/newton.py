@@ -15,6 +15,8 @@ from qsbearing.ring import Workspace, add_ball, channel_scale, clear, inner_groo
 
 # A step may turn no contact line by much more than this (radians, roughly): beyond, the tangents say little.
 LARGEST_TURN = 0.6
+# The largest approach may grow by this part unchecked: below, shortening the step costs more than it saves.
+GROWTH_UNCHECKED = 0.3
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
 
@@ -47,7 +49,7 @@ def pass_over_balls(
     Leaves the condensed ring system in the workspace. The largest force is over applied and inertial ones, and over
     contact loads where a displacement is prescribed, since then they are the reaction.
     """
-    clear(w, channels)
+    clear(case, w, channels)
     worst = 0.0
     inertial, contact = 0.0, 0.0
     for n in range(balls):
@@ -58,13 +60,11 @@ def pass_over_balls(
         worst = max(worst, abs(r1), abs(r2))
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
-        add_ball(case, w, h, w.cosine[j], w.sine[j], w.weight[n], channels)
+        add_ball(w, n, h, channels)
     for p in range(channels):
-        i = w.channel[p]
-        w.right[p] -= case.prescribed[i]
-        lever = channel_scale(case, i)
+        lever = channel_scale(case, w.channel[p])
         w.matrix[p, p] += floor * lever * lever
-        worst = max(worst, abs(w.force[i] - case.prescribed[i]) / lever)
+        worst = max(worst, abs(w.imbalance[p]) / lever)
     scale = max(applied_load(case), inertial)
     if any_held(case):
         scale = max(scale, contact)
@@ -73,63 +73,61 @@ def pass_over_balls(
 
 @kernel
 def newton_step(case: ndarray, w: Workspace, balls: int, channels: int) -> float:
-    """Solve the condensed system; steps of ring (in `right`, by channel) and balls into the workspace.
+    """Solve the condensed system; steps of ring and balls into the workspace.
 
     Returns the largest displacement of any centre by the step; negative where the system is singular.
     """
     if not solve_in_place(w.matrix, w.right, channels):
         return -1.0
-    step = w.ring_step
     for i in range(5):
-        step[i] = 0.0
+        w.ring_step[i] = 0.0
     for p in range(channels):
-        step[w.channel[p]] = -w.right[p]
+        w.ring_step[w.channel[p]] = -w.right[p]
     largest = 0.0
     for n in range(balls):
         j = w.ball[n]
-        da1, da2 = inner_groove_centre(case, step, w.cosine[j], w.sine[j])
+        da1, da2 = inner_groove_centre(case, w.ring_step, w.cosine[j], w.sine[j])
         h = w.condensed[n]
-        w.step[j, 0] = -h[12] - h[14] * da1 - h[15] * da2
-        w.step[j, 1] = -h[13] - h[16] * da1 - h[17] * da2
-        largest = max(largest, abs(w.step[j, 0]), abs(w.step[j, 1]), abs(da1), abs(da2))
+        w.step[n, 0] = -h[12] - h[14] * da1 - h[15] * da2
+        w.step[n, 1] = -h[13] - h[16] * da1 - h[17] * da2
+        largest = max(largest, abs(w.step[n, 0]), abs(w.step[n, 1]), abs(da1), abs(da2))
     return largest
 
 
 @kernel
-def remember(w: Workspace, ring: ndarray, position: ndarray, balls: int) -> None:
-    """Keep where ring and balls are, before a step."""
-    for i in range(5):
-        w.ring_before[i] = ring[i]
+def growth(w: Workspace, balls: int) -> float:
+    """By how much the step would raise the largest approach of the outer contacts, relative to it."""
+    before, after = 0.0, 0.0
     for n in range(balls):
-        j = w.ball[n]
-        before, h = w.before[j], w.condensed[n]
-        before[0], before[1] = position[j, 0], position[j, 1]
-        before[2], before[3], before[4] = h[18], h[19], h[20]
+        h = w.condensed[n]
+        before = max(before, h[21])
+        after = max(after, h[21] + h[18] * w.step[n, 0] + h[19] * w.step[n, 1])
+    return after / before - 1.0 if before > 0.0 else 0.0
 
 
 @kernel
 def move(w: Workspace, ring: ndarray, position: ndarray, balls: int, fraction: float) -> None:
-    """Put ring and balls at the fraction of the step from where they were remembered.
+    """Take the fraction of the step.
 
     A ball moves in polar coordinates about the outer groove's centre: along its contact line by the step's part
     along it, and round the centre by the angle of the rest. A straight step across the line would leave the groove by
     its square, which at a turn of a few degrees is more than the whole approach.
     """
     for i in range(5):
-        ring[i] = w.ring_before[i] + fraction * w.ring_step[i]
+        ring[i] += fraction * w.ring_step[i]
     for n in range(balls):
         j = w.ball[n]
-        before = w.before[j]
-        so, co, inverse = before[2], before[3], before[4]
-        d1, d2 = fraction * w.step[j, 0], fraction * w.step[j, 1]
+        h = w.condensed[n]
+        so, co, inverse = h[18], h[19], h[20]
+        d1, d2 = fraction * w.step[n, 0], fraction * w.step[n, 1]
         longer = so * d1 + co * d2
         half_turn = 0.5 * inverse * (co * d1 - so * d2)
         # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
-        added = 2.0 * half_turn / (1.0 + half_turn * half_turn)
-        along, across = -half_turn * added, added
+        across = 2.0 * half_turn / (1.0 + half_turn * half_turn)
+        along = -half_turn * across
         distance = 1.0 / inverse + longer if inverse > 0.0 else 0.0
-        position[j, 0] = before[0] + longer * so + distance * (along * so + across * co)
-        position[j, 1] = before[1] + longer * co + distance * (along * co - across * so)
+        position[j, 0] += longer * so + distance * (along * so + across * co)
+        position[j, 1] += longer * co + distance * (along * co - across * so)
 
 
 @kernel
@@ -146,9 +144,10 @@ def newton(
 ) -> tuple[bool, int, float]:
     """Iterate from (ring, position) in place: (converged, iterations, relative residual).
 
-    Full steps, shortened only where they would turn a contact line too far: from a fair start this converges in
-    five to ten iterations, often through a larger imbalance, which a monotone rule would forbid. Where it does not,
-    it gives up and the safety net takes over.
+    No step is refused: from a fair start this converges in five to ten iterations, often through a larger imbalance,
+    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far, and where it
+    would raise the largest approach, since loads grow with its power 1.5: the load that the tangent promises is
+    reached by a smaller approach. Where all this does not converge, the safety net takes over.
     """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     longest = LARGEST_TURN * length
@@ -160,7 +159,9 @@ def newton(
         if not 0.0 <= largest < 1e6:
             return False, iteration, 1.0
         fraction = 1.0 if largest <= longest else longest / largest
-        remember(w, ring, position, balls)
+        x = growth(w, balls)
+        if x > GROWTH_UNCHECKED:
+            fraction = min(fraction, ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0) / x)
         before = worst
         move(w, ring, position, balls, fraction)
         worst, scale = pass_over_balls(case, w, ring, position, balls, channels, floor)

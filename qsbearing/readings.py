@@ -13,7 +13,7 @@ from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
-from qsbearing.ring import add_ball, clear, inner_groove_centre, make_workspace, place_balls
+from qsbearing.ring import add_ball, clear, couple, inner_groove_centre, make_workspace, place_balls
 from qsbearing.solver import CONVERGED, is_moving
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
@@ -117,15 +117,18 @@ def stiffness_of_cases(
 ) -> None:
     """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
     w = make_workspace(position.shape[1])
-    for i in range(5):
-        w.channel[i] = i
     for k in range(cases.size):
         case = cases[k]
         if status[k] != CONVERGED:
             out[k] = nan
             continue
         place_balls(case, w)
-        clear(w, 5)
+        for j in range(case.ball_count):
+            w.ball[j], w.weight[j] = j, 1.0
+        for i in range(5):
+            w.channel[i] = i
+        couple(case, w, case.ball_count, 5)
+        clear(case, w, 5)
         for j in range(case.ball_count):
             a1, a2 = inner_groove_centre(case, ring[k], w.cosine[j], w.sine[j])
             h = w.condensed[0]
@@ -133,7 +136,7 @@ def stiffness_of_cases(
                 moving_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], 0.0, h)
             else:
                 resting_ball(case, a1, a2, h)
-            add_ball(case, w, h, w.cosine[j], w.sine[j], 1.0, 5)
+            add_ball(w, j, h, 5)
         for p in range(5):
             for q in range(5):
                 size = case.force

@@ -30,17 +30,20 @@ class Workspace(NamedTuple):
     twin: ndarray  # for every ball, the one solved for it
     in_plane: ndarray  # 1 for the channels that the symmetry leaves, 0 where it makes all vanish
     channel: ndarray  # the channels solved: free and in plane
+    row: ndarray  # for each, which of h1, h2, h3 it feels
+    factor: ndarray  # and through which factor, weight included, for each ball solved
+    lever: ndarray  # and how it moves that ball's groove centre
     control: ndarray  # raceway control of each ball
     condensed: ndarray  # what each ball leaves for the ring (see ball.CONDENSED)
     matrix: ndarray  # the ring's system
     right: ndarray
-    force: ndarray  # sum of the balls' forces in the five channels
+    imbalance: ndarray  # of the channels solved: the balls' forces less the load
     step: ndarray  # of the balls
     ring_step: ndarray
-    before: ndarray  # balls' positions and outer contact lines before the step
+    before: ndarray  # balls' positions before the step
     ring_before: ndarray
     inertia: ndarray  # frozen f and ring forces of each ball
-    imbalance: ndarray  # of each ball, under frozen f
+    ball_imbalance: ndarray  # of each ball, under frozen f
     saved: ndarray  # balls' positions to come back to
     ring_saved: ndarray
 
@@ -57,14 +60,17 @@ def make_workspace(balls: int) -> Workspace:
         np.empty(balls, np.int64),
         np.empty(5),
         np.empty(5, np.int64),
+        np.empty(5, np.int64),
+        np.empty((balls, 5)),
+        np.empty((balls, 5)),
         np.zeros(balls, np.int64),
-        np.empty((balls, 21)),
+        np.empty((balls, 22)),
         np.empty((5, 5)),
         np.empty(5),
         np.empty(5),
         np.zeros((balls, 2)),
         np.zeros(5),
-        np.empty((balls, 5)),
+        np.empty((balls, 2)),
         np.empty(5),
         np.zeros((balls, 5)),
         np.zeros((balls, 2)),
@@ -145,7 +151,28 @@ def find_equals(case: ndarray, w: Workspace) -> tuple[int, int]:
         if not case.is_held[i] and w.in_plane[i] != 0.0:
             w.channel[channels] = i
             channels += 1
+    couple(case, w, balls, channels)
     return balls, channels
+
+
+@kernel
+def couple(case: ndarray, w: Workspace, balls: int, channels: int) -> None:
+    """How each ball solved and each channel solved act on each other: a channel of the ring moves the inner groove
+    centre along A1 or A2 (19.3, 19.4), and feels the ball's force through the same cosine or sine (19.13-19.15)."""
+    for p in range(channels):
+        i = w.channel[p]
+        w.row[p] = 0 if i == 0 else 1 if i < 3 else 2
+        for n in range(balls):
+            j = w.ball[n]
+            turn = 1.0
+            if i == 1:
+                turn = w.cosine[j]
+            elif i == 2 or i == 3:
+                turn = w.sine[j]
+            elif i == 4:
+                turn = -w.cosine[j]
+            w.factor[n, p] = w.weight[n] * turn
+            w.lever[n, p] = case.tilt_lever * turn if i >= 3 else turn
 
 
 @kernel
@@ -167,58 +194,36 @@ def inner_groove_centre(case: ndarray, ring: ndarray, cosine: float, sine: float
 
 
 @kernel
-def add_ball(case: ndarray, w: Workspace, h: ndarray, cosine: float, sine: float, weight: float, channels: int) -> None:
-    """Add a ball's force to the ring's sum, and its condensed force and stiffness to the ring's system."""
-    force = w.force
+def add_ball(w: Workspace, n: int, h: ndarray, channels: int) -> None:
+    """Add a ball's force to the ring's imbalance, and its condensed force and stiffness to the ring's system."""
+    for p in range(channels):
+        row, factor = w.row[p], w.factor[n, p]
+        w.imbalance[p] += factor * h[row]
+        w.right[p] += factor * h[3 + row]
+        by_a1, by_a2 = factor * h[6 + 2 * row], factor * h[7 + 2 * row]
+        for q in range(channels):
+            w.matrix[p, q] += w.lever[n, q] * (by_a2 if w.row[q] == 1 else by_a1)
+
+
+@kernel
+def clear(case: ndarray, w: Workspace, channels: int) -> None:
+    """Start the sums of a pass over the balls."""
+    for p in range(channels):
+        load = case.prescribed[w.channel[p]]
+        w.imbalance[p] = -load
+        w.right[p] = -load
+        for q in range(channels):
+            w.matrix[p, q] = 0.0
+
+
+@kernel
+def add_force(h: ndarray, cosine: float, sine: float, weight: float, force: ndarray) -> None:
+    """Add a ball's force on the ring to the sum in the five channels (19.13-19.15)."""
     force[0] += weight * h[0]
     force[1] += weight * h[1] * cosine
     force[2] += weight * h[1] * sine
     force[3] += weight * h[2] * sine
     force[4] -= weight * h[2] * cosine
-    lever = case.tilt_lever
-    for p in range(channels):
-        i = w.channel[p]
-        row, turn = _row(i, cosine, sine)
-        factor = weight * turn
-        w.right[p] += factor * h[3 + row]
-        k1, k2 = factor * h[6 + 2 * row], factor * h[7 + 2 * row]
-        for q in range(channels):
-            j = w.channel[q]
-            if j == 0:
-                w.matrix[p, q] += k1
-            elif j == 1:
-                w.matrix[p, q] += k2 * cosine
-            elif j == 2:
-                w.matrix[p, q] += k2 * sine
-            elif j == 3:
-                w.matrix[p, q] += k1 * lever * sine
-            else:
-                w.matrix[p, q] -= k1 * lever * cosine
-
-
-@kernel
-def _row(channel: int, cosine: float, sine: float) -> tuple[int, float]:
-    """Which of h1, h2, h3 a channel feels, and through which factor."""
-    if channel == 0:
-        return 0, 1.0
-    if channel == 1:
-        return 1, cosine
-    if channel == 2:
-        return 1, sine
-    if channel == 3:
-        return 2, sine
-    return 2, -cosine
-
-
-@kernel
-def clear(w: Workspace, channels: int) -> None:
-    """Empty sums before a pass over the balls."""
-    for i in range(5):
-        w.force[i] = 0.0
-    for p in range(channels):
-        w.right[p] = 0.0
-        for q in range(channels):
-            w.matrix[p, q] = 0.0
 
 
 @kernel

@@ -11,15 +11,15 @@ from math import sqrt
 
 from numpy import ndarray
 
-from qsbearing.ball import groove_stiffness, inertia
+from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
-from qsbearing.newton import newton
+from qsbearing.newton import any_held, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
-from qsbearing.ring import Workspace, find_equals, inner_groove_centre, make_workspace, place_balls
+from qsbearing.ring import Workspace, add_force, find_equals, inner_groove_centre, make_workspace, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
 
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
@@ -126,7 +126,7 @@ def frozen_rounds(
     residual = 1.0
     for r in range(FREEZES_MOST):
         freeze(case, w, ring, position, balls, 1.0 if r < 3 else 0.5 if r < 10 else 0.2)
-        _, iterations, _ = descend(case, w, ring, position, balls, channels, floor, 1e-6, DESCENT_MOST, False)
+        _, iterations, _ = descend(case, w, ring, position, balls, channels, floor, 1e-8, DESCENT_MOST, False)
         total += iterations
         keep(w, ring, position, balls)
         converged, iterations, residual = newton(
@@ -388,6 +388,26 @@ def solve_resting(
     return converged, total, residual
 
 
+@kernel
+def ring_load(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, load: ndarray) -> None:
+    """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
+    reaction = w.ring_before
+    for i in range(5):
+        reaction[i] = 0.0
+    if any_held(case):
+        h = w.condensed[0]
+        for j in range(case.ball_count):
+            a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
+            if is_moving(case):
+                moving_ball(case, w.control[j], a1, a2, position[j, 0], position[j, 1], 0.0, h)
+            else:
+                resting_ball(case, a1, a2, h)
+            add_force(h, w.cosine[j], w.sine[j], 1.0, reaction)
+    for i in range(5):
+        # what equal balls cancel is zero, not the rounding of their sum
+        load[i] = reaction[i] * w.in_plane[i] if case.is_held[i] else case.prescribed[i]
+
+
 @entry
 def solve_cases(
     cases: ndarray,
@@ -418,8 +438,6 @@ def solve_cases(
             ring[k] = 0.0
             position[k] = 0.0
         status[k], notes[k], iterations[k], residual[k] = solve_case(case, w, ring[k], position[k], tolerance, is_warm)
-        for i in range(5):
-            # a held channel's reaction is the balls' sum, which equal balls cancel out of their plane
-            load[k, i] = w.force[i] * w.in_plane[i] if case.is_held[i] else case.prescribed[i]
+        ring_load(case, w, ring[k], position[k], load[k])
         for j in range(case.ball_count):
             control[k, j] = w.control[j]

@@ -108,18 +108,18 @@ def moving_thrust(case: ndarray, control: int, axial_load: float) -> tuple[float
     ki, ko = case.inner_stiffness, case.outer_stiffness
     si, ci, so, co = s, c, s, c
     t = c / max(s, 0.05)
+    s_first = max(s, 0.05)
+    si, so = s_first, s_first
     di, do = 0.0, 0.0
-    for _ in range(6):
+    for _ in range(5):
         fc, _, _, _, _, _ = inertia(case, control, si, ci, so, co)
         ratio = fc / q
-        for _ in range(3):
-            ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
-            wi, wo = li + (q * ri / ki) ** (2.0 / 3.0), lo + (q * ro / ko) ** (2.0 / 3.0)
-            value = wi * t / ri + wo * (t + ratio) / ro - radial
-            slope = wi / ri**3 + wo / ro**3
-            t = max(t - value / slope, 0.02)
+        di, do = (q / (si * ki)) ** (2.0 / 3.0), (q / (so * ko)) ** (2.0 / 3.0)
+        ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
+        value = (li + di) * t / ri + (lo + do) * (t + ratio) / ro - radial
+        slope = (li + di) / ri**3 + (lo + do) / ro**3
+        t = max(t - value / slope, 0.02)
         ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
         si, ci, so, co = 1.0 / ri, t / ri, 1.0 / ro, (t + ratio) / ro
-        di, do = (q * ri / ki) ** (2.0 / 3.0), (q * ro / ko) ** (2.0 / 3.0)
     x1, x2 = (lo + do) * so, (lo + do) * co
     return (li + di) * si + x1 - (li + lo) * s, x1 - lo * s, x2 - lo * c

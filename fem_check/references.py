@@ -1,0 +1,88 @@
+"""What theory says, by a route of its own: nothing here comes from `qsbearing`.
+
+Hertz's ellipse stands here in Carlson's symmetric integrals (B. C. Carlson, Numerische Mathematik 33, 1979), which
+need no modulus and lose no digit near the circle. With 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 and the pressure
+p0 sqrt(1 - x^2/a^2 - y^2/b^2), the displacement of both half-spaces together is (K. L. Johnson, Contact Mechanics,
+1985, eqs 3.60 to 3.62, substituted w for the variable under the integrals)
+
+    u = 3Q/(4 pi E*) int_0^oo (1 - x^2/(a^2+w) - y^2/(b^2+w)) dw / sqrt((a^2+w)(b^2+w)w)
+      = 3Q/(2 pi E*) [ RF(0,a^2,b^2) - x^2/3 RD(0,b^2,a^2) - y^2/3 RD(0,a^2,b^2) ],
+
+to be equal to delta - (curvature_x x^2 + curvature_y y^2)/2 all over the ellipse.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import exp, pi
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+from scipy.special import elliprd, elliprf
+
+from fem_check.contact_problem import ContactProblem, ContactReading
+
+HERTZ_SOURCE = "Hertz 1881; Johnson 1985, section 4.2, in Carlson's integrals RF and RD"
+SHEAR_SOURCE = "Boussinesq's point load (Johnson 1985, eqs 3.19) integrated over Hertz's pressure"
+
+
+@lru_cache(maxsize=256)
+def axis_ratio(curvature_ratio: float) -> float:
+    """b/a of Hertz's ellipse for curvature_x/curvature_y in (0, 1]."""
+    if curvature_ratio == 1.0:
+        return 1.0
+
+    def misfit(log_ratio: float) -> float:
+        b = exp(log_ratio)
+        return float(np.log(elliprd(0.0, b * b, 1.0) / elliprd(0.0, 1.0, b * b) / curvature_ratio))
+
+    # b/a falls like curvature_ratio^(2/3) or slower: three times the logarithm brackets every case.
+    return exp(brentq(misfit, 3.0 * float(np.log(curvature_ratio)) - 1e-6, 0.0, xtol=1e-15, rtol=1e-15))
+
+
+def hertz(problem: ContactProblem) -> ContactReading:
+    """Hertz's contact of the problem's parabolic gap, with the largest shear stress below its centre."""
+    compliance = problem.ball.compliance + problem.race.compliance
+    ratio = axis_ratio(problem.curvature_x / problem.curvature_y)
+    scale = problem.load * compliance / pi
+    # x^2 terms: curvature_x/2 = 3Q/(2 pi E*) RD(0, b^2, a^2)/3, and RD has the dimension a^-3.
+    a = (scale * float(elliprd(0.0, ratio**2, 1.0)) / problem.curvature_x) ** (1.0 / 3.0)
+    b = a * ratio
+    p0 = 1.5 * problem.load / (pi * a * b)
+    delta = 1.5 * scale * float(elliprf(0.0, b * b, a * a))
+    shear, depth = largest_shear(1.0 / ratio, problem.race.poisson_ratio)
+    return ContactReading(delta, a, b, p0, shear * p0, depth * b)
+
+
+@lru_cache(maxsize=256)
+def largest_shear(ellipticity: float, poisson_ratio: float) -> tuple[float, float]:
+    """Largest shear stress on the axis over p0, and its depth over b.
+
+    The stresses of a point load on a half-space, summed over the ellipse in its own polar coordinates: Gauss
+    points in the radius (with p = p0 cos c, r = sin c both smooth), equal steps round the angle, where the sum over
+    a smooth period converges faster than any power.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(96)
+    c, c_weight = 0.25 * pi * (nodes + 1.0), 0.25 * pi * weights
+    # The integrand's nearest pole in the angle lies about 1/k off the real axis: the count grows with k.
+    count = int(200 + 60 * ellipticity)
+    angle = (np.arange(count) + 0.5) * 0.5 * pi / count
+    x = ellipticity * np.sin(c)[:, None] * np.cos(angle)
+    y = np.sin(c)[:, None] * np.sin(angle)
+    force = (np.cos(c) ** 2 * np.sin(c) * c_weight)[:, None] * ellipticity * 4.0 * 0.5 * pi / count
+    r2 = x * x + y * y
+    cos2 = x * x / r2
+
+    def shear(z: float) -> float:
+        rho = np.sqrt(r2 + z * z)
+        near = (1.0 - 2.0 * poisson_ratio) / (rho * (rho + z))
+        radial = near - 3.0 * r2 * z / rho**5
+        hoop = (1.0 - 2.0 * poisson_ratio) * z / rho**3 - near
+        stress_z = float(np.sum(force * -3.0 * z**3 / rho**5)) / (2.0 * pi)
+        stress_x = float(np.sum(force * (radial * cos2 + hoop * (1.0 - cos2)))) / (2.0 * pi)
+        stress_y = float(np.sum(force * (radial * (1.0 - cos2) + hoop * cos2))) / (2.0 * pi)
+        principal = (stress_x, stress_y, stress_z)
+        return 0.5 * (max(principal) - min(principal))
+
+    found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-8})
+    return -float(found.fun), float(found.x)
