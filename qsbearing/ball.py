@@ -13,7 +13,7 @@ groove's radius: h3 = lever h1 + fi D Ti (the last term is missing in 19.15).
 
 from __future__ import annotations
 
-from numpy import ndarray
+from numpy import recarray
 
 from qsbearing.case import BALL_INERTIA, BALL_MASS
 from qsbearing.compiled import kernel
@@ -26,7 +26,7 @@ from qsbearing.raceway_control import INNER, rotation_axis
 
 
 @kernel
-def groove_stiffness(case: ndarray, side: int, n1: float, n2: float) -> tuple[float, float]:
+def groove_stiffness(case: recarray, side: int, n1: float, n2: float) -> tuple[float, float]:
     """K of a raceway's contact and d ln K/d alpha: constants of the bearing, or at the contact's own angle."""
     if not case.actual_angle:
         return (case.inner_stiffness if side < 0 else case.outer_stiffness), 0.0
@@ -35,7 +35,7 @@ def groove_stiffness(case: ndarray, side: int, n1: float, n2: float) -> tuple[fl
 
 
 @kernel
-def series_stiffness(case: ndarray, n1: float, n2: float) -> tuple[float, float]:
+def series_stiffness(case: recarray, n1: float, n2: float) -> tuple[float, float]:
     """K of both contacts in series, K^(-2/3) = Ki^(-2/3) + Ko^(-2/3), and d ln K/d alpha."""
     if not case.actual_angle:
         return case.series_stiffness, 0.0
@@ -48,7 +48,7 @@ def series_stiffness(case: ndarray, n1: float, n2: float) -> tuple[float, float]
 
 @kernel
 def inertia(
-    case: ndarray, control: int, si: float, ci: float, so: float, co: float
+    case: recarray, control: int, si: float, ci: float, so: float, co: float
 ) -> tuple[float, float, float, float, float, float]:
     """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao."""
     g = 1.0 / case.pitch_diameter
@@ -67,18 +67,18 @@ def inertia(
 
 @kernel
 def moving_ball(
-    case: ndarray, control: int, a1: float, a2: float, u1: float, u2: float, floor: float, out: ndarray
+    case: recarray, ball: recarray, a1: float, a2: float, floor: float
 ) -> tuple[float, float, float, float, float]:
-    """Evaluate one ball and eliminate its own unknowns.
+    """Evaluate one ball where it is, and eliminate its own unknowns into its record.
 
     Args:
-        a1, a2: displacement of the inner groove centre; u1, u2: of the ball, both from touching at the free angle.
+        a1, a2: displacement of the inner groove centre from touching at the free angle.
         floor: least stiffness of the ball [force/length].
-        out: filled with the condensed system (see `CONDENSED`).
 
     Returns:
         (r1, r2, largest contact load, Fc, |Mg|/D).
     """
+    u1, u2 = ball.u1, ball.u2
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
     delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
@@ -86,8 +86,8 @@ def moving_ball(
     ko, ko_slope = groove_stiffness(case, 1, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
-    fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, control, si, ci, so, co)
-    share_i, share_o = moment_shares(case.shares, control == INNER)
+    fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, ball.control, si, ci, so, co)
+    share_i, share_o = moment_shares(case.shares, ball.control == INNER)
     ti, ti_i, ti_o = share_i * mg, share_i * mg_i, share_i * mg_o
     to, to_i, to_o = share_o * mg, share_o * mg_i, share_o * mg_o
 
@@ -133,21 +133,23 @@ def moving_ball(
 
     k11, k12 = ha11 - hx11 * y11 - hx12 * y21, ha12 - hx11 * y12 - hx12 * y22
     lever = case.tilt_lever
-    out[0], out[1], out[2] = h1, h2, h3
-    out[3] = h1 - hx11 * y1 - hx12 * y2
-    out[4] = h2 - hx21 * y1 - hx22 * y2
-    out[5] = lever * out[3] + fi * ti - mx1 * y1 - mx2 * y2
-    out[6], out[7] = k11, k12
-    out[8], out[9] = ha21 - hx21 * y11 - hx22 * y21, ha22 - hx21 * y12 - hx22 * y22
-    out[10], out[11] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21, lever * k12 + ma2 - mx1 * y12 - mx2 * y22
-    out[12], out[13], out[14], out[15], out[16], out[17] = y1, y2, y11, y12, y21, y22
-    out[18], out[19], out[20], out[21] = so, co, inverse_o, delta_o
+    c1 = h1 - hx11 * y1 - hx12 * y2
+    ball.force[0], ball.force[1], ball.force[2] = h1, h2, h3
+    ball.condensed[0], ball.condensed[1] = c1, h2 - hx21 * y1 - hx22 * y2
+    ball.condensed[2] = lever * c1 + fi * ti - mx1 * y1 - mx2 * y2
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11, k12
+    ball.stiffness[1, 0] = ha21 - hx21 * y11 - hx22 * y21
+    ball.stiffness[1, 1] = ha22 - hx21 * y12 - hx22 * y22
+    ball.stiffness[2, 0] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21
+    ball.stiffness[2, 1] = lever * k12 + ma2 - mx1 * y12 - mx2 * y22
+    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
+    ball.outer_sine, ball.outer_cosine, ball.outer_inverse, ball.outer_approach = so, co, inverse_o, delta_o
     return r1, r2, max(qi, qo), fc, abs(mg)
 
 
 @kernel
-def resting_ball(case: ndarray, a1: float, a2: float, h: ndarray) -> float:
-    """One ball at rest between its grooves, springs in series: fills its condensed system, returns its load."""
+def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> float:
+    """One ball at rest between its grooves, springs in series: fills its record, returns its load."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     approach, n1, n2, inverse = direction(length, case.sin_free, case.cos_free, a1, a2)
     stiffness, slope = series_stiffness(case, n1, n2)
@@ -155,16 +157,12 @@ def resting_ball(case: ndarray, a1: float, a2: float, h: ndarray) -> float:
     k11, k12, k22 = contact_tangent(load, load_slope, n1, n2, inverse)
     turn = load * slope * inverse  # of the stiffness with the contact angle
     lever = case.tilt_lever
-    h[0], h[1], h[2] = load * n1, load * n2, lever * load * n1
-    h[3], h[4], h[5] = h[0], h[1], h[2]
-    h[6], h[7] = k11 + turn * n1 * n2, k12 - turn * n1 * n1
-    h[8], h[9] = k12 + turn * n2 * n2, k22 - turn * n2 * n1
-    h[10], h[11] = lever * h[6], lever * h[7]
-    for k in range(12, 22):
-        h[k] = 0.0  # the ball follows: it has no step of its own
+    ball.force[0], ball.force[1], ball.force[2] = load * n1, load * n2, lever * load * n1
+    for row in range(3):
+        ball.condensed[row] = ball.force[row]
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11 + turn * n1 * n2, k12 - turn * n1 * n1
+    ball.stiffness[1, 0], ball.stiffness[1, 1] = k12 + turn * n2 * n2, k22 - turn * n2 * n1
+    ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * ball.stiffness[0, 0], lever * ball.stiffness[0, 1]
+    # the ball follows its grooves: it has no step of its own
+    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     return load
-
-
-CONDENSED = 22
-"""Numbers a ball leaves: force h on the ring (3), condensed force (3), condensed stiffness (3 x 2, by A), the ball's
-own step -(y + Y dA): y (2), Y (2 x 2), and the outer contact line: so, co, 1/|X|, approach."""

@@ -73,7 +73,7 @@ _entries: set[str] = set()
 # No fastmath: the same digits on every run, and NaN stays NaN.
 def kernel(function: F) -> F:
     """Compile a small function of the physics; it is built into the entries that call it."""
-    return cast(F, numba.njit(error_model="numpy")(function))
+    return cast(F, numba.njit(error_model="numpy", no_cfunc_wrapper=True)(function))
 
 
 def entry(function: F) -> F:

@@ -12,7 +12,7 @@ a ball are springs in series and X has a closed form: the ring's channels are al
 
 from __future__ import annotations
 
-from numpy import ndarray
+from numpy import recarray
 
 from qsbearing.ball import inertia, resting_ball
 from qsbearing.compiled import kernel
@@ -20,55 +20,51 @@ from qsbearing.contact import contact_load, contact_tangent, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.newton import STALLED, any_held, applied_load, newton_step
 from qsbearing.raceway_control import INNER
-from qsbearing.ring import Workspace, add_ball, channel_scale, clear, inner_groove_centre
+from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
 
 # A ball's force below this part of the load is beneath the solver's own tolerance.
 LEAST_BALL_FORCE = 1e-10
+MOST = 200
 
 
 @kernel
-def freeze(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, blend: float) -> None:
+def freeze(case: recarray, ring: recarray, balls: recarray, blend: float) -> None:
     """Take each ball's inertia force, and what its friction does to the ring, from its present angles.
 
     A blend below 1 moves the frozen forces only part of the way to their present values.
     """
     s, c = case.sin_free, case.cos_free
-    for n in range(balls):
-        j = w.ball[n]
-        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
-        u1, u2 = position[j, 0], position[j, 1]
-        _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-        _, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
-        fc, _, _, mg, _, _ = inertia(case, w.control[j], si, ci, so, co)
-        share_i, share_o = moment_shares(case.shares, w.control[j] == INNER)
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+        _, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
+        fc, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
+        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
         ti, to = share_i * mg, share_o * mg
-        frozen = w.inertia[j]
-        _blend_into(frozen, 0, -ti * ci + to * co, blend)
-        _blend_into(frozen, 1, ti * si - to * so + fc, blend)
-        _blend_into(frozen, 2, -ti * ci, blend)
-        _blend_into(frozen, 3, ti * si, blend)
-        _blend_into(frozen, 4, -case.tilt_lever * ti * ci + case.inner_coefficient * ti, blend)
+        present = (
+            -ti * ci + to * co,
+            ti * si - to * so + fc,
+            -ti * ci,
+            ti * si,
+            -case.tilt_lever * ti * ci + case.inner_coefficient * ti,
+        )
+        for k in range(5):
+            if blend == 1.0:  # nothing of an earlier case may shine through
+                ball.frozen[k] = present[k]
+            else:
+                ball.frozen[k] += blend * (present[k] - ball.frozen[k])
 
 
 @kernel
-def _blend_into(frozen: ndarray, k: int, value: float, blend: float) -> None:
-    if blend == 1.0:  # nothing of an earlier case may shine through
-        frozen[k] = value
-    else:
-        frozen[k] += blend * (value - frozen[k])
-
-
-@kernel
-def frozen_ball(
-    case: ndarray, frozen: ndarray, a1: float, a2: float, u1: float, u2: float, floor: float, h: ndarray
-) -> tuple[float, float, float]:
-    """One ball under its frozen force: fills its condensed system (symmetric); (r1, r2, largest contact load)."""
+def frozen_ball(case: recarray, ball: recarray, a1: float, a2: float, floor: float) -> float:
+    """One ball under its frozen force: fills its record (a symmetric system), returns its largest contact load."""
     s, c = case.sin_free, case.cos_free
-    delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-    delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+    delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
     qi, qi_slope = contact_load(case.inner_stiffness, delta_i)
     qo, qo_slope = contact_load(case.outer_stiffness, delta_o)
-    r1, r2 = qi * si - qo * so + frozen[0], qi * ci - qo * co + frozen[1]
+    r1, r2 = qi * si - qo * so + ball.frozen[0], qi * ci - qo * co + ball.frozen[1]
     i11, i12, i22 = contact_tangent(qi, qi_slope, si, ci, inverse_i)
     o11, o12, o22 = contact_tangent(qo, qo_slope, so, co, inverse_o)
     # dr/dX = -(Hi + Ho): never singular, for the floor; dr/dA = Hi.
@@ -78,122 +74,101 @@ def frozen_ball(
     y11, y12 = (s22 * i11 - s12 * i12) * inverse, (s22 * i12 - s12 * i22) * inverse
     y21, y22 = (s11 * i12 - s12 * i11) * inverse, (s11 * i22 - s12 * i12) * inverse
     lever = case.tilt_lever
-    h[0], h[1] = qi * si + frozen[2], qi * ci + frozen[3]
-    h[2] = lever * qi * si + frozen[4]
-    h[3], h[4] = h[0] + i11 * y1 + i12 * y2, h[1] + i12 * y1 + i22 * y2
-    h[5] = h[2] + lever * (i11 * y1 + i12 * y2)
-    h[6], h[7] = i11 + i11 * y11 + i12 * y21, i12 + i11 * y12 + i12 * y22
-    h[8], h[9] = i12 + i12 * y11 + i22 * y21, i22 + i12 * y12 + i22 * y22
-    h[10], h[11] = lever * h[6], lever * h[7]
-    h[12], h[13], h[14], h[15], h[16], h[17] = y1, y2, y11, y12, y21, y22
-    h[18], h[19], h[20], h[21] = so, co, inverse_o, delta_o
-    return r1, r2, max(qi, qo)
+    ball.force[0], ball.force[1] = qi * si + ball.frozen[2], qi * ci + ball.frozen[3]
+    ball.force[2] = lever * qi * si + ball.frozen[4]
+    ball.condensed[0] = ball.force[0] + i11 * y1 + i12 * y2
+    ball.condensed[1] = ball.force[1] + i12 * y1 + i22 * y2
+    ball.condensed[2] = ball.force[2] + lever * (i11 * y1 + i12 * y2)
+    k11, k12 = i11 + i11 * y11 + i12 * y21, i12 + i11 * y12 + i12 * y22
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11, k12
+    ball.stiffness[1, 0], ball.stiffness[1, 1] = i12 + i12 * y11 + i22 * y21, i22 + i12 * y12 + i22 * y22
+    ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * k11, lever * k12
+    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
+    ball.r1, ball.r2 = r1, r2
+    return max(qi, qo)
 
 
 @kernel
-def convex_pass(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    floor: float,
-    at_rest: bool,
-) -> float:
-    """Evaluate the convex problem, its condensed system left in the workspace: the largest relative imbalance.
+def convex_pass(case: recarray, ring: recarray, balls: recarray) -> float:
+    """Evaluate the convex problem, its condensed system left in the ring: the largest relative imbalance.
 
     The ring's is relative to the largest force, a ball's to its own: a ball thrown into the corner between its grooves
     by a ten-millionth of the load must find that corner before Newton can take over.
     """
-    clear(case, w, channels)
+    start_sums(case, ring)
     applied = applied_load(case)
-    least = LEAST_BALL_FORCE * applied
     worst, contact, inertial = 0.0, 0.0, 0.0
-    for n in range(balls):
-        j = w.ball[n]
-        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
-        h = w.condensed[n]
-        r1, r2 = 0.0, 0.0
-        if at_rest:
-            contact = max(contact, resting_ball(case, a1, a2, h))
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        if ring.at_rest:
+            ball.r1, ball.r2 = 0.0, 0.0
+            contact = max(contact, resting_ball(case, ball, a1, a2))
         else:
-            frozen = w.inertia[j]
-            r1, r2, load = frozen_ball(case, frozen, a1, a2, position[j, 0], position[j, 1], floor, h)
-            own = max(abs(frozen[0]), abs(frozen[1]))
+            load = frozen_ball(case, ball, a1, a2, ring.floor)
+            own = max(abs(ball.frozen[0]), abs(ball.frozen[1]))
             inertial = max(inertial, own)
             contact = max(contact, load)
-            imbalance = max(abs(r1), abs(r2))
+            imbalance = max(abs(ball.r1), abs(ball.r2))
             if imbalance > 0.0:
-                worst = max(worst, imbalance / max(own, load, least))
-        w.ball_imbalance[n, 0], w.ball_imbalance[n, 1] = r1, r2
-        add_ball(w, n, h, channels)
+                worst = max(worst, imbalance / max(own, load, LEAST_BALL_FORCE * applied))
+        add_ball(ring, ball)
     scale = max(applied, inertial, contact if any_held(case) else 0.0)
-    for p in range(channels):
-        lever = channel_scale(case, w.channel[p])
-        imbalance = abs(w.imbalance[p]) / lever
+    for p in range(ring.channels):
+        lever = channel_scale(case, ring.channel[p])
+        imbalance = abs(ring.imbalance[p]) / lever
         if imbalance > 0.0:
             worst = max(worst, imbalance / scale if scale > 0.0 else 1.0)
-        w.matrix[p, p] += floor * lever * lever  # as for a ball: a channel that nothing resists keeps a step
+        ring.matrix[p, p] += ring.floor * lever * lever  # as for a ball: a channel that nothing resists keeps a step
     return worst
 
 
 @kernel
-def remember(w: Workspace, ring: ndarray, position: ndarray, balls: int) -> None:
+def remember(ring: recarray, balls: recarray) -> None:
     """Keep where ring and balls are, before a step."""
     for i in range(5):
-        w.ring_before[i] = ring[i]
-    for n in range(balls):
-        j = w.ball[n]
-        w.before[n, 0], w.before[n, 1] = position[j, 0], position[j, 1]
+        ring.before[i] = ring.displacement[i]
+    for n in range(ring.balls):
+        balls[n].from1, balls[n].from2 = balls[n].u1, balls[n].u2
 
 
 @kernel
-def move_straight(w: Workspace, ring: ndarray, position: ndarray, balls: int, fraction: float) -> None:
+def move_straight(ring: recarray, balls: recarray, fraction: float) -> None:
     """Put ring and balls at the fraction of the step: along a line, on which Pi is convex."""
     for i in range(5):
-        ring[i] = w.ring_before[i] + fraction * w.ring_step[i]
-    for n in range(balls):
-        j = w.ball[n]
-        position[j, 0] = w.before[n, 0] + fraction * w.step[n, 0]
-        position[j, 1] = w.before[n, 1] + fraction * w.step[n, 1]
+        ring.displacement[i] = ring.before[i] + fraction * ring.step[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.u1 = ball.from1 + fraction * ball.du1
+        ball.u2 = ball.from2 + fraction * ball.du2
 
 
 @kernel
-def slope_along_step(w: Workspace, balls: int, channels: int) -> float:
-    """dPi/dt of the last pass's point along the workspace's step."""
+def slope_along_step(ring: recarray, balls: recarray) -> float:
+    """dPi/dt of the last pass's point along the step."""
     slope = 0.0
-    for n in range(balls):
-        slope -= w.weight[n] * (w.ball_imbalance[n, 0] * w.step[n, 0] + w.ball_imbalance[n, 1] * w.step[n, 1])
-    for p in range(channels):
-        slope += w.imbalance[p] * w.ring_step[w.channel[p]]
+    for n in range(ring.balls):
+        ball = balls[n]
+        slope -= ball.weight * (ball.r1 * ball.du1 + ball.r2 * ball.du2)
+    for p in range(ring.channels):
+        slope += ring.imbalance[p] * ring.step[ring.channel[p]]
     return slope
 
 
 @kernel
-def search_line(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    floor: float,
-    tolerance: float,
-    at_rest: bool,
-    fraction: float,
-    first: float,
-) -> float:
+def search_line(case: recarray, ring: recarray, balls: recarray, tolerance: float, fraction: float) -> float:
     """Go along the step until its slope is at most half the first, by secants on the rising slope.
 
     Returns the relative imbalance where it stops.
     """
+    first = slope_along_step(ring, balls)
+    remember(ring, balls)
     low, slope_low, high, slope_high = 0.0, first, -1.0, 0.0
     worst = 1.0
     for _ in range(60):
-        move_straight(w, ring, position, balls, fraction)
-        worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-        slope = slope_along_step(w, balls, channels)
+        move_straight(ring, balls, fraction)
+        worst = convex_pass(case, ring, balls)
+        slope = slope_along_step(ring, balls)
         if abs(slope) <= 0.5 * abs(first) or worst <= tolerance:
             break
         if slope < 0.0:
@@ -210,34 +185,22 @@ def search_line(
 
 
 @kernel
-def descend(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    floor: float,
-    tolerance: float,
-    most: int,
-    at_rest: bool,
-) -> tuple[bool, int, float]:
-    """Minimise Pi from (ring, position), in place: (converged, iterations, relative residual)."""
+def descend(case: recarray, ring: recarray, balls: recarray, tolerance: float) -> tuple[bool, int, float]:
+    """Minimise Pi in place from where ring and balls are: (converged, iterations, relative residual).
+
+    Which Pi, `ring.at_rest` says.
+    """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-    for iteration in range(most):
+    worst = convex_pass(case, ring, balls)
+    for iteration in range(MOST):
         if worst <= tolerance:
             return True, iteration, worst
-        largest = newton_step(case, w, balls, channels)
+        largest = newton_step(case, ring, balls)
         if largest < 0.0:
             return False, iteration, worst
-        first = slope_along_step(w, balls, channels)
-        remember(w, ring, position, balls)
         before = worst
-        fraction = 1.0 if largest <= length else length / largest
-        worst = search_line(case, w, ring, position, balls, channels, floor, tolerance, at_rest, fraction, first)
-        if worst >= before and before <= STALLED:  # the limit of rounding
-            move_straight(w, ring, position, balls, 0.0)
-            worst = convex_pass(case, w, ring, position, balls, channels, floor, at_rest)
-            return True, iteration, worst
-    return worst <= STALLED, most, worst
+        worst = search_line(case, ring, balls, tolerance, 1.0 if largest <= length else length / largest)
+        if worst >= before and before <= STALLED:  # the limit of rounding: the step is taken back
+            move_straight(ring, balls, 0.0)
+            return True, iteration, before
+    return worst <= STALLED, MOST, worst

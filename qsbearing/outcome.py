@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.operation import CHANNELS
-from qsbearing.readings import stiffness_of_cases
+from qsbearing.solution import tangents
 from qsbearing.solver import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -180,12 +180,8 @@ def _slipping_balls(solution: Solution, where: tuple[int, ...]) -> list[str]:
 
 def _idle_directions(solution: Solution, k: int) -> list[str]:
     """Free directions that nothing resists, found as the null space of the stiffness of the free channels."""
-    part = slice(k, k + 1)
     case = solution._maker.make(k, k + 1)
-    matrix = np.empty((1, 5, 5))
-    stiffness_of_cases(
-        case, solution._codes[part], solution._ring[part], solution._position[part], solution._control[part], matrix
-    )
+    matrix = tangents(solution, slice(k, k + 1), case)
     lever = 0.5 * case["pitch_diameter"][0] * case["length"][0]
     scale = np.array([1.0, 1.0, 1.0, 1.0 / lever, 1.0 / lever])
     free = np.flatnonzero(case["is_held"][0] == 0)

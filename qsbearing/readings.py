@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import atan2, nan, pi
 
-from numpy import ndarray
+from numpy import ndarray, recarray
 
 from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
 from qsbearing.compiled import entry, kernel
@@ -13,7 +13,7 @@ from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
-from qsbearing.ring import add_ball, clear, couple, inner_groove_centre, make_workspace, place_balls
+from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
 from qsbearing.solver import CONVERGED, is_moving
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
@@ -21,13 +21,13 @@ CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 1
 
 
 @kernel
-def floats_free(case: ndarray, inner_approach: float, outer_approach: float) -> bool:
+def floats_free(case: recarray, inner_approach: float, outer_approach: float) -> bool:
     """Whether a ball at rest touches neither raceway, so that it has no defined place."""
     return not is_moving(case) and inner_approach <= 0.0
 
 
 @kernel
-def read_ball(case: ndarray, control: int, a1: float, a2: float, u1: float, u2: float, side: int, what: int) -> float:
+def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: int, what: int) -> float:
     """One quantity of one ball, in the case's units; side -1 inner, +1 outer raceway."""
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
@@ -72,7 +72,7 @@ def read_ball(case: ndarray, control: int, a1: float, a2: float, u1: float, u2: 
 
 
 @kernel
-def read_motion(case: ndarray, control: int, si: float, ci: float, so: float, co: float, what: int) -> float:
+def read_motion(case: recarray, control: int, si: float, ci: float, so: float, co: float, what: int) -> float:
     """Inertia loads and speeds of one ball."""
     if what == CENTRIFUGAL_FORCE:
         return inertia(case, control, si, ci, so, co)[0]
@@ -89,9 +89,11 @@ def read_motion(case: ndarray, control: int, si: float, ci: float, so: float, co
 
 @entry
 def read_cases(
-    cases: ndarray,
+    cases: recarray,
+    rings: recarray,
+    balls: recarray,
     status: ndarray,
-    ring: ndarray,
+    displacement: ndarray,
     position: ndarray,
     control: ndarray,
     side: int,
@@ -99,44 +101,54 @@ def read_cases(
     out: ndarray,
 ) -> None:
     """Fill out (case, ball) with a quantity in the case's units; NaN for cases not solved and for missing balls."""
-    w = make_workspace(position.shape[1])
+    ring = rings[0]
     for k in range(cases.size):
         case = cases[k]
-        place_balls(case, w)
+        place_balls(case, ring, balls)
         for j in range(position.shape[1]):
             if status[k] != CONVERGED or j >= case.ball_count:
                 out[k, j] = nan
                 continue
-            a1, a2 = inner_groove_centre(case, ring[k], w.cosine[j], w.sine[j])
+            a1, a2 = inner_groove_centre(case, displacement[k], balls[j].azimuth_cosine, balls[j].azimuth_sine)
             out[k, j] = read_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], side, what)
 
 
 @entry
 def stiffness_of_cases(
-    cases: ndarray, status: ndarray, ring: ndarray, position: ndarray, control: ndarray, out: ndarray
+    cases: recarray,
+    rings: recarray,
+    balls: recarray,
+    status: ndarray,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    out: ndarray,
 ) -> None:
     """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
-    w = make_workspace(position.shape[1])
+    ring = rings[0]
     for k in range(cases.size):
         case = cases[k]
         if status[k] != CONVERGED:
             out[k] = nan
             continue
-        place_balls(case, w)
-        for j in range(case.ball_count):
-            w.ball[j], w.weight[j] = j, 1.0
+        place_balls(case, ring, balls)
+        ring.balls, ring.channels = case.ball_count, 5
         for i in range(5):
-            w.channel[i] = i
-        couple(case, w, case.ball_count, 5)
-        clear(case, w, 5)
+            ring.channel[i] = i
         for j in range(case.ball_count):
-            a1, a2 = inner_groove_centre(case, ring[k], w.cosine[j], w.sine[j])
-            h = w.condensed[0]
+            ball = balls[j]
+            ball.cosine, ball.sine, ball.weight = ball.azimuth_cosine, ball.azimuth_sine, 1.0
+        couple(case, ring, balls)
+        start_sums(case, ring)
+        for j in range(case.ball_count):
+            ball = balls[j]
+            a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
             if is_moving(case):
-                moving_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], 0.0, h)
+                ball.u1, ball.u2, ball.control = position[k, j, 0], position[k, j, 1], control[k, j]
+                moving_ball(case, ball, a1, a2, 0.0)
             else:
-                resting_ball(case, a1, a2, h)
-            add_ball(w, j, h, 5)
+                resting_ball(case, ball, a1, a2)
+            add_ball(ring, ball)
         for p in range(5):
             for q in range(5):
                 size = case.force
@@ -144,4 +156,4 @@ def stiffness_of_cases(
                     size /= case.length
                 if q >= 3:
                     size *= case.length
-                out[k, p, q] = w.matrix[p, q] * size
+                out[k, p, q] = ring.matrix[p, q] * size

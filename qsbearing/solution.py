@@ -10,6 +10,7 @@ import numpy as np
 
 from qsbearing import readings
 from qsbearing.solver import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
+from qsbearing.state import working_memory
 
 if TYPE_CHECKING:
     import pandas
@@ -154,6 +155,7 @@ class Solution:
         for part, cases in self._stretches():
             readings.read_cases(
                 cases,
+                *working_memory(balls),
                 self._codes[part],
                 self._ring[part],
                 self._position[part],
@@ -309,12 +311,20 @@ def stiffness(scene: Scene, solution: Solution) -> NDArray:
         raise ValueError("this solution belongs to another scene: solve this one first")
     out = np.empty((solution._maker.count, 5, 5))
     for part, cases in solution._stretches():
-        readings.stiffness_of_cases(
-            cases,
-            solution._codes[part],
-            solution._ring[part],
-            solution._position[part],
-            solution._control[part],
-            out[part],
-        )
+        out[part] = tangents(solution, part, cases)
     return solution._shaped(out, 5, 5)
+
+
+def tangents(solution: Solution, part: slice, cases: NDArray) -> NDArray:
+    """Stiffness (case, 5, 5) of a stretch of flattened cases."""
+    out = np.empty((cases.size, 5, 5))
+    readings.stiffness_of_cases(
+        cases,
+        *working_memory(solution._maker.ball_axis),
+        solution._codes[part],
+        solution._ring[part],
+        solution._position[part],
+        solution._control[part],
+        out,
+    )
+    return out

@@ -12,6 +12,7 @@ from qsbearing.case import CaseMaker
 from qsbearing.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.solver import solve_cases
+from qsbearing.state import working_memory
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -79,6 +80,7 @@ def solve(
         part = slice(begin, stop)
         solve_cases(
             records,
+            *working_memory(maker.ball_axis),
             tolerance,
             start is not None,
             ring[part],

@@ -1,15 +1,15 @@
 """One case from start to verdict: which solve it needs, and what happens where that does not converge.
 
 At rest the convex problem is the whole problem. At speed Newton's method runs from a closed-form start; where it does
-not converge, three nets follow: descent with the inertia forces frozen and brought up to date in turn, with Newton
-tried after each; and continuation in speed from rest.
+not converge, two nets follow: descent with the inertia forces frozen and brought up to date in turn, Newton tried
+after each; and continuation in speed from rest.
 """
 
 from __future__ import annotations
 
 from math import sqrt
 
-from numpy import ndarray
+from numpy import ndarray, recarray
 
 from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
 from qsbearing.compiled import entry, kernel
@@ -19,7 +19,7 @@ from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.newton import any_held, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
-from qsbearing.ring import Workspace, add_force, find_equals, inner_groove_centre, make_workspace, place_balls
+from qsbearing.ring import add_force, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
 
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
@@ -27,31 +27,27 @@ CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 # What a verdict may be about; bits.
 OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY = 1, 2, 4, 8, 16
 
-NEWTON_MOST = 30
-DESCENT_MOST = 200
-FREEZES_MOST = 25
+# How a solve at speed is tried, in this order: from the start given, from the closed form, in so many rounds of frozen
+# inertia forces, by continuation from rest.
+WARM, GUESS, FROZEN, CONTINUATION = 0, 1, 2, 27
+# Controls change at once in the first half of so many rounds, then one by one.
 CONTROL_CHANGES_MOST = 30
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 # Angles this far below zero are rounding, not contact on the open side.
 OPEN_SIDE_SINE = -1e-9
-FLOOR = 1e-13
+# Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
+FLOOR = 1e-15
 
 
 @kernel
-def stiffness_floor(case: ndarray) -> float:
-    """A stiffness far below any contact's, which keeps a ball out of all contact, or an idle channel, solvable."""
-    return FLOOR * case.series_stiffness * 1e-2
-
-
-@kernel
-def is_moving(case: ndarray) -> bool:
+def is_moving(case: recarray) -> bool:
     """Whether a named effect has some speed to act at."""
     return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
 
 
 @kernel
-def is_unloaded(case: ndarray) -> bool:
+def is_unloaded(case: recarray) -> bool:
     """No load and no displacement anywhere."""
     for i in range(5):
         if case.prescribed[i] != 0.0 or case.is_held[i]:
@@ -60,7 +56,7 @@ def is_unloaded(case: ndarray) -> bool:
 
 
 @kernel
-def radial_to_axial(case: ndarray) -> float:
+def radial_to_axial(case: recarray) -> float:
     """How strongly radial loads and moments stand against the axial load; large where there is none."""
     side = 0.0
     for i in range(1, 5):
@@ -75,134 +71,111 @@ def radial_to_axial(case: ndarray) -> float:
 
 
 @kernel
-def first_guess(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, channels: int) -> int:
+def settle_at_rest(case: recarray, ring: recarray, balls: recarray, tolerance: float) -> tuple[bool, int, float]:
+    """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
+    ring_at_rest(case, ring.displacement)
+    ring.at_rest = True
+    return descend(case, ring, balls, tolerance)
+
+
+@kernel
+def first_guess(case: recarray, ring: recarray, balls: recarray) -> int:
     """Place ring and balls for Newton's first iteration; returns the iterations it took to find the place."""
     if radial_to_axial(case) < 1.0:
-        x, u1, u2 = moving_thrust(case, w.control[w.ball[0]], case.prescribed[0])
+        x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
         for i in range(5):
-            ring[i] = 0.0
-        ring[0] = x
-        for n in range(balls):
-            j = w.ball[n]
-            position[j, 0], position[j, 1] = u1, u2
+            ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
+        ring.displacement[0] = x
+        for n in range(ring.balls):
+            balls[n].u1, balls[n].u2 = u1, u2
         return 0
-    ring_at_rest(case, ring)
-    _, iterations, _ = descend(
-        case, w, ring, position, balls, channels, stiffness_floor(case), 1e-3, DESCENT_MOST, True
-    )
-    seat_balls(case, w, ring, position, balls, True)
+    _, iterations, _ = settle_at_rest(case, ring, balls, 1e-3)
+    seat_balls(case, ring, balls, True)
     return iterations
 
 
 @kernel
-def keep(w: Workspace, ring: ndarray, position: ndarray, balls: int) -> None:
-    """Save ring and balls."""
+def keep(ring: recarray, balls: recarray) -> None:
+    """Note where ring and balls are."""
     for i in range(5):
-        w.ring_saved[i] = ring[i]
-    for n in range(balls):
-        j = w.ball[n]
-        w.saved[j, 0], w.saved[j, 1] = position[j, 0], position[j, 1]
+        ring.kept[i] = ring.displacement[i]
+    for n in range(ring.balls):
+        balls[n].kept1, balls[n].kept2 = balls[n].u1, balls[n].u2
 
 
 @kernel
-def restore(w: Workspace, ring: ndarray, position: ndarray, balls: int) -> None:
-    """Bring ring and balls back to where they were saved."""
+def restore(ring: recarray, balls: recarray) -> None:
+    """Bring ring and balls back to where they were kept."""
     for i in range(5):
-        ring[i] = w.ring_saved[i]
-    for n in range(balls):
-        j = w.ball[n]
-        position[j, 0], position[j, 1] = w.saved[j, 0], w.saved[j, 1]
-
-
-@kernel
-def frozen_rounds(
-    case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, channels: int, tolerance: float
-) -> tuple[bool, int, float]:
-    """Freeze the inertia forces, descend, bring them up to date, try Newton; again, more and more gently."""
-    floor = stiffness_floor(case)
-    ring_at_rest(case, ring)
-    _, total, _ = descend(case, w, ring, position, balls, channels, floor, 1e-6, DESCENT_MOST, True)
-    seat_balls(case, w, ring, position, balls, True)
-    residual = 1.0
-    for r in range(FREEZES_MOST):
-        freeze(case, w, ring, position, balls, 1.0 if r < 3 else 0.5 if r < 10 else 0.2)
-        _, iterations, _ = descend(case, w, ring, position, balls, channels, floor, 1e-8, DESCENT_MOST, False)
-        total += iterations
-        keep(w, ring, position, balls)
-        converged, iterations, residual = newton(
-            case, w, ring, position, balls, channels, floor, tolerance, NEWTON_MOST
-        )
-        total += iterations
-        if converged:
-            return True, total, residual
-        restore(w, ring, position, balls)
-    return False, total, residual
-
-
-@kernel
-def speed_continuation(
-    case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, channels: int, tolerance: float
-) -> tuple[bool, int, float]:
-    """From rest to speed in steps that shorten where Newton fails."""
-    floor = stiffness_floor(case)
-    inner, outer = case.inner_speed, case.outer_speed
-    reached, stride, total, residual = 0.0, 0.25, 0, 1.0
-    ring_at_rest(case, ring)
-    descend(case, w, ring, position, balls, channels, floor, 1e-10, DESCENT_MOST, True)
-    case.inner_speed, case.outer_speed = 0.05 * inner, 0.05 * outer
-    seat_balls(case, w, ring, position, balls, True)
-    converged = False
-    while stride > 1e-4 and reached < 1.0:
-        target = min(1.0, reached + stride)
-        case.inner_speed, case.outer_speed = target * inner, target * outer
-        keep(w, ring, position, balls)
-        converged, iterations, residual = newton(
-            case, w, ring, position, balls, channels, floor, tolerance, NEWTON_MOST
-        )
-        total += iterations
-        if converged:
-            reached = target
-            stride *= 1.5
-        else:
-            restore(w, ring, position, balls)
-            stride *= 0.4
-    case.inner_speed, case.outer_speed = inner, outer
-    return reached >= 1.0, total, residual
+        ring.displacement[i] = ring.kept[i]
+    for n in range(ring.balls):
+        balls[n].u1, balls[n].u2 = balls[n].kept1, balls[n].kept2
 
 
 @kernel
 def solve_moving(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    tolerance: float,
-    is_warm: bool,
-) -> tuple[bool, int, float]:
-    """Equilibrium at speed with the controls as they stand: (converged, iterations, relative residual)."""
-    floor = stiffness_floor(case)
-    total = 0
-    if is_warm:
-        converged, total, residual = newton(case, w, ring, position, balls, channels, floor, tolerance, NEWTON_MOST)
-        if converged:
-            return True, total, residual
-    total += first_guess(case, w, ring, position, balls, channels)
-    converged, iterations, residual = newton(case, w, ring, position, balls, channels, floor, tolerance, NEWTON_MOST)
-    total += iterations
-    if converged:
-        return True, total, residual
-    converged, iterations, residual = frozen_rounds(case, w, ring, position, balls, channels, tolerance)
-    total += iterations
-    if converged:
-        return True, total, residual
-    converged, iterations, residual = speed_continuation(case, w, ring, position, balls, channels, tolerance)
-    return converged, total + iterations, residual
+    case: recarray, ring: recarray, balls: recarray, tolerance: float, is_warm: bool
+) -> tuple[bool, int, float, bool]:
+    """Equilibrium at speed: (converged, iterations, relative residual, raceway controls consistent).
+
+    One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
+    converged turn may change the controls that Jones's criterion contradicts and go on from where it stands; all at
+    once at first, and if that goes round in circles, one at a time.
+    """
+    inner, outer = case.inner_speed, case.outer_speed
+    attempt = WARM if is_warm else GUESS
+    total, changes = 0, 0
+    reached, stride, target = 0.0, 0.25, 1.0
+    while True:
+        if attempt == GUESS:
+            total += first_guess(case, ring, balls)
+        elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
+            _, iterations, _ = settle_at_rest(case, ring, balls, 1e-8)
+            total += iterations
+            seat_balls(case, ring, balls, True)
+            keep(ring, balls)
+        if FROZEN <= attempt < CONTINUATION:
+            restore(ring, balls)
+            turn = attempt - FROZEN
+            freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
+            ring.at_rest = False
+            _, iterations, _ = descend(case, ring, balls, 1e-8)
+            total += iterations
+            keep(ring, balls)
+        if attempt == CONTINUATION:
+            target = min(1.0, reached + stride)
+            case.inner_speed, case.outer_speed = target * inner, target * outer
+        converged, iterations, residual = newton(case, ring, balls, tolerance)
+        total += iterations
+        if attempt == CONTINUATION:
+            case.inner_speed, case.outer_speed = inner, outer
+            if converged:
+                reached, stride = target, 1.5 * stride
+                keep(ring, balls)
+                if reached < 1.0:
+                    continue
+            else:
+                restore(ring, balls)
+                stride *= 0.4
+                if stride < 1e-4:
+                    return False, total, residual, False
+                continue
+        if not converged:
+            attempt += 1
+            continue
+        if case.control != PER_BALL:
+            return True, total, residual, True
+        changes += 1
+        only = -1 if 2 * changes < CONTROL_CHANGES_MOST else 0
+        wrong = contradicted_controls(case, ring, balls, changes < CONTROL_CHANGES_MOST, only)
+        if wrong == 0 or changes == CONTROL_CHANGES_MOST:
+            return True, total, residual, wrong == 0
+        attempt = WARM
+        reached, stride = 0.0, 0.25
 
 
 @kernel
-def spin_constant(case: ndarray, side: int, cosine: float) -> float:
+def spin_constant(case: recarray, side: int, cosine: float) -> float:
     """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
     coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
     a, _, _, E = ellipse_constants(
@@ -215,81 +188,44 @@ def spin_constant(case: ndarray, side: int, cosine: float) -> float:
 
 
 @kernel
-def controls_of_outcome(
-    case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, change: bool, only: int
-) -> int:
+def contradicted_controls(case: recarray, ring: recarray, balls: recarray, change: bool, only: int) -> int:
     """How many balls' controls contradict Jones's criterion; changes them (all, or the one counted `only`) if asked."""
     s, c = case.sin_free, case.cos_free
     inner_constant, outer_constant = spin_constant(case, -1, c), spin_constant(case, 1, c)
     wrong = 0
-    for n in range(balls):
-        j = w.ball[n]
-        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
-        u1, u2 = position[j, 0], position[j, 1]
-        do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-        di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+        di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
         if case.actual_angle:
             inner_constant, outer_constant = spin_constant(case, -1, ci), spin_constant(case, 1, co)
-        qi = case.inner_stiffness * max(di, 0.0) ** 1.5
-        qo = case.outer_stiffness * max(do, 0.0) ** 1.5
+        qi, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], di)
+        qo, _ = contact_load(groove_stiffness(case, 1, so, co)[0], do)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
-        if control != w.control[j]:
+        if control != ball.control:
             if change and (only < 0 or only == wrong):
-                w.control[j] = control
+                ball.control = control
             wrong += 1
     return wrong
 
 
 @kernel
-def solve_per_ball(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    tolerance: float,
-    is_warm: bool,
-) -> tuple[bool, int, float, bool]:
-    """Equilibrium with controls that agree with Jones's criterion: (converged, iterations, residual, consistent).
-
-    First all contradicting balls change at once; if that goes round in circles, one at a time.
-    """
-    total = 0
-    converged, residual = False, 1.0
-    for change in range(CONTROL_CHANGES_MOST):
-        converged, iterations, residual = solve_moving(
-            case, w, ring, position, balls, channels, tolerance, is_warm or change > 0
-        )
-        total += iterations
-        if not converged:
-            return False, total, residual, False
-        only = -1 if change < CONTROL_CHANGES_MOST // 2 else 0
-        if change == CONTROL_CHANGES_MOST - 1:
-            break
-        if controls_of_outcome(case, w, ring, position, balls, True, only) == 0:
-            return True, total, residual, True
-    consistent = controls_of_outcome(case, w, ring, position, balls, False, -1) == 0
-    return converged, total, residual, consistent
-
-
-@kernel
-def inner_contact(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, j: int) -> tuple[float, float, float]:
+def inner_contact(case: recarray, ring: recarray, ball: recarray) -> tuple[float, float, float]:
     """A ball's inner contact: (sine of its angle, its load, the friction force that the hypothesis puts there)."""
     s, c = case.sin_free, case.cos_free
-    a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
-    u1, u2 = position[j, 0], position[j, 1]
-    delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+    delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
     load, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], delta)
     if not case.gyroscopic or not is_moving(case):
         return si, load, 0.0
-    _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-    share, _ = moment_shares(case.shares, w.control[j] == INNER)
-    return si, load, abs(share * inertia(case, w.control[j], si, ci, so, co)[3])
+    _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+    share, _ = moment_shares(case.shares, ball.control == INNER)
+    return si, load, abs(share * inertia(case, ball.control, si, ci, so, co)[3])
 
 
 @kernel
-def objections(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, converged: bool) -> int:
+def objections(case: recarray, ring: recarray, balls: recarray, converged: bool) -> int:
     """What forbids an equilibrium, as bits; 0 where nothing does.
 
     A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing. Friction at an
@@ -298,8 +234,11 @@ def objections(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, ba
     the inner raceway) has come to its end.
     """
     found = 0
-    for n in range(balls):
-        sine, load, friction = inner_contact(case, w, ring, position, w.ball[n])
+    for i in range(5):
+        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
+            return RUNAWAY
+    for n in range(ring.balls):
+        sine, load, friction = inner_contact(case, ring, balls[n])
         if converged and case.one_sided and load > 0.0 and sine < OPEN_SIDE_SINE:
             found |= OPEN_SIDE
         if friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
@@ -309,111 +248,65 @@ def objections(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, ba
 
 @kernel
 def solve_case(
-    case: ndarray, w: Workspace, ring: ndarray, position: ndarray, tolerance: float, is_warm: bool
+    case: recarray, ring: recarray, balls: recarray, tolerance: float, is_warm: bool
 ) -> tuple[int, int, int, float]:
-    """Solve one case in place: (status, notes, iterations, relative residual).
-
-    Positions of all balls are filled, those of equals too; ring channels that a symmetry settles are zero.
-    """
-    place_balls(case, w)
-    balls, channels = find_equals(case, w)
+    """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
+    ring.floor = FLOOR * case.series_stiffness
     for i in range(5):
         if case.is_held[i]:
-            ring[i] = case.prescribed[i]
+            ring.displacement[i] = case.prescribed[i]
     notes = 0
     if is_moving(case):
-        if case.control == PER_BALL:
-            for n in range(balls):
-                if not is_warm:
-                    w.control[w.ball[n]] = OUTER
-            converged, iterations, residual, consistent = solve_per_ball(
-                case, w, ring, position, balls, channels, tolerance, is_warm
-            )
-            if not consistent:
-                notes |= NO_CONSISTENT_CONTROL
-        else:
-            for n in range(balls):
-                w.control[w.ball[n]] = case.control
-            converged, iterations, residual = solve_moving(case, w, ring, position, balls, channels, tolerance, is_warm)
+        for n in range(ring.balls):
+            if case.control != PER_BALL:
+                balls[n].control = case.control
+            elif not is_warm:
+                balls[n].control = OUTER
+        converged, iterations, residual, consistent = solve_moving(case, ring, balls, tolerance, is_warm)
+        if converged and not consistent:
+            notes |= NO_CONSISTENT_CONTROL
     else:
-        for n in range(balls):
-            w.control[w.ball[n]] = INNER if case.control == INNER else OUTER
-        converged, iterations, residual = solve_resting(case, w, ring, position, balls, channels, tolerance, is_warm)
+        for n in range(ring.balls):
+            balls[n].control = INNER if case.control == INNER else OUTER
+        converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
+        seat_balls(case, ring, balls, False)
     if is_unloaded(case):
         notes |= UNLOADED_RING
-    status = CONVERGED if converged else NOT_CONVERGED
-    for i in range(5):
-        if not case.is_held[i] and not abs(ring[i]) < RUNAWAY_DISTANCE:
-            status = NO_EQUILIBRIUM
-            notes |= RUNAWAY
-    if notes & RUNAWAY == 0:
-        against = objections(case, w, ring, position, balls, converged)
-        if against != 0:
-            status = NO_EQUILIBRIUM
-            notes |= against
-    for j in range(case.ball_count):
-        k = w.twin[j]
-        if k != j:
-            position[j, 0], position[j, 1] = position[k, 0], position[k, 1]
-            w.control[j] = w.control[k]
-    return status, notes, iterations, residual
+    against = objections(case, ring, balls, converged)
+    if against != 0:
+        return NO_EQUILIBRIUM, notes | against, iterations, residual
+    return CONVERGED if converged else NOT_CONVERGED, notes, iterations, residual
 
 
 @kernel
-def solve_resting(
-    case: ndarray,
-    w: Workspace,
-    ring: ndarray,
-    position: ndarray,
-    balls: int,
-    channels: int,
-    tolerance: float,
-    is_warm: bool,
-) -> tuple[bool, int, float]:
-    """Equilibrium at rest: the convex problem of the ring alone."""
-    floor = stiffness_floor(case)
-    total = 0
-    converged, residual = False, 1.0
-    if is_warm:
-        converged, total, residual = descend(
-            case, w, ring, position, balls, channels, floor, tolerance, NEWTON_MOST, True
-        )
-    if not converged:
-        ring_at_rest(case, ring)
-        converged, iterations, residual = descend(
-            case, w, ring, position, balls, channels, floor, tolerance, DESCENT_MOST, True
-        )
-        total += iterations
-    seat_balls(case, w, ring, position, balls, False)
-    return converged, total, residual
-
-
-@kernel
-def ring_load(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, load: ndarray) -> None:
+def ring_load(case: recarray, ring: recarray, balls: recarray, load: ndarray) -> None:
     """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
-    reaction = w.ring_before
+    reaction = ring.before
     for i in range(5):
         reaction[i] = 0.0
     if any_held(case):
-        h = w.condensed[0]
         for j in range(case.ball_count):
-            a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
+            ball = balls[balls[j].place]
+            cosine, sine = balls[j].azimuth_cosine, balls[j].azimuth_sine
+            a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
             if is_moving(case):
-                moving_ball(case, w.control[j], a1, a2, position[j, 0], position[j, 1], 0.0, h)
+                moving_ball(case, ball, a1, a2, 0.0)
             else:
-                resting_ball(case, a1, a2, h)
-            add_force(h, w.cosine[j], w.sine[j], 1.0, reaction)
+                resting_ball(case, ball, a1, a2)
+            add_force(ball, cosine, sine, reaction)
     for i in range(5):
         # what equal balls cancel is zero, not the rounding of their sum
-        load[i] = reaction[i] * w.in_plane[i] if case.is_held[i] else case.prescribed[i]
+        load[i] = reaction[i] * ring.in_plane[i] if case.is_held[i] else case.prescribed[i]
 
 
 @entry
 def solve_cases(
-    cases: ndarray,
+    cases: recarray,
+    rings: recarray,
+    balls: recarray,
     tolerance: float,
     is_warm: bool,
-    ring: ndarray,
+    displacement: ndarray,
     position: ndarray,
     control: ndarray,
     load: ndarray,
@@ -424,20 +317,30 @@ def solve_cases(
 ) -> None:
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
-    ring (case, 5) and position (case, ball, 2) hold the start if is_warm, and the result in the case's units; load
-    (case, 5) the ring's loads, reactions of held channels included.
+    displacement (case, 5) and position (case, ball, 2) hold the start if is_warm, and the result in the case's units;
+    load (case, 5) the ring's loads, reactions of held channels included. rings (1) and balls are working memory.
     """
-    balls = position.shape[1]
-    w = make_workspace(balls)
+    ring = rings[0]
     for k in range(cases.size):
         case = cases[k]
-        if is_warm:
-            for j in range(case.ball_count):
-                w.control[j] = control[k, j]
-        else:
-            ring[k] = 0.0
-            position[k] = 0.0
-        status[k], notes[k], iterations[k], residual[k] = solve_case(case, w, ring[k], position[k], tolerance, is_warm)
-        ring_load(case, w, ring[k], position[k], load[k])
-        for j in range(case.ball_count):
-            control[k, j] = w.control[j]
+        place_balls(case, ring, balls)
+        find_equals(case, ring, balls)
+        for i in range(5):
+            ring.displacement[i] = displacement[k, i] * ring.in_plane[i] if is_warm else 0.0
+        for n in range(ring.balls):
+            ball = balls[n]
+            if is_warm:
+                ball.u1, ball.u2 = position[k, ball.number, 0], position[k, ball.number, 1]
+                ball.control = control[k, ball.number]
+            else:
+                ball.u1, ball.u2 = 0.0, 0.0
+        status[k], notes[k], iterations[k], residual[k] = solve_case(case, ring, balls, tolerance, is_warm)
+        for i in range(5):
+            displacement[k, i] = ring.displacement[i]
+        for j in range(position.shape[1]):
+            ball = balls[balls[j].place]
+            is_there = j < case.ball_count
+            position[k, j, 0] = ball.u1 if is_there else 0.0
+            position[k, j, 1] = ball.u2 if is_there else 0.0
+            control[k, j] = ball.control if is_there else 0
+        ring_load(case, ring, balls, load[k])

@@ -12,19 +12,16 @@ from __future__ import annotations
 
 from math import sqrt
 
-from numpy import ndarray
+from numpy import ndarray, recarray
 
 from qsbearing.ball import groove_stiffness, inertia, series_stiffness
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
-from qsbearing.ring import Workspace, inner_groove_centre
-
-# Balls thought unloaded at first are given this part of the load of the others: enough to have a direction.
-LEAST_SEAT = 1e-3
+from qsbearing.ring import inner_groove_centre
 
 
 @kernel
-def resting_thrust(case: ndarray, axial_load: float) -> float:
+def resting_thrust(case: recarray, axial_load: float) -> float:
     """Axial displacement of the ring at rest under pure thrust, to a few per cent."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     q = abs(axial_load) / (case.ball_count * case.series_stiffness)
@@ -40,10 +37,10 @@ def resting_thrust(case: ndarray, axial_load: float) -> float:
 
 
 @kernel
-def ring_at_rest(case: ndarray, ring: ndarray) -> None:
-    """First displacement of the ring at rest."""
+def ring_at_rest(case: recarray, displacement: ndarray) -> None:
+    """First displacement of the ring at rest, to be improved by descent."""
     for i in range(5):
-        ring[i] = case.prescribed[i] if case.is_held[i] else 0.0
+        displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     radial = 0.0
     for i in range(1, 3):
@@ -57,25 +54,25 @@ def ring_at_rest(case: ndarray, ring: ndarray) -> None:
     thrust = case.prescribed[0]
     if not case.is_held[0] and (thrust != 0.0 or radial > 0.0):
         # Without thrust the balls seat where the axial forces cancel, at angle zero.
-        ring[0] = resting_thrust(case, thrust) if thrust != 0.0 else -length * case.sin_free
+        displacement[0] = resting_thrust(case, thrust) if thrust != 0.0 else -length * case.sin_free
     gap = length * (1.0 - case.cos_free) if thrust == 0.0 and not case.is_held[0] else 0.0
     if radial > 0.0:
         # Stribeck's largest ball load, 4.37 Fr/Z, if little else holds the ring.
         size = gap + (4.37 * radial / (case.ball_count * case.series_stiffness)) ** (2.0 / 3.0)
         for i in range(1, 3):
             if not case.is_held[i]:
-                ring[i] = size * case.prescribed[i] / radial
+                displacement[i] = size * case.prescribed[i] / radial
 
 
 @kernel
-def seat_balls(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, balls: int, is_moving: bool) -> None:
+def seat_balls(case: recarray, ring: recarray, balls: recarray, is_moving: bool) -> None:
     """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
     s, c = case.sin_free, case.cos_free
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     outer_length = case.outer_coefficient - 0.5
-    for n in range(balls):
-        j = w.ball[n]
-        a1, a2 = inner_groove_centre(case, ring, w.cosine[j], w.sine[j])
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         approach, n1, n2, _ = direction(length, s, c, a1, a2)
         if approach > 0.0:
             outer, _ = groove_stiffness(case, 1, n1, n2)
@@ -85,18 +82,18 @@ def seat_balls(case: ndarray, w: Workspace, ring: ndarray, position: ndarray, ba
             reach = 0.5 * approach  # midway in the gap, for want of a place of its own
             if is_moving:
                 # thrown outward: in the groove's bottom, pressed by its own centrifugal force
-                fc, _, _, _, _, _ = inertia(case, w.control[j], 0.0, 1.0, 0.0, 1.0)
+                fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
                 depth = (fc / case.outer_stiffness) ** (2.0 / 3.0)
                 u1, u2 = -outer_length * s, outer_length * (1.0 - c) + depth
                 inner, _, _, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
                 if inner < 0.0:
                     n1, n2, reach = 0.0, 1.0, depth
-        position[j, 0] = outer_length * (n1 - s) + reach * n1
-        position[j, 1] = outer_length * (n2 - c) + reach * n2
+        ball.u1 = outer_length * (n1 - s) + reach * n1
+        ball.u2 = outer_length * (n2 - c) + reach * n2
 
 
 @kernel
-def moving_thrust(case: ndarray, control: int, axial_load: float) -> tuple[float, float, float]:
+def moving_thrust(case: recarray, control: int, axial_load: float) -> tuple[float, float, float]:
     """Ring and ball under thrust at speed, without the gyroscopic moment: (axial displacement, u1, u2).
 
     The two relations above, solved for t = cot ai with the elastic approaches and Fc brought up to date on the way.

@@ -1,0 +1,85 @@
+"""The kernel's working memory: one record for the ring, one for each ball that is solved.
+
+Records travel through the kernel as single pointers, which keeps its calls, and its compilation, short. One thread
+uses one ring and one set of balls for all its cases; nothing in them outlives a case but the balls' azimuths.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_BALL = np.dtype(
+    [
+        # By a ball's own number in the bearing:
+        ("azimuth_cosine", np.float64),
+        ("azimuth_sine", np.float64),
+        ("place", np.int64),  # where the ball that is solved for it stands in this array
+        # By place among the balls solved:
+        ("number", np.int64),
+        ("cosine", np.float64),
+        ("sine", np.float64),
+        ("weight", np.float64),  # how many equal balls it stands for
+        ("control", np.int64),  # its raceway control
+        ("factor", np.float64, (5,)),  # through which each channel solved feels its force, weight included
+        ("lever", np.float64, (5,)),  # through which each channel solved moves its inner groove centre
+        ("u1", np.float64),  # displacement of its centre, axial and radial, from touching at the free angle
+        ("u2", np.float64),
+        ("du1", np.float64),  # and its step
+        ("du2", np.float64),
+        ("from1", np.float64),  # where the step began
+        ("from2", np.float64),
+        ("kept1", np.float64),  # where to come back to
+        ("kept2", np.float64),
+        ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
+        ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
+        ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
+        ("y1", np.float64),  # the ball's own step is -(y + Y dA)
+        ("y2", np.float64),
+        ("y11", np.float64),
+        ("y12", np.float64),
+        ("y21", np.float64),
+        ("y22", np.float64),
+        ("outer_sine", np.float64),  # outer contact line
+        ("outer_cosine", np.float64),
+        ("outer_inverse", np.float64),  # 1/|X|
+        ("outer_approach", np.float64),
+        ("frozen", np.float64, (5,)),  # inertia force on the ball (2) and what its friction does to the ring (3)
+        ("r1", np.float64),  # imbalance under the frozen force
+        ("r2", np.float64),
+    ],
+    align=True,
+)
+BALL = np.dtype((np.record, _BALL))
+
+_RING = np.dtype(
+    [
+        ("displacement", np.float64, (5,)),
+        ("step", np.float64, (5,)),
+        ("before", np.float64, (5,)),
+        ("kept", np.float64, (5,)),
+        ("balls", np.int64),  # how many balls are solved
+        ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
+        ("channel", np.int64, (5,)),  # which
+        ("row", np.int64, (5,)),  # for each, which of a ball's three forces it feels
+        ("in_plane", np.float64, (5,)),  # 1 for channels that the symmetry leaves, 0 where it makes all vanish
+        ("imbalance", np.float64, (5,)),  # of the channels solved: the balls' forces less the load
+        ("right", np.float64, (5,)),
+        ("matrix", np.float64, (5, 5)),
+        ("floor", np.float64),  # least stiffness of anything
+        ("at_rest", np.bool_),  # which convex problem: at rest, or under frozen inertia forces
+        ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
+        ("azimuth_first", np.float64),
+    ],
+    align=True,
+)
+RING = np.dtype((np.record, _RING))
+
+
+def working_memory(balls: int) -> tuple[NDArray, NDArray]:
+    """(ring, balls) for bearings of up to this many balls."""
+    return np.zeros(1, RING), np.zeros(balls, BALL)
