@@ -19,11 +19,13 @@ if TYPE_CHECKING:
     from qsbearing.bearing import BallBearing, BearingKind
     from qsbearing.effects import CentrifugalForce, GyroscopicMoment, MomentShares
     from qsbearing.faults import Fault, SceneError
+    from qsbearing.file_fault import FileFault, SceneFileError
     from qsbearing.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.operation import Operation
     from qsbearing.raceway_control import RacewayControl
     from qsbearing.scene import HertzAngle, Scene, TiltLever
+    from qsbearing.scene_file import load_scene
     from qsbearing.solution import RacewayContacts, Solution, Status, stiffness
     from qsbearing.solve import solve
 
@@ -33,6 +35,7 @@ _HOME = {
     "BearingKind": "bearing",
     "CentrifugalForce": "effects",
     "Fault": "faults",
+    "FileFault": "file_fault",
     "GyroscopicMoment": "effects",
     "HertzAngle": "scene",
     "HertzForm": "hertz",
@@ -46,9 +49,11 @@ _HOME = {
     "STEEL": "material",
     "Scene": "scene",
     "SceneError": "faults",
+    "SceneFileError": "file_fault",
     "Solution": "solution",
     "Status": "solution",
     "TiltLever": "scene",
+    "load_scene": "scene_file",
     "point_contact": "hertz",
     "solve": "solve",
     "stiffness": "solution",
@@ -77,6 +82,7 @@ __all__ = [
     "BearingKind",
     "CentrifugalForce",
     "Fault",
+    "FileFault",
     "GPa",
     "GyroscopicMoment",
     "HertzAngle",
@@ -94,6 +100,7 @@ __all__ = [
     "RacewayControl",
     "Scene",
     "SceneError",
+    "SceneFileError",
     "Solution",
     "Status",
     "TiltLever",
@@ -101,6 +108,7 @@ __all__ = [
     "kN",
     "kg",
     "kg_m3",
+    "load_scene",
     "m",
     "mm",
     "mrad",

@@ -9,7 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.faults import ANGLE, COUNT, DENSITY, LENGTH, MODULUS, RATIO, Fault, numeric, raise_if_any, within
+from qsbearing.faults import (
+    ANGLE,
+    COUNT,
+    DENSITY,
+    LENGTH,
+    MODULUS,
+    RATIO,
+    Fault,
+    SceneError,
+    likely_slip,
+    numeric,
+    raise_if_any,
+    within,
+)
 from qsbearing.hertz import effective_modulus
 from qsbearing.material import STEEL, Material
 
@@ -66,12 +79,23 @@ class BallBearing:
 
         cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`.
         """
-        distance = (
-            np.asarray(fields["inner_groove_radius"], float)
-            + np.asarray(fields["outer_groove_radius"], float)
-            - np.asarray(fields["ball_diameter"], float)
+        inner, outer, ball = (
+            numeric("", fields[name], LENGTH)[0]
+            for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
         )
-        return cls(free_contact_angle=free_angle_from_clearance(diametral_clearance, distance), **fields)
+        faults = []
+        angle: ArrayLike = 0.0  # stands in while the other fields are judged
+        if inner is not None and outer is not None and ball is not None:
+            distance = inner + outer - ball
+            faults = clearance_faults(diametral_clearance, distance)
+            if not faults and (distance > 0.0).all():
+                angle = free_angle_from_clearance(diametral_clearance, distance)
+        try:
+            bearing = cls(free_contact_angle=angle, **fields)
+        except SceneError as error:
+            raise SceneError([*error.faults, *faults]) from None
+        raise_if_any(faults)
+        return bearing
 
     @property
     def inner_groove_radius_coefficient(self) -> NDArray:
@@ -89,7 +113,8 @@ class BallBearing:
 
         (19.7) prints fi + fo - 0.5: with it B218 would have 12.14 mm instead of 1.031 mm.
         """
-        return np.asarray(self.inner_groove_radius, float) + self.outer_groove_radius - self.ball_diameter
+        inner, outer = np.asarray(self.inner_groove_radius, float), np.asarray(self.outer_groove_radius, float)
+        return inner + outer - np.asarray(self.ball_diameter, float)
 
     @property
     def diametral_clearance(self) -> NDArray:
@@ -133,6 +158,27 @@ def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_dist
     ratio = np.asarray(diametral_clearance, float) / (4.0 * np.asarray(groove_centre_distance, float))
     with np.errstate(invalid="ignore"):
         return 2.0 * np.arcsin(np.sqrt(ratio))
+
+
+def clearance_faults(diametral_clearance: ArrayLike, groove_centre_distance: NDArray) -> list[Fault]:
+    """Faults of a clearance, which must leave a free contact angle between 0 and its greatest."""
+    field = "bearing.diametral_clearance"
+    clearance, faults = numeric(field, diametral_clearance, LENGTH)
+    if clearance is None:
+        return faults
+    clearance, distance = np.broadcast_arrays(clearance, groove_centre_distance)
+    most = 4.0 * distance * np.sin(0.5 * FREE_ANGLE_MAX) ** 2
+    bad = (distance > 0.0) & ((clearance < 0.0) | (clearance > most))
+    if not bad.any():
+        return []
+    found, limit = float(clearance[bad].flat[0]), float(most[bad].flat[0])
+    problem = (
+        "is negative: balls wedged between the grooves have no free contact angle"
+        if found < 0.0
+        else "is larger than these grooves allow: the free contact angle would pass "
+        f"{np.degrees(FREE_ANGLE_MAX):.0f} degrees"
+    )
+    return [Fault(field, problem, found, LENGTH, (0.0, limit), likely_slip(found, LENGTH, 0.0, limit))]
 
 
 def material_faults(field: str, material: Material) -> list[Fault]:
@@ -214,7 +260,7 @@ def _fit_faults(pitch: NDArray, diameter: NDArray, count: NDArray | None) -> lis
     dm, d, least = (float(array[tight].flat[0]) for array in (pitch, diameter, room))
     problem = count_text or "is no larger than the ball"
     if count_text and count is not None:
-        problem += f": {int(count[tight].flat[0])} balls of {d:g} m need more than {least:g} m"
+        problem += f": {int(count[tight].flat[0])} balls need a circle of more than {least / d:.4g} ball diameters"
     cause = "Fewer or smaller balls, or a larger pitch circle"
     if dm * 1e3 > least and dm * 1e3 < 50.0 * least:
         cause = "Given in another unit than the ball diameter?"

@@ -207,7 +207,8 @@ class CaseMaker:
         parts = np.broadcast_arrays(pitch, inner_f, outer_f, cosine)
         geometry = np.array([np.atleast_1d(part) for part in parts], float)
         inner, outer = np.empty_like(geometry[0]), np.empty_like(geometry[0])
-        _groove_stiffness(FORM_CODES[self.scene.hertz_form], *geometry, inner, outer)
+        form = FORM_CODES[self.scene.hertz_form]
+        _groove_stiffness(form, geometry[0], geometry[1], geometry[2], geometry[3], inner, outer)
         cases["inner_stiffness"] = inner
         cases["outer_stiffness"] = outer
         cases["series_stiffness"] = (inner ** (-2.0 / 3.0) + outer ** (-2.0 / 3.0)) ** -1.5

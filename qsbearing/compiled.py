@@ -24,7 +24,7 @@ from numba.core import event as numba_event
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-COMPILED = not numba_config.DISABLE_JIT
+COMPILED = not numba_config.DISABLE_JIT  # type: ignore[attr-defined]
 """False when the kernel runs as plain Python (``NUMBA_DISABLE_JIT=1``)."""
 
 KEPT_VERSIONS = 4
@@ -70,21 +70,25 @@ _entries: set[str] = set()
 
 
 # error_model "numpy": no hidden branch before each division; the formulas guard their own.
+# no_cfunc_wrapper: nothing calls these from C, and each wrapper is another function to compile.
 # No fastmath: the same digits on every run, and NaN stays NaN.
+_OPTIONS: Any = {"error_model": "numpy", "no_cfunc_wrapper": True}
+
+
 def kernel(function: F) -> F:
     """Compile a small function of the physics; it is built into the entries that call it."""
-    return cast(F, numba.njit(error_model="numpy", no_cfunc_wrapper=True)(function))
+    return cast(F, numba.njit(**_OPTIONS)(function))
 
 
 def entry(function: F) -> F:
     """Compile a function that Python calls: cached on disk, the interpreter's lock released."""
     _entries.add(function.__qualname__)
-    before = numba_config.CACHE_DIR
+    before = numba_config.CACHE_DIR  # type: ignore[attr-defined]
     try:
-        numba_config.CACHE_DIR = _CACHE_FOLDER or before
-        return cast(F, numba.njit(error_model="numpy", nogil=True, cache=_CACHE_FOLDER is not None)(function))
+        numba_config.CACHE_DIR = _CACHE_FOLDER or before  # type: ignore[attr-defined]
+        return cast(F, numba.njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function))
     finally:
-        numba_config.CACHE_DIR = before
+        numba_config.CACHE_DIR = before  # type: ignore[attr-defined]
 
 
 class _Announce(numba_event.Listener):

@@ -12,7 +12,7 @@ a ball are springs in series and X has a closed form: the ring's channels are al
 
 from __future__ import annotations
 
-from numpy import recarray
+from numpy import ndarray, recarray
 
 from qsbearing.ball import inertia, resting_ball
 from qsbearing.compiled import kernel
@@ -28,7 +28,7 @@ MOST = 200
 
 
 @kernel
-def freeze(case: recarray, ring: recarray, balls: recarray, blend: float) -> None:
+def freeze(case: recarray, ring: recarray, balls: ndarray, blend: float) -> None:
     """Take each ball's inertia force, and what its friction does to the ring, from its present angles.
 
     A blend below 1 moves the frozen forces only part of the way to their present values.
@@ -89,7 +89,7 @@ def frozen_ball(case: recarray, ball: recarray, a1: float, a2: float, floor: flo
 
 
 @kernel
-def convex_pass(case: recarray, ring: recarray, balls: recarray) -> float:
+def convex_pass(case: recarray, ring: recarray, balls: ndarray) -> float:
     """Evaluate the convex problem, its condensed system left in the ring: the largest relative imbalance.
 
     The ring's is relative to the largest force, a ball's to its own: a ball thrown into the corner between its grooves
@@ -124,7 +124,7 @@ def convex_pass(case: recarray, ring: recarray, balls: recarray) -> float:
 
 
 @kernel
-def remember(ring: recarray, balls: recarray) -> None:
+def remember(ring: recarray, balls: ndarray) -> None:
     """Keep where ring and balls are, before a step."""
     for i in range(5):
         ring.before[i] = ring.displacement[i]
@@ -133,7 +133,7 @@ def remember(ring: recarray, balls: recarray) -> None:
 
 
 @kernel
-def move_straight(ring: recarray, balls: recarray, fraction: float) -> None:
+def move_straight(ring: recarray, balls: ndarray, fraction: float) -> None:
     """Put ring and balls at the fraction of the step: along a line, on which Pi is convex."""
     for i in range(5):
         ring.displacement[i] = ring.before[i] + fraction * ring.step[i]
@@ -144,7 +144,7 @@ def move_straight(ring: recarray, balls: recarray, fraction: float) -> None:
 
 
 @kernel
-def slope_along_step(ring: recarray, balls: recarray) -> float:
+def slope_along_step(ring: recarray, balls: ndarray) -> float:
     """dPi/dt of the last pass's point along the step."""
     slope = 0.0
     for n in range(ring.balls):
@@ -156,7 +156,7 @@ def slope_along_step(ring: recarray, balls: recarray) -> float:
 
 
 @kernel
-def search_line(case: recarray, ring: recarray, balls: recarray, tolerance: float, fraction: float) -> float:
+def search_line(case: recarray, ring: recarray, balls: ndarray, tolerance: float, fraction: float) -> float:
     """Go along the step until its slope is at most half the first, by secants on the rising slope.
 
     Returns the relative imbalance where it stops.
@@ -185,7 +185,7 @@ def search_line(case: recarray, ring: recarray, balls: recarray, tolerance: floa
 
 
 @kernel
-def descend(case: recarray, ring: recarray, balls: recarray, tolerance: float) -> tuple[bool, int, float]:
+def descend(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Minimise Pi in place from where ring and balls are: (converged, iterations, relative residual).
 
     Which Pi, `ring.at_rest` says.

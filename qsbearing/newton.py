@@ -6,7 +6,7 @@ free channels; the balls' steps follow from the ring's. Nothing is nested and no
 
 from __future__ import annotations
 
-from numpy import recarray
+from numpy import ndarray, recarray
 
 from qsbearing.ball import moving_ball
 from qsbearing.compiled import kernel
@@ -43,7 +43,7 @@ def any_held(case: recarray) -> bool:
 
 
 @kernel
-def pass_over_balls(case: recarray, ring: recarray, balls: recarray) -> tuple[float, float]:
+def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float]:
     """Evaluate all balls where they are: (largest imbalance, largest force).
 
     Leaves the condensed system in the ring. The largest force is over applied and inertial ones, and over contact
@@ -71,7 +71,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: recarray) -> tuple[fl
 
 
 @kernel
-def newton_step(case: recarray, ring: recarray, balls: recarray) -> float:
+def newton_step(case: recarray, ring: recarray, balls: ndarray) -> float:
     """Solve the condensed system for the steps of ring and balls.
 
     Returns the largest displacement of any centre by the step; negative where the system is singular.
@@ -93,7 +93,7 @@ def newton_step(case: recarray, ring: recarray, balls: recarray) -> float:
 
 
 @kernel
-def growth(ring: recarray, balls: recarray) -> float:
+def growth(ring: recarray, balls: ndarray) -> float:
     """By how much the step would raise the largest approach of the outer contacts, relative to it."""
     before, after = 0.0, 0.0
     for n in range(ring.balls):
@@ -104,7 +104,7 @@ def growth(ring: recarray, balls: recarray) -> float:
 
 
 @kernel
-def move(ring: recarray, balls: recarray, fraction: float) -> None:
+def move(ring: recarray, balls: ndarray, fraction: float) -> None:
     """Take the fraction of the step.
 
     A ball moves in polar coordinates about the outer groove's centre: along its contact line by the step's part
@@ -128,7 +128,7 @@ def move(ring: recarray, balls: recarray, fraction: float) -> None:
 
 
 @kernel
-def newton(case: recarray, ring: recarray, balls: recarray, tolerance: float) -> tuple[bool, int, float]:
+def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Iterate in place from where ring and balls are: (converged, iterations, relative residual).
 
     No step is refused: from a fair start this converges in five to ten iterations, often through a larger imbalance,

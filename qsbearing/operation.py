@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import pi
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -74,7 +75,7 @@ def operation_faults(operation: Operation) -> list[Fault]:
     faults = within("operation.speed", operation.speed, SPEED, -1e7, 1e7)
     if operation.outer_speed is not None:
         faults += within("operation.outer_speed", operation.outer_speed, SPEED, -1e7, 1e7)
-    faults += within("operation.first_ball_azimuth", operation.first_ball_azimuth, ANGLE, -7.0, 7.0)
+    faults += within("operation.first_ball_azimuth", operation.first_ball_azimuth, ANGLE, -2.0 * pi, 2.0 * pi)
     for channel in CHANNELS:
         load, displacement = getattr(operation, channel.load), getattr(operation, channel.displacement)
         if load is not None and displacement is not None:

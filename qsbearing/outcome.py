@@ -81,8 +81,8 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
             "No equilibrium: "
             + _unsupported(case)
             + (
-                " Balls would have to press on the open side of the groove, at contact angles below zero. (A bearing with "
-                "shoulders on both sides: kind = deep_groove.)"
+                " Balls would have to press on the open side of the groove, at contact angles below zero. (A bearing "
+                "with shoulders on both sides: kind = deep_groove.)"
             )
         )
     return "No equilibrium."
@@ -131,7 +131,7 @@ def warnings(solution: Solution, index: int | tuple[int, ...] = ()) -> list[str]
             f"Contact pressure reaches {pressure / 1e6:.0f} MPa, above the {STATIC_PRESSURE_LIMIT / 1e6:.0f} MPa of "
             "the static load rating: the contact yields, and the elastic numbers are no longer true."
         )
-    tilt = np.abs(solution.displacement[(*where, slice(3, 5))]).max()
+    tilt = np.abs(solution.displacement[where][3:]).max()
     if tilt > SMALL_TILT:
         found.append(f"The ring tilts by {tilt * 1e3:.0f} mrad: beyond the small rotations that the model assumes.")
     return found

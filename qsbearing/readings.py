@@ -89,9 +89,9 @@ def read_motion(case: recarray, control: int, si: float, ci: float, so: float, c
 
 @entry
 def read_cases(
-    cases: recarray,
-    rings: recarray,
-    balls: recarray,
+    cases: ndarray,
+    rings: ndarray,
+    balls: ndarray,
     status: ndarray,
     displacement: ndarray,
     position: ndarray,
@@ -115,9 +115,9 @@ def read_cases(
 
 @entry
 def stiffness_of_cases(
-    cases: recarray,
-    rings: recarray,
-    balls: recarray,
+    cases: ndarray,
+    rings: ndarray,
+    balls: ndarray,
     status: ndarray,
     displacement: ndarray,
     position: ndarray,

@@ -18,7 +18,7 @@ from qsbearing.compiled import kernel
 
 
 @kernel
-def place_balls(case: recarray, ring: recarray, balls: recarray) -> None:
+def place_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Cosines and sines of the azimuths; kept while neighbouring cases share them."""
     count = case.ball_count
     if ring.azimuth_count == count and ring.azimuth_first == case.first_azimuth:
@@ -42,7 +42,7 @@ def _mirror_sum(case: recarray, plane_azimuth: float) -> int:
 
 
 @kernel
-def find_equals(case: recarray, ring: recarray, balls: recarray) -> None:
+def find_equals(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Choose the balls and channels to solve.
 
     Pure thrust: all balls are equal and one stands for them. Loads in the x-y or the x-z plane: mirror images are
@@ -92,7 +92,7 @@ def find_equals(case: recarray, ring: recarray, balls: recarray) -> None:
 
 
 @kernel
-def couple(case: recarray, ring: recarray, balls: recarray) -> None:
+def couple(case: recarray, ring: recarray, balls: ndarray) -> None:
     """How each ball and each channel solved act on each other.
 
     A channel of the ring moves the inner groove centre along A1 or A2 (19.3, 19.4), and feels the ball's force through

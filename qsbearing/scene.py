@@ -9,7 +9,7 @@ import numpy as np
 
 from qsbearing.bearing import BallBearing
 from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
-from qsbearing.faults import MM, RPM, Fault, raise_if_any
+from qsbearing.faults import MM, RPM, SPEED, Fault, likely_slip, raise_if_any
 from qsbearing.hertz import HertzForm
 from qsbearing.operation import Operation
 from qsbearing.raceway_control import RacewayControl
@@ -71,45 +71,62 @@ class Scene:
 
 def scene_faults(scene: Scene) -> list[Fault]:
     """Faults of the parts together; each part has checked itself."""
+    return [
+        *effect_faults(scene.ball_effects, scene.raceway_control),
+        *speed_faults(scene.bearing, scene.operation),
+    ]
+
+
+def effect_faults(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[Fault]:
+    """Faults of what is asked for, whatever the bearing."""
     faults = []
-    names = [effect.name for effect in scene.ball_effects]
+    names = [effect.name for effect in ball_effects]
     if len(set(names)) < len(names):
         faults.append(Fault("ball_effects", "names an effect twice", value=names))
-    if names and scene.raceway_control is None:
+    if names and raceway_control is None:
+        need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
         faults.append(
             Fault(
                 "raceway_control",
-                f"missing: {' and '.join(names)} need the balls' motion, which raceway control sets",
+                f"missing: {need} the balls' motion, which raceway control sets",
                 cause="State raceway_control: outer, inner or per_ball",
             )
         )
-    if scene.raceway_control is not None and not names:
+    if raceway_control is not None and not names:
         faults.append(
             Fault(
                 "raceway_control",
                 "is given, but no ball effect needs it",
-                value=str(scene.raceway_control),
+                value=str(raceway_control),
                 cause="Leave it out, or ask for centrifugal_force or gyroscopic_moment",
             )
         )
+    return faults
+
+
+def speed_faults(bearing: BallBearing, operation: Operation) -> list[Fault]:
+    """Faults of speeds that no bearing of this size survives."""
+    faults = []
     pitch, speed, outer = np.broadcast_arrays(
-        np.asarray(scene.bearing.pitch_diameter, float),
-        np.asarray(scene.operation.speed, float),
-        np.asarray(0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed, float),
+        np.asarray(bearing.pitch_diameter, float),
+        np.asarray(operation.speed, float),
+        np.asarray(0.0 if operation.outer_speed is None else operation.outer_speed, float),
     )
     for field_name, value in (("operation.speed", speed), ("operation.outer_speed", outer)):
         parameter = pitch / MM * np.abs(value) / RPM
         if (parameter > SPEED_PARAMETER_MAX).any():
             worst = parameter.argmax()
-            cause = ""
-            if parameter.flat[worst] * RPM <= SPEED_PARAMETER_MAX:
-                cause = "Given in revolutions per minute? Python takes radians per second: multiply by qs.rpm"
+            most = float(SPEED_PARAMETER_MAX * RPM * MM / pitch.flat[worst])
+            found = float(value.flat[worst])
             faults.append(
                 Fault(
                     field_name,
-                    f"dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing ({SPEED_PARAMETER_MAX:g})",
-                    value=float(value.flat[worst]),
-                    cause=cause,
+                    f"is too fast: dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing "
+                    f"({SPEED_PARAMETER_MAX:g})",
+                    found,
+                    SPEED,
+                    (-most, most),
+                    likely_slip(found, SPEED, -most, most),
                 )
             )
     return faults

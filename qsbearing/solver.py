@@ -71,7 +71,7 @@ def radial_to_axial(case: recarray) -> float:
 
 
 @kernel
-def settle_at_rest(case: recarray, ring: recarray, balls: recarray, tolerance: float) -> tuple[bool, int, float]:
+def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
     ring.at_rest = True
@@ -79,7 +79,7 @@ def settle_at_rest(case: recarray, ring: recarray, balls: recarray, tolerance: f
 
 
 @kernel
-def first_guess(case: recarray, ring: recarray, balls: recarray) -> int:
+def first_guess(case: recarray, ring: recarray, balls: ndarray) -> int:
     """Place ring and balls for Newton's first iteration; returns the iterations it took to find the place."""
     if radial_to_axial(case) < 1.0:
         x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
@@ -95,7 +95,7 @@ def first_guess(case: recarray, ring: recarray, balls: recarray) -> int:
 
 
 @kernel
-def keep(ring: recarray, balls: recarray) -> None:
+def keep(ring: recarray, balls: ndarray) -> None:
     """Note where ring and balls are."""
     for i in range(5):
         ring.kept[i] = ring.displacement[i]
@@ -104,7 +104,7 @@ def keep(ring: recarray, balls: recarray) -> None:
 
 
 @kernel
-def restore(ring: recarray, balls: recarray) -> None:
+def restore(ring: recarray, balls: ndarray) -> None:
     """Bring ring and balls back to where they were kept."""
     for i in range(5):
         ring.displacement[i] = ring.kept[i]
@@ -114,7 +114,7 @@ def restore(ring: recarray, balls: recarray) -> None:
 
 @kernel
 def solve_moving(
-    case: recarray, ring: recarray, balls: recarray, tolerance: float, is_warm: bool
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, float, bool]:
     """Equilibrium at speed: (converged, iterations, relative residual, raceway controls consistent).
 
@@ -188,7 +188,7 @@ def spin_constant(case: recarray, side: int, cosine: float) -> float:
 
 
 @kernel
-def contradicted_controls(case: recarray, ring: recarray, balls: recarray, change: bool, only: int) -> int:
+def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change: bool, only: int) -> int:
     """How many balls' controls contradict Jones's criterion; changes them (all, or the one counted `only`) if asked."""
     s, c = case.sin_free, case.cos_free
     inner_constant, outer_constant = spin_constant(case, -1, c), spin_constant(case, 1, c)
@@ -225,7 +225,7 @@ def inner_contact(case: recarray, ring: recarray, ball: recarray) -> tuple[float
 
 
 @kernel
-def objections(case: recarray, ring: recarray, balls: recarray, converged: bool) -> int:
+def objections(case: recarray, ring: recarray, balls: ndarray, converged: bool) -> int:
     """What forbids an equilibrium, as bits; 0 where nothing does.
 
     A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing. Friction at an
@@ -248,7 +248,7 @@ def objections(case: recarray, ring: recarray, balls: recarray, converged: bool)
 
 @kernel
 def solve_case(
-    case: recarray, ring: recarray, balls: recarray, tolerance: float, is_warm: bool
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[int, int, int, float]:
     """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
     ring.floor = FLOOR * case.series_stiffness
@@ -279,7 +279,7 @@ def solve_case(
 
 
 @kernel
-def ring_load(case: recarray, ring: recarray, balls: recarray, load: ndarray) -> None:
+def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> None:
     """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
     reaction = ring.before
     for i in range(5):
@@ -301,9 +301,9 @@ def ring_load(case: recarray, ring: recarray, balls: recarray, load: ndarray) ->
 
 @entry
 def solve_cases(
-    cases: recarray,
-    rings: recarray,
-    balls: recarray,
+    cases: ndarray,
+    rings: ndarray,
+    balls: ndarray,
     tolerance: float,
     is_warm: bool,
     displacement: ndarray,

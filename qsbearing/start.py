@@ -65,7 +65,7 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
 
 
 @kernel
-def seat_balls(case: recarray, ring: recarray, balls: recarray, is_moving: bool) -> None:
+def seat_balls(case: recarray, ring: recarray, balls: ndarray, is_moving: bool) -> None:
     """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
     s, c = case.sin_free, case.cos_free
     length = case.inner_coefficient + case.outer_coefficient - 1.0

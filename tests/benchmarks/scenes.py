@@ -1,0 +1,42 @@
+"""The scenes that are timed."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+import qsbearing as qs
+
+B218 = qs.load_scene("b218").bearing
+BOTH = (qs.CentrifugalForce(), qs.GyroscopicMoment())
+
+
+def at_speed(operation: qs.Operation) -> qs.Scene:
+    """B218 with both ball effects under outer control."""
+    return qs.Scene(B218, operation, BOTH, qs.RacewayControl.OUTER)
+
+
+def thrust() -> qs.Scene:
+    """One thrust-loaded point."""
+    return at_speed(qs.Operation(speed=10_000 * qs.rpm, axial_load=17_800.0))
+
+
+def combined() -> qs.Scene:
+    """One point under axial and radial load, free to tilt."""
+    return at_speed(qs.Operation(speed=10_000 * qs.rpm, axial_load=8_000.0, radial_load_y=4_000.0, moment_z=0.0))
+
+
+def random_points(count: int, seed: int = 0) -> qs.Scene:
+    """Random points: 1-20 kN axial, radial up to 0.6 of it, free tilt, 0-14 000 rpm."""
+    rng = np.random.default_rng(seed)
+    axial = rng.uniform(1e3, 20e3, count)
+    radial = axial * rng.uniform(0.0, 0.6, count)
+    speed = rng.uniform(0.0, 14_000.0, count) * qs.rpm
+    return at_speed(qs.Operation(speed=speed, axial_load=axial, radial_load_y=radial, moment_z=0.0))
+
+
+def plain_start(scene: qs.Scene) -> qs.Solution:
+    """What one starts from without thinking: pure thrust at rest, every ball at its static contact angle."""
+    operation = qs.Operation(axial_load=scene.operation.axial_load)
+    return qs.solve(dataclasses.replace(scene, operation=operation, ball_effects=(), raceway_control=None))
