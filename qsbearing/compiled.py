@@ -1,9 +1,9 @@
 """The one file that knows numba: how the kernel is compiled, cached and announced.
 
-`kernel` marks the functions of the solver, `formula` those that Python may call too,
-`entry` the few through which Python solves. Only entries are written to disk, each with all that it calls compiled into it. numba
-would notice a change in an entry's own file only, so the cache lives in a folder named
-after a digest of the whole package: edit any formula and the kernel is rebuilt.
+`kernel` marks the functions of the solver, `formula` those that Python may call too, `entry` the few through which
+Python solves. Only entries are written to disk, each with all that it calls compiled into it. numba would notice a
+change in an entry's own file only, so the cache lives in a folder named after a digest of the whole package: edit any
+formula and the kernel is rebuilt.
 
 With the environment variable ``NUMBA_DISABLE_JIT=1`` every function here is the plain
 Python that stands in the source: slower by a factor of hundreds, the same equations.
@@ -71,18 +71,20 @@ _entries: set[str] = set()
 
 # error_model "numpy": no hidden branch before each division; the formulas guard their own.
 # no_cfunc_wrapper: nothing calls these from C, and each wrapper is another function to compile.
+# _nrt: nothing here allocates, so there are no references to count.
 # No fastmath: the same digits on every run, and NaN stays NaN.
 _OPTIONS: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False, "no_rewrites": True}
+_njit: Any = numba.njit  # its stubs do not know these options
 
 
 def kernel(function: F) -> F:
     """Compile a function of the kernel, for the entries that call it; compiled, Python cannot call it."""
-    return cast(F, numba.njit(**_OPTIONS, no_cpython_wrapper=True)(function))
+    return cast(F, _njit(**_OPTIONS, no_cpython_wrapper=True)(function))
 
 
 def formula(function: F) -> F:
     """Compile a closed formula, for the kernel and for Python alike."""
-    return cast(F, numba.njit(**_OPTIONS)(function))
+    return cast(F, _njit(**_OPTIONS)(function))
 
 
 def entry(function: F) -> F:
@@ -91,7 +93,7 @@ def entry(function: F) -> F:
     before = numba_config.CACHE_DIR  # type: ignore[attr-defined]
     try:
         numba_config.CACHE_DIR = _CACHE_FOLDER or before  # type: ignore[attr-defined]
-        return cast(F, numba.njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function))
+        return cast(F, _njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function))
     finally:
         numba_config.CACHE_DIR = before  # type: ignore[attr-defined]
 
