@@ -9,8 +9,6 @@ SI units and radians everywhere: `22.225 * qs.mm`, `10_000 * qs.rpm`, `40 * qs.d
 
 from __future__ import annotations
 
-import sys
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um
@@ -29,7 +27,7 @@ if TYPE_CHECKING:
     from qsbearing.scene import HertzAngle, Scene, TiltLever
     from qsbearing.scene_file import load_scene
     from qsbearing.solution import RacewayContacts, Solution, Status, stiffness
-    from qsbearing.solve import solve
+    from qsbearing.solving import solve
 
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
 _HOME = {
@@ -57,7 +55,7 @@ _HOME = {
     "TiltLever": "scene",
     "load_scene": "scene_file",
     "point_contact": "hertz",
-    "solve": "solve",
+    "solve": "solving",
     "stiffness": "solution",
     "subsurface_shear": "hertz",
 }
@@ -71,17 +69,6 @@ def __getattr__(name: str) -> Any:
     value = getattr(import_module(f"qsbearing.{_HOME[name]}"), name)
     globals()[name] = value
     return value
-
-
-class _Package(ModuleType):
-    """Keeps `qsbearing.solve` the function, whoever imports the module of that name: Python would set the module."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not (name in _HOME and isinstance(value, ModuleType)):
-            super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package
 
 
 def __dir__() -> list[str]:

@@ -176,7 +176,7 @@ def _out_of_reach(module: str) -> Iterator[None]:
 def _solve(scene: str) -> Solution:
     from qsbearing.faults import SceneError
     from qsbearing.scene_file import load_scene
-    from qsbearing.solve import solve, thread_count
+    from qsbearing.solving import solve, thread_count
 
     try:
         threads = thread_count()  # a slip in its environment variable is found here
