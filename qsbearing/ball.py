@@ -26,6 +26,12 @@ from qsbearing.raceway_control import INNER, rotation_axis
 
 
 @kernel
+def is_moving(case: recarray) -> bool:
+    """Whether a named effect has some speed to act at."""
+    return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
+
+
+@kernel
 def groove_stiffness(case: recarray, side: int, n1: float, n2: float) -> tuple[float, float]:
     """K of a raceway's contact and d ln K/d alpha: constants of the bearing, or at the contact's own angle."""
     if not case.actual_angle:

@@ -20,7 +20,7 @@ from enum import StrEnum
 from itertools import pairwise
 from math import exp, log, pi, sqrt
 
-from qsbearing.compiled import entry, kernel
+from qsbearing.compiled import entry, formula
 from qsbearing.elliptic import cosine_part, first_kind, second_kind, sine_part
 
 
@@ -41,7 +41,7 @@ FORM_CODES = {form: code for code, form in enumerate(HertzForm)}
 _EXACT, _BREWE_HAMROCK_1977 = 0, 1
 
 
-@kernel
+@formula
 def _log_ratio_and_slope(kc: float) -> tuple[float, float]:
     """ln(lambda) as a function of kc = b/a, and its derivative by ln(kc)."""
     B = cosine_part(kc)
@@ -55,7 +55,7 @@ def _log_ratio_and_slope(kc: float) -> tuple[float, float]:
     return log(kc * kc * D / B), 2.0 + slope_D / D - slope_B / B
 
 
-@kernel
+@formula
 def exact_axis_ratio(curvature_ratio: float) -> float:
     """kc = b/a of the exact ellipse for lambda = smaller/larger gap curvature, 0 < lambda <= 1."""
     if curvature_ratio >= 1.0:
@@ -71,7 +71,7 @@ def exact_axis_ratio(curvature_ratio: float) -> float:
     return exp(x)
 
 
-@kernel
+@formula
 def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, float, float]:
     """Shape of the ellipse from lambda = smaller/larger curvature: (k = a/b, K, E, d ln(k^2 E/K^3)^(1/2)/d ln lambda).
 
@@ -95,14 +95,14 @@ def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, floa
     return ratio ** (2.0 / pi), K, E, -2.0 / pi + 0.5 * q * curvature_ratio / E + 1.5 * q / K
 
 
-@kernel
+@formula
 def stiffness_constant(form: int, curvature_x: float, curvature_y: float, effective_modulus: float) -> float:
     """Q/approach^1.5 (19.18): pi k E' sqrt(E/(4.5 sum_rho K^3)) [N/m^1.5]."""
     k, K, E, _ = contact_shape(form, min(curvature_x, curvature_y) / max(curvature_x, curvature_y))
     return pi * k * effective_modulus * sqrt(E / (4.5 * (curvature_x + curvature_y) * K**3))
 
 
-@kernel
+@formula
 def ellipse_constants(
     form: int, curvature_x: float, curvature_y: float, effective_modulus: float
 ) -> tuple[float, float, float, float]:
@@ -113,7 +113,7 @@ def ellipse_constants(
     return a, a / k, pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3)), E
 
 
-@kernel
+@formula
 def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: int) -> float:
     """1/Rx of ball and raceway in the rolling direction [1/m]; side -1 inner, +1 outer raceway.
 
@@ -123,13 +123,13 @@ def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: fl
     return 2.0 / (ball_diameter * (1.0 + side * ball_diameter / pitch_diameter * cos_angle))
 
 
-@kernel
+@formula
 def transverse_curvature(ball_diameter: float, groove_radius_coefficient: float) -> float:
     """1/Ry of ball and groove across the groove [1/m]: Ry = f D/(2f - 1)."""
     return (2.0 * groove_radius_coefficient - 1.0) / (groove_radius_coefficient * ball_diameter)
 
 
-@kernel
+@formula
 def stiffness_at_angle(
     form: int,
     ball_diameter: float,

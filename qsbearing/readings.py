@@ -6,7 +6,7 @@ from math import atan2, nan, pi
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
@@ -14,14 +14,14 @@ from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_cur
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
-from qsbearing.solver import CONVERGED, is_moving
+from qsbearing.solver import CONVERGED
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
 CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
 
 
 @kernel
-def floats_free(case: recarray, inner_approach: float, outer_approach: float) -> bool:
+def floats_free(case: recarray, inner_approach: float) -> bool:
     """Whether a ball at rest touches neither raceway, so that it has no defined place."""
     return not is_moving(case) and inner_approach <= 0.0
 
@@ -37,7 +37,7 @@ def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2:
     delta, n1, n2 = (delta_i, si, ci) if side < 0 else (delta_o, so, co)
     stiffness, _ = groove_stiffness(case, side, n1, n2)
     load, _ = contact_load(stiffness, delta)
-    free = floats_free(case, delta_i, delta_o)
+    free = floats_free(case, delta_i)
     if what == LOAD:
         return 0.0 if free else load
     if free and (what == ANGLE or what == APPROACH):

@@ -11,7 +11,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
@@ -38,12 +38,6 @@ RUNAWAY_DISTANCE = 5.0
 OPEN_SIDE_SINE = -1e-9
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
-
-
-@kernel
-def is_moving(case: recarray) -> bool:
-    """Whether a named effect has some speed to act at."""
-    return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
 
 
 @kernel
@@ -90,7 +84,7 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> int:
             balls[n].u1, balls[n].u2 = u1, u2
         return 0
     _, iterations, _ = settle_at_rest(case, ring, balls, 1e-3)
-    seat_balls(case, ring, balls, True)
+    seat_balls(case, ring, balls)
     return iterations
 
 
@@ -132,7 +126,7 @@ def solve_moving(
         elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
             _, iterations, _ = settle_at_rest(case, ring, balls, 1e-8)
             total += iterations
-            seat_balls(case, ring, balls, True)
+            seat_balls(case, ring, balls)
             keep(ring, balls)
         if FROZEN <= attempt < CONTINUATION:
             restore(ring, balls)
@@ -269,7 +263,7 @@ def solve_case(
         for n in range(ring.balls):
             balls[n].control = INNER if case.control == INNER else OUTER
         converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
-        seat_balls(case, ring, balls, False)
+        seat_balls(case, ring, balls)
     if is_unloaded(case):
         notes |= UNLOADED_RING
     against = objections(case, ring, balls, converged)

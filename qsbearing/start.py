@@ -14,7 +14,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, series_stiffness
+from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
 from qsbearing.ring import inner_groove_centre
@@ -65,7 +65,7 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
 
 
 @kernel
-def seat_balls(case: recarray, ring: recarray, balls: ndarray, is_moving: bool) -> None:
+def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
     s, c = case.sin_free, case.cos_free
     length = case.inner_coefficient + case.outer_coefficient - 1.0
@@ -80,7 +80,7 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray, is_moving: bool) 
             reach = approach * (series / outer) ** (2.0 / 3.0)
         else:
             reach = 0.5 * approach  # midway in the gap, for want of a place of its own
-            if is_moving:
+            if is_moving(case):
                 # thrown outward: in the groove's bottom, pressed by its own centrifugal force
                 fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
                 depth = (fc / case.outer_stiffness) ** (2.0 / 3.0)
