@@ -538,7 +538,8 @@ def _effects(document: dict[str, Any], faults: list[FileFault]) -> dict[str, Any
         else:
             cause = _did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
             faults.append(FileFault("effects.ball", "is not a ball effect", name, cause=cause))
-    if len(faults) == before:
+    known = {fault.key for fault in faults[before:]}
+    if not known & {"effects.ball", "effects.raceway_control"}:
         faults += [translate(fault) for fault in effect_faults(tuple(effects), good.get("raceway_control"))]
     if shares is not None and "ball" not in bad and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"

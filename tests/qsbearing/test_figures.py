@@ -38,6 +38,7 @@ SCENES = {
         qs.Operation(axial_load=-300.0, radial_load_y=1000.0, tilt_z=2e-3),
     ),
     "three balls": qs.Scene(b218(ball_count=3), qs.Operation(axial_load=3000.0, moment_z=20.0, first_ball_azimuth=0.3)),
+    "nineteen balls": qs.Scene(b218(ball_count=19, pitch_diameter=0.15), COMBINED, **EFFECTS),
     "sixty balls": qs.Scene(b218(ball_count=60, pitch_diameter=0.5), COMBINED, **EFFECTS),
 }
 SOLUTIONS = {name: qs.solve(scene) for name, scene in SCENES.items()}

@@ -373,6 +373,7 @@ def test_words_that_are_no_choice(faults: Any, change: dict[str, dict[str, str |
         ({"free_contact_angle_deg": "-40"}, "free_contact_angle_deg", (0, 85), ""),
         ({"outer_groove_radius_mm": "11.0"}, "outer_groove_radius_mm", (11.1125, 22.225), "touches at two edges"),
         ({"outer_groove_radius_mm": "23.2562"}, "outer_groove_radius_mm", (11.1125, 22.225), "diameter"),
+        ({"pitch_diameter_mm": "62.8"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
         ({"pitch_diameter_mm": "100"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
         ({"ball_count": "40"}, "pitch_diameter_mm", (283.271, 20000), "Fewer or smaller balls"),
     ],
@@ -537,6 +538,7 @@ def test_all_faults_of_all_tables_at_once(faults: Any) -> None:
         "operation.moment_y_Nm",
         "operation.speeed",
         "effects.hertz_angle",
+        "effects.raceway_control",
     }
 
 
