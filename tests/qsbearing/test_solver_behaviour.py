@@ -380,7 +380,7 @@ def test_starting_from_a_neighbour() -> None:
 
 @pytest.mark.parametrize("name", list(SCENES))
 def test_starting_from_the_solution(name: str) -> None:
-    """A solution is a place where the solver stays; at rest, where the way is short from anywhere, it may walk again."""
+    """A solution is a place where the solver stays; at rest, where any way is short, it may walk again."""
     first = solved(SCENES[name])
     again = solved(SCENES[name], start=first)
     assert again.iterations <= (1 if SCENES[name].ball_effects else first.iterations)
