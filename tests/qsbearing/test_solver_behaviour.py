@@ -588,7 +588,7 @@ def test_stiffness_of_another_scene_is_refused() -> None:
         qs.stiffness(one, qs.solve(other))
 
 
-# ------------------------------------------------------------------------- found by campaigns: thrust far below the rest
+# ------------------------------------------------------------ found by campaigns: thrust far below the rest
 
 
 @pytest.mark.parametrize(
