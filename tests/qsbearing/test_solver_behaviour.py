@@ -380,7 +380,7 @@ def test_starting_from_a_neighbour() -> None:
 
 @pytest.mark.parametrize("name", list(SCENES))
 def test_starting_from_the_solution(name: str) -> None:
-    """A solution is a place where the solver stays; at rest, where the way is short from anywhere, it may walk again."""
+    """A solution is a place where the solver stays; at rest, where any way is short, it may walk again."""
     first = solved(SCENES[name])
     again = solved(SCENES[name], start=first)
     assert again.iterations <= (1 if SCENES[name].ball_effects else first.iterations)
@@ -586,3 +586,24 @@ def test_stiffness_of_another_scene_is_refused() -> None:
     one, other = resting(axial_load=1e3), resting(axial_load=2e3)
     with pytest.raises(ValueError, match="another scene"):
         qs.stiffness(one, qs.solve(other))
+
+
+# ------------------------------------------------------------ found by campaigns: thrust far below the rest
+
+
+@pytest.mark.parametrize(
+    ("bearing", "speed", "load"),
+    [
+        (B218, 1143.4736120866744, (478.79, -2632.36, 1876.18, -28.84, 34.77)),
+        (B218, 316.8070195265795, (1708.68, 9961.76, -5776.67, -132.87, 5.446)),
+        (DEEP_GROOVE, 23.87101591853735, (0.524517, -13.6323, -9.41058, -0.027075, -0.05954)),
+    ],
+    ids=["B218, fast", "B218, slow", "deep groove"],
+)
+def test_control_by_each_ball_never_asks_friction_of_an_unloaded_contact(
+    bearing: qs.BallBearing, speed: float, load: tuple[float, ...]
+) -> None:
+    """The outer raceway controls a ball that has left the inner one, by the criterion: no verdict on friction."""
+    scene = turning(speed / qs.rpm, replace(bearing, kind=qs.BearingKind.DEEP_GROOVE), control=PER_BALL)
+    solution = qs.solve(with_operation(scene, **dict(zip(LOADS, load, strict=True))))
+    assert solution.status is qs.Status.CONVERGED, (solution.status, solution._notes, solution.residual)
