@@ -93,7 +93,9 @@ def moving_ball(
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
     fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, ball.control, si, ci, so, co)
-    share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+    share_i, share_o = 0.0, 0.0
+    if case.gyroscopic:
+        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
     ti, ti_i, ti_o = share_i * mg, share_i * mg_i, share_i * mg_o
     to, to_i, to_o = share_o * mg, share_o * mg_i, share_o * mg_o
 

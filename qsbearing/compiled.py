@@ -2,7 +2,7 @@
 
 `kernel` marks the functions of the solver, `formula` those that Python may call too, `entry` the few through which
 Python solves. Only entries are written to disk, each with all that it calls compiled into it. numba would notice a
-change in an entry's own file only, so the cache lives in a folder named after a digest of the whole package: edit any
+change in an entry's own file only, so the cache lives in a folder named after a digest of all compiled files: edit any
 formula and the kernel is rebuilt.
 
 With the environment variable ``NUMBA_DISABLE_JIT=1`` every function here is the plain
@@ -34,7 +34,9 @@ KEPT_VERSIONS = 4
 def _source_digest() -> str:
     digest = hashlib.sha256(numba.__version__.encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
-        digest.update(path.read_bytes())
+        source = path.read_bytes()
+        if b"qsbearing.compiled" in source or path.name == "state.py":
+            digest.update(source)
     return digest.hexdigest()[:16]
 
 

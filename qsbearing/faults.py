@@ -81,7 +81,7 @@ def raise_if_any(faults: list[Fault]) -> None:
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[np.ndarray | None, list[Fault]]:
     """The value as a float array, or the fault that says why it is none: not a number, NaN, infinite."""
     try:
-        if isinstance(value, str | bytes | bool):
+        if value is None or isinstance(value, str | bytes | bool):
             raise TypeError
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

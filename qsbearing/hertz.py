@@ -30,11 +30,11 @@ class HertzForm(StrEnum):
     EXACT = "exact"
     """The transcendental equation, solved to full precision."""
     BREWE_HAMROCK_1977 = "brewe_hamrock_1977"
-    """Fit by Brewe & Hamrock (J. Lubrication Technology 99, 1977): about 0.3 % in approach for B218, more near the
-    circle."""
-    HAMROCK_BREWE_1983 = "hamrock_brewe_1983"
-    """Fit by Hamrock & Brewe (J. Lubrication Technology 105, 1983): about 0.7 % in approach for B218, up to 5 % near
+    """Fit by Brewe & Hamrock (J. Lubrication Technology 99, 1977): about 0.7 % in approach for B218, up to 5.4 % near
     the circle."""
+    HAMROCK_BREWE_1983 = "hamrock_brewe_1983"
+    """Fit by Hamrock & Brewe (J. Lubrication Technology 105, 1983): about 0.3 % in approach for B218, up to 3 %
+    between the circle and k = 15; exact at the circle."""
 
 
 FORM_CODES = {form: code for code, form in enumerate(HertzForm)}

@@ -69,7 +69,11 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
     ring.at_rest = True
-    return descend(case, ring, balls, tolerance)
+    converged, iterations, residual = descend(case, ring, balls, tolerance)
+    for i in range(5):
+        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
+            ring.ran_away = True
+    return converged, iterations, residual
 
 
 @kernel
@@ -118,7 +122,7 @@ def solve_moving(
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else GUESS
-    total, changes = 0, 0
+    total, changes, residual = 0, 0, 1.0
     reached, stride, target = 0.0, 0.25, 1.0
     while True:
         if attempt == GUESS:
@@ -126,11 +130,15 @@ def solve_moving(
         elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
             _, iterations, _ = settle_at_rest(case, ring, balls, 1e-8)
             total += iterations
+            if ring.ran_away:
+                return False, total, residual, False
             seat_balls(case, ring, balls)
             keep(ring, balls)
         if FROZEN <= attempt < CONTINUATION:
             restore(ring, balls)
             turn = attempt - FROZEN
+            if case.control == PER_BALL and 0 < turn < 10:
+                contradicted_controls(case, ring, balls, True, -1)
             freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
             ring.at_rest = False
             _, iterations, _ = descend(case, ring, balls, 1e-8)
@@ -228,14 +236,13 @@ def objections(case: recarray, ring: recarray, balls: ndarray, converged: bool) 
     the inner raceway) has come to its end.
     """
     found = 0
-    for i in range(5):
-        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
-            return RUNAWAY
+    if not converged and ring.ran_away:
+        return RUNAWAY
     for n in range(ring.balls):
         sine, load, friction = inner_contact(case, ring, balls[n])
         if converged and case.one_sided and load > 0.0 and sine < OPEN_SIDE_SINE:
             found |= OPEN_SIDE
-        if friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
+        if case.control == INNER and friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
             found |= FRICTION_WITHOUT_LOAD
     return found
 
@@ -246,6 +253,7 @@ def solve_case(
 ) -> tuple[int, int, int, float]:
     """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
     ring.floor = FLOOR * case.series_stiffness
+    ring.ran_away = False
     for i in range(5):
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
@@ -262,7 +270,13 @@ def solve_case(
     else:
         for n in range(ring.balls):
             balls[n].control = INNER if case.control == INNER else OUTER
-        converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
+        converged, iterations, residual = False, 0, 1.0
+        if is_warm:
+            ring.at_rest = True
+            converged, iterations, residual = descend(case, ring, balls, tolerance)
+        if not converged:
+            converged, more, residual = settle_at_rest(case, ring, balls, tolerance)
+            iterations += more
         seat_balls(case, ring, balls)
     if is_unloaded(case):
         notes |= UNLOADED_RING

@@ -73,7 +73,7 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        approach, n1, n2, _ = direction(length, s, c, a1, a2)
+        approach, n1, n2, inverse = direction(length, s, c, a1, a2)
         if approach > 0.0:
             outer, _ = groove_stiffness(case, 1, n1, n2)
             series, _ = series_stiffness(case, n1, n2)
@@ -87,9 +87,11 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
                 u1, u2 = -outer_length * s, outer_length * (1.0 - c) + depth
                 inner, _, _, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
                 if inner < 0.0:
-                    n1, n2, reach = 0.0, 1.0, depth
-        ball.u1 = outer_length * (n1 - s) + reach * n1
-        ball.u2 = outer_length * (n2 - c) + reach * n2
+                    ball.u1, ball.u2 = u1, u2
+                    continue
+        # n less its free direction, from A less its free length: no difference of near-equal numbers
+        ball.u1 = outer_length * inverse * (a1 - s * approach) + reach * n1
+        ball.u2 = outer_length * inverse * (a2 - c * approach) + reach * n2
 
 
 @kernel
