@@ -29,7 +29,7 @@ class Status(StrEnum):
     CONVERGED = "converged"
     """Balls and ring are in balance."""
     NO_EQUILIBRIUM = "no_equilibrium"
-    """Nothing in the bearing supports the load; `Solution.message` says which channel or which hypothesis fails."""
+    """Nothing in the bearing supports the load; `outcome.message` says which channel or which hypothesis fails."""
     NOT_CONVERGED = "not_converged"
     """No balance was found; that is no proof that there is none."""
 
@@ -100,7 +100,7 @@ class Solution:
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
-    hold NaN everywhere but in `status`, `message`, `iterations` and `residual`.
+    hold NaN everywhere but in `status`, `iterations` and `residual`; `outcome.message` says why.
     """
 
     def __init__(

@@ -246,8 +246,8 @@ def unsolved(monkeypatch: pytest.MonkeyPatch) -> None:
     def solve(*_: Any, **__: Any) -> None:
         raise AssertionError("solved before the outputs were tried")
 
-    importlib.import_module("qsbearing.solve")
-    monkeypatch.setattr(sys.modules["qsbearing.solve"], "solve", solve)
+    importlib.import_module("qsbearing.solving")
+    monkeypatch.setattr(sys.modules["qsbearing.solving"], "solve", solve)
 
 
 @pytest.mark.usefixtures("unsolved")
@@ -349,7 +349,8 @@ def test_init_prints_a_scene_that_runs(scene: Any) -> None:
     assert 'name = "7210C_hybrid"' in call("init", "7210c_hybrid").stdout
 
 
-def test_catalogue_lists_every_entry_with_its_source() -> None:
+def test_catalogue_lists_every_entry_with_its_source(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "100")  # wide enough that no name is broken over two lines
     result = call("catalogue")
     assert result.exit_code == 0
     for words in ("B218", "Turbopump25_hybrid", "deep groove", "22.225", "125.26", "silicon", "Wang, Yan, Zhang, Hong"):
