@@ -250,9 +250,7 @@ def _build(recipe: Recipe) -> None:
         "symmetry_x": [t for (d, e, i), t in faces.items() if (d, e) == (1, 2) and i[0] == 0],
         "symmetry_y": [t for (d, e, i), t in faces.items() if (d, e) == (0, 2) and i[1] == 0],
         "far": [
-            t
-            for (d, e, i), t in faces.items()
-            if any(i[normal] == counts[normal] for normal in {0, 1, 2} - {d, e})
+            t for (d, e, i), t in faces.items() if any(i[normal] == counts[normal] for normal in {0, 1, 2} - {d, e})
         ],
     }
     for name in TAGS:
@@ -362,7 +360,10 @@ def read(path: Path) -> MeshHex:
         ("far", (0, 1, 2), tuple(high)),
     ):
         corners: Array = mesh.p[:, mesh.facets[:, mesh.boundaries[tag]]]
-        on_plane = [np.abs(corners[axis] - value).max(axis=0) < 1e-9 * high.max() for axis, value in zip(axes, values, strict=True)]
+        on_plane = [
+            np.abs(corners[axis] - value).max(axis=0) < 1e-9 * high.max()
+            for axis, value in zip(axes, values, strict=True)
+        ]
         if not np.any(on_plane, axis=0).all():
             raise MeshError(f"{path}: faces tagged {tag} do not lie where that tag belongs")
     return mesh

@@ -23,6 +23,10 @@ from math import exp, log, pi, sqrt
 from qsbearing.compiled import entry, formula
 from qsbearing.elliptic import cosine_part, first_kind, second_kind, sine_part
 
+# The two raceways in the formulas that differ by a sign. Floats: for each integer constant handed to a compiled
+# function the compiler would make another copy of it.
+INNER_SIDE, OUTER_SIDE = -1.0, 1.0
+
 
 class HertzForm(StrEnum):
     """How the shape of the ellipse is found from the curvatures."""
@@ -114,8 +118,8 @@ def ellipse_constants(
 
 
 @formula
-def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: int) -> float:
-    """1/Rx of ball and raceway in the rolling direction [1/m]; side -1 inner, +1 outer raceway.
+def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: float) -> float:
+    """1/Rx of ball and raceway in the rolling direction [1/m]; side: INNER_SIDE or OUTER_SIDE.
 
     Rx = D/2 (1 -/+ gamma cos(alpha)), gamma = D/dm: the raceway's own radius is its distance to the bearing axis
     along the contact line, convex inside, concave outside.
@@ -138,7 +142,7 @@ def stiffness_at_angle(
     effective_modulus: float,
     sin_angle: float,
     cos_angle: float,
-    side: int,
+    side: float,
 ) -> tuple[float, float]:
     """Contact stiffness of a raceway at a contact angle, and the derivative of its logarithm by that angle."""
     rho_x = rolling_curvature(ball_diameter, pitch_diameter, cos_angle, side)

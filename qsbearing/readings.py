@@ -27,8 +27,10 @@ def floats_free(case: recarray, inner_approach: float) -> bool:
 
 
 @kernel
-def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: int, what: int) -> float:
-    """One quantity of one ball, in the case's units; side -1 inner, +1 outer raceway."""
+def read_ball(
+    case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: float, what: int
+) -> float:
+    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE."""
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
     delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
@@ -96,7 +98,7 @@ def read_cases(
     displacement: ndarray,
     position: ndarray,
     control: ndarray,
-    side: int,
+    side: float,
     what: int,
     out: ndarray,
 ) -> None:

@@ -16,7 +16,7 @@ from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE, ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.newton import any_held, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
 from qsbearing.ring import add_force, find_equals, inner_groove_centre, place_balls
@@ -138,7 +138,7 @@ def solve_moving(
             restore(ring, balls)
             turn = attempt - FROZEN
             if case.control == PER_BALL and 0 < turn < 10:
-                contradicted_controls(case, ring, balls, True, -1)
+                contradicted_controls(case, ring, balls, turn > 0, -changes - 1)
             freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
             ring.at_rest = False
             _, iterations, _ = descend(case, ring, balls, 1e-8)
@@ -168,7 +168,7 @@ def solve_moving(
         if case.control != PER_BALL:
             return True, total, residual, True
         changes += 1
-        only = -1 if 2 * changes < CONTROL_CHANGES_MOST else 0
+        only = min(0, changes - CONTROL_CHANGES_MOST // 2)  # below zero: all at once; zero: the first alone
         wrong = contradicted_controls(case, ring, balls, changes < CONTROL_CHANGES_MOST, only)
         if wrong == 0 or changes == CONTROL_CHANGES_MOST:
             return True, total, residual, wrong == 0
@@ -177,7 +177,7 @@ def solve_moving(
 
 
 @kernel
-def spin_constant(case: recarray, side: int, cosine: float) -> float:
+def spin_constant(case: recarray, side: float, cosine: float) -> float:
     """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
     coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
     a, _, _, E = ellipse_constants(
@@ -193,7 +193,7 @@ def spin_constant(case: recarray, side: int, cosine: float) -> float:
 def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change: bool, only: int) -> int:
     """How many balls' controls contradict Jones's criterion; changes them (all, or the one counted `only`) if asked."""
     s, c = case.sin_free, case.cos_free
-    inner_constant, outer_constant = spin_constant(case, -1, c), spin_constant(case, 1, c)
+    inner_constant, outer_constant = spin_constant(case, INNER_SIDE, c), spin_constant(case, OUTER_SIDE, c)
     wrong = 0
     for n in range(ring.balls):
         ball = balls[n]
@@ -201,9 +201,9 @@ def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change
         do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
         di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
         if case.actual_angle:
-            inner_constant, outer_constant = spin_constant(case, -1, ci), spin_constant(case, 1, co)
-        qi, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], di)
-        qo, _ = contact_load(groove_stiffness(case, 1, so, co)[0], do)
+            inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
+        qi, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], di)
+        qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
         if control != ball.control:
             if change and (only < 0 or only == wrong):
@@ -218,7 +218,7 @@ def inner_contact(case: recarray, ring: recarray, ball: recarray) -> tuple[float
     s, c = case.sin_free, case.cos_free
     a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
     delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-    load, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], delta)
+    load, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta)
     if not case.gyroscopic or not is_moving(case):
         return si, load, 0.0
     _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)

@@ -17,6 +17,7 @@ from numpy import ndarray, recarray
 from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
+from qsbearing.hertz import OUTER_SIDE
 from qsbearing.ring import inner_groove_centre
 
 
@@ -75,7 +76,7 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         approach, n1, n2, inverse = direction(length, s, c, a1, a2)
         if approach > 0.0:
-            outer, _ = groove_stiffness(case, 1, n1, n2)
+            outer, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
             series, _ = series_stiffness(case, n1, n2)
             reach = approach * (series / outer) ** (2.0 / 3.0)
         else:
