@@ -35,8 +35,8 @@ def timing(record: dict[str, Any]) -> str:
     lines += [
         "",
         f"{batch['converged']:,} of the {batch['points']:,} points converged, the largest residual being "
-        f"{batch['largest_residual']:.0e}. Measured on {machine['cores']} shared cores ({machine['processor']}), Python "
-        f"{machine['python']}, numba {machine['numba']}, numpy {machine['numpy']}; the load average was "
+        f"{batch['largest_residual']:.0e}. Measured on {machine['cores']} shared cores ({machine['processor']}), "
+        f"Python {machine['python']}, numba {machine['numba']}, numpy {machine['numpy']}; the load average was "
         f"{machine['load_average']:g} at the start.",
     ]
     return "\n".join(lines)
@@ -48,7 +48,7 @@ def alternatives(record: dict[str, Any]) -> str:
     lines = [
         f"| {scipy['points']} random points, one at a time | right | a point |",
         "|---|---|---|",
-        f"| `scipy.optimize.root` on all 2Z + 3 unknowns | {scipy['scipy_right']} | {between(scipy['scipy_ms'], 'ms')} |",
+        f"| `scipy.optimize.root`, all 2Z + 3 unknowns | {scipy['scipy_right']} | {between(scipy['scipy_ms'], 'ms')} |",
         f"| `qsbearing.solve` from the same start | {scipy['solve_right']} | {between(scipy['solve_ms'], 'ms')} |",
         "",
         f"| Newton iterations, {start['points']:,} random points | mean | median | 99 % within |",
