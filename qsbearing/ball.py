@@ -20,7 +20,14 @@ from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load, contact_tangent, direction
 from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
-from qsbearing.hertz import INNER_SIDE, OUTER_SIDE, stiffness_at_angle
+from qsbearing.hertz import (
+    INNER_SIDE,
+    OUTER_SIDE,
+    ellipse_constants,
+    rolling_curvature,
+    stiffness_at_angle,
+    transverse_curvature,
+)
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 
@@ -38,6 +45,14 @@ def groove_stiffness(case: recarray, side: float, n1: float, n2: float) -> tuple
         return (case.inner_stiffness if side < 0 else case.outer_stiffness), 0.0
     coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
     return stiffness_at_angle(case.form, 1.0, case.pitch_diameter, coefficient, 1.0, n1, n2, side)
+
+
+@kernel
+def raceway_ellipse(case: recarray, side: float, cosine: float) -> tuple[float, float, float, float]:
+    """(a/Q^(1/3), b/Q^(1/3), Q/approach^1.5, E) of a raceway's contact at an angle of this cosine."""
+    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
+    rolling = rolling_curvature(1.0, case.pitch_diameter, cosine, side)
+    return ellipse_constants(case.form, rolling, transverse_curvature(1.0, coefficient), 1.0)
 
 
 @kernel

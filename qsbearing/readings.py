@@ -6,11 +6,10 @@ from math import atan2, nan, pi
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
@@ -58,13 +57,7 @@ def read_ball(
     if free or load <= 0.0:
         return 0.0
     cosine = n2 if case.actual_angle else c
-    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
-    a, b, _, _ = ellipse_constants(
-        case.form,
-        rolling_curvature(1.0, case.pitch_diameter, cosine, side),
-        transverse_curvature(1.0, coefficient),
-        1.0,
-    )
+    a, b, _, _ = raceway_ellipse(case, side, cosine)
     size = load ** (1.0 / 3.0)
     if what == SEMI_MAJOR_AXIS:
         return a * size

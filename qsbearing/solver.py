@@ -11,12 +11,12 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import INNER_SIDE, OUTER_SIDE, ellipse_constants, rolling_curvature, transverse_curvature
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.newton import any_held, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
 from qsbearing.ring import add_force, find_equals, inner_groove_centre, place_balls
@@ -179,13 +179,7 @@ def solve_moving(
 @kernel
 def spin_constant(case: recarray, side: float, cosine: float) -> float:
     """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
-    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
-    a, _, _, E = ellipse_constants(
-        case.form,
-        rolling_curvature(1.0, case.pitch_diameter, cosine, side),
-        transverse_curvature(1.0, coefficient),
-        1.0,
-    )
+    a, _, _, E = raceway_ellipse(case, side, cosine)
     return a * E
 
 
