@@ -14,14 +14,14 @@ from __future__ import annotations
 
 from math import pi, sqrt
 
-from qsbearing.compiled import formula
+from qsbearing.compiled import formula, kernel
 
 # The arithmetic-geometric mean doubles its digits at each step: when the two means agree to this, the next
 # step, which the closing formula takes, agrees to its square, below rounding.
 _MEANS_AGREE = 1e-8
 
 
-@formula
+@kernel
 def complete_integral(kc: float, a: float, b: float) -> float:
     """Bulirsch's cel with p = 1 for complementary modulus 0 < kc <= 1."""
     geometric = kc

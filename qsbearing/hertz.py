@@ -20,7 +20,7 @@ from enum import StrEnum
 from itertools import pairwise
 from math import exp, log, pi, sqrt
 
-from qsbearing.compiled import entry, formula
+from qsbearing.compiled import entry, formula, kernel
 from qsbearing.elliptic import cosine_part, first_kind, second_kind, sine_part
 
 # The two raceways in the formulas that differ by a sign. Floats: for each integer constant handed to a compiled
@@ -45,7 +45,7 @@ FORM_CODES = {form: code for code, form in enumerate(HertzForm)}
 _EXACT, _BREWE_HAMROCK_1977 = 0, 1
 
 
-@formula
+@kernel
 def _log_ratio_and_slope(kc: float) -> tuple[float, float]:
     """ln(lambda) as a function of kc = b/a, and its derivative by ln(kc)."""
     B = cosine_part(kc)
@@ -59,7 +59,7 @@ def _log_ratio_and_slope(kc: float) -> tuple[float, float]:
     return log(kc * kc * D / B), 2.0 + slope_D / D - slope_B / B
 
 
-@formula
+@kernel
 def exact_axis_ratio(curvature_ratio: float) -> float:
     """kc = b/a of the exact ellipse for lambda = smaller/larger gap curvature, 0 < lambda <= 1."""
     if curvature_ratio >= 1.0:
@@ -99,14 +99,13 @@ def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, floa
     return ratio ** (2.0 / pi), K, E, -2.0 / pi + 0.5 * q * curvature_ratio / E + 1.5 * q / K
 
 
-@formula
-def stiffness_constant(form: int, curvature_x: float, curvature_y: float, effective_modulus: float) -> float:
+@kernel
+def stiffness_constant(k: float, K: float, E: float, curvature_sum: float, effective_modulus: float) -> float:
     """Q/approach^1.5 (19.18): pi k E' sqrt(E/(4.5 sum_rho K^3)) [N/m^1.5]."""
-    k, K, E, _ = contact_shape(form, min(curvature_x, curvature_y) / max(curvature_x, curvature_y))
-    return pi * k * effective_modulus * sqrt(E / (4.5 * (curvature_x + curvature_y) * K**3))
+    return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))
 
 
-@formula
+@kernel
 def ellipse_constants(
     form: int, curvature_x: float, curvature_y: float, effective_modulus: float
 ) -> tuple[float, float, float, float]:
@@ -114,10 +113,10 @@ def ellipse_constants(
     k, K, E, _ = contact_shape(form, min(curvature_x, curvature_y) / max(curvature_x, curvature_y))
     curvature_sum = curvature_x + curvature_y
     a = (6.0 * k * k * E / (pi * curvature_sum * effective_modulus)) ** (1.0 / 3.0)
-    return a, a / k, pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3)), E
+    return a, a / k, stiffness_constant(k, K, E, curvature_sum, effective_modulus), E
 
 
-@formula
+@kernel
 def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: float) -> float:
     """1/Rx of ball and raceway in the rolling direction [1/m]; side: INNER_SIDE or OUTER_SIDE.
 
@@ -127,7 +126,7 @@ def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: fl
     return 2.0 / (ball_diameter * (1.0 + side * ball_diameter / pitch_diameter * cos_angle))
 
 
-@formula
+@kernel
 def transverse_curvature(ball_diameter: float, groove_radius_coefficient: float) -> float:
     """1/Ry of ball and groove across the groove [1/m]: Ry = f D/(2f - 1)."""
     return (2.0 * groove_radius_coefficient - 1.0) / (groove_radius_coefficient * ball_diameter)
@@ -149,7 +148,7 @@ def stiffness_at_angle(
     rho_y = transverse_curvature(ball_diameter, groove_radius_coefficient)
     ratio = min(rho_x, rho_y) / max(rho_x, rho_y)
     k, K, E, shape_slope = contact_shape(form, ratio)
-    stiffness = pi * k * effective_modulus * sqrt(E / (4.5 * (rho_x + rho_y) * K**3))
+    stiffness = stiffness_constant(k, K, E, rho_x + rho_y, effective_modulus)
     # Only rho_x turns with the angle: d ln(rho_x)/d alpha = side gamma sin(alpha)/(1 + side gamma cos(alpha)).
     gamma = ball_diameter / pitch_diameter
     log_slope_x = side * gamma * sin_angle / (1.0 + side * gamma * cos_angle)
