@@ -517,8 +517,10 @@ def _operation(document: dict[str, Any], faults: list[FileFault]) -> Operation |
     try:
         operation = Operation(**fields)
     except SceneError as error:
+        # What stood in for a bad value is reported already; what its channel does wrong beside it is not.
+        stand_ins = {f"operation.{key}" for key in bad}
         translated = [translate(fault) for fault in error.faults]
-        faults += [fault for fault in translated if fault.key not in {f"operation.{key}" for key in bad}]
+        faults += [fault for fault in translated if fault.key not in stand_ins or fault.value is None]
         return None
     return operation if len(faults) == before else None
 

@@ -549,3 +549,12 @@ def test_the_text_of_a_fault_says_field_value_unit_range_and_cause(faults: Any) 
         "    allowed: 0.05 to 1000 mm\n"
         "    Given in metres? 0.022225 metres = 22.225 mm"
     )
+
+
+def test_a_bad_value_does_not_hide_that_its_channel_is_doubled(load: Any) -> None:
+    with pytest.raises(qs.SceneFileError) as caught:
+        load(scene_text(operation={"axial_load_N": "nan", "axial_displacement_um": "3"}))
+    problems = [fault.problem for fault in caught.value.faults]
+    assert len(problems) == 2
+    assert "finite" in problems[0]
+    assert "never both" in problems[1]
