@@ -23,11 +23,12 @@ if TYPE_CHECKING:
     from qsbearing.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.operation import Operation
+    from qsbearing.outcome import message, warnings
     from qsbearing.raceway_control import RacewayControl
     from qsbearing.scene import HertzAngle, Scene, TiltLever
     from qsbearing.scene_file import load_scene
     from qsbearing.solution import RacewayContacts, Solution, Status, stiffness
-    from qsbearing.solve import solve
+    from qsbearing.solving import solve
 
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
 _HOME = {
@@ -55,8 +56,10 @@ _HOME = {
     "TiltLever": "scene",
     "load_scene": "scene_file",
     "point_contact": "hertz",
-    "solve": "solve",
+    "solve": "solving",
+    "message": "outcome",
     "stiffness": "solution",
+    "warnings": "outcome",
     "subsurface_shear": "hertz",
 }
 
@@ -110,6 +113,7 @@ __all__ = [
     "kg_m3",
     "load_scene",
     "m",
+    "message",
     "mm",
     "mrad",
     "point_contact",
@@ -119,4 +123,5 @@ __all__ = [
     "stiffness",
     "subsurface_shear",
     "um",
+    "warnings",
 ]

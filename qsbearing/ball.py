@@ -20,13 +20,26 @@ from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load, contact_tangent, direction
 from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
-from qsbearing.hertz import stiffness_at_angle
+from qsbearing.hertz import (
+    INNER_SIDE,
+    OUTER_SIDE,
+    ellipse_constants,
+    rolling_curvature,
+    stiffness_at_angle,
+    transverse_curvature,
+)
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 
 
 @kernel
-def groove_stiffness(case: recarray, side: int, n1: float, n2: float) -> tuple[float, float]:
+def is_moving(case: recarray) -> bool:
+    """Whether a named effect has some speed to act at."""
+    return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
+
+
+@kernel
+def groove_stiffness(case: recarray, side: float, n1: float, n2: float) -> tuple[float, float]:
     """K of a raceway's contact and d ln K/d alpha: constants of the bearing, or at the contact's own angle."""
     if not case.actual_angle:
         return (case.inner_stiffness if side < 0 else case.outer_stiffness), 0.0
@@ -35,12 +48,20 @@ def groove_stiffness(case: recarray, side: int, n1: float, n2: float) -> tuple[f
 
 
 @kernel
+def raceway_ellipse(case: recarray, side: float, cosine: float) -> tuple[float, float, float, float]:
+    """(a/Q^(1/3), b/Q^(1/3), Q/approach^1.5, E) of a raceway's contact at an angle of this cosine."""
+    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
+    rolling = rolling_curvature(1.0, case.pitch_diameter, cosine, side)
+    return ellipse_constants(case.form, rolling, transverse_curvature(1.0, coefficient), 1.0)
+
+
+@kernel
 def series_stiffness(case: recarray, n1: float, n2: float) -> tuple[float, float]:
     """K of both contacts in series, K^(-2/3) = Ki^(-2/3) + Ko^(-2/3), and d ln K/d alpha."""
     if not case.actual_angle:
         return case.series_stiffness, 0.0
-    ki, ki_slope = groove_stiffness(case, -1, n1, n2)
-    ko, ko_slope = groove_stiffness(case, 1, n1, n2)
+    ki, ki_slope = groove_stiffness(case, INNER_SIDE, n1, n2)
+    ko, ko_slope = groove_stiffness(case, OUTER_SIDE, n1, n2)
     inner, outer = ki ** (-2.0 / 3.0), ko ** (-2.0 / 3.0)
     compliance = inner + outer
     return compliance**-1.5, (inner * ki_slope + outer * ko_slope) / compliance
@@ -82,12 +103,14 @@ def moving_ball(
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
     delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
-    ki, ki_slope = groove_stiffness(case, -1, si, ci)
-    ko, ko_slope = groove_stiffness(case, 1, so, co)
+    ki, ki_slope = groove_stiffness(case, INNER_SIDE, si, ci)
+    ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
     fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, ball.control, si, ci, so, co)
-    share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+    share_i, share_o = 0.0, 0.0
+    if case.gyroscopic:
+        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
     ti, ti_i, ti_o = share_i * mg, share_i * mg_i, share_i * mg_o
     to, to_i, to_o = share_o * mg, share_o * mg_i, share_o * mg_o
 

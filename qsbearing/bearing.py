@@ -18,6 +18,7 @@ from qsbearing.faults import (
     RATIO,
     Fault,
     SceneError,
+    choose,
     likely_slip,
     numeric,
     raise_if_any,
@@ -71,7 +72,9 @@ class BallBearing:
     name: str = ""
 
     def __post_init__(self) -> None:
-        raise_if_any(bearing_faults(self))
+        kind, faults = choose("bearing.kind", self.kind, BearingKind)
+        object.__setattr__(self, "kind", kind)
+        raise_if_any(faults + bearing_faults(self))
 
     @classmethod
     def from_diametral_clearance(cls, *, diametral_clearance: ArrayLike, **fields: Any) -> BallBearing:

@@ -15,7 +15,7 @@ import numpy as np
 from qsbearing.bearing import BearingKind
 from qsbearing.compiled import entry
 from qsbearing.effects.gyroscopic_moment import SHARES_CODES
-from qsbearing.hertz import FORM_CODES, stiffness_at_angle
+from qsbearing.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, stiffness_at_angle
 from qsbearing.operation import CHANNELS
 from qsbearing.raceway_control import CONTROL_CODES
 from qsbearing.scene import HertzAngle, Scene, TiltLever
@@ -66,8 +66,8 @@ def _groove_stiffness(
 ) -> None:
     for i in range(pitch.size):
         sine = np.sqrt(max(0.0, 1.0 - cosine[i] * cosine[i]))
-        inner[i] = stiffness_at_angle(form, 1.0, pitch[i], inner_f[i], 1.0, sine, cosine[i], -1)[0]
-        outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], 1)[0]
+        inner[i] = stiffness_at_angle(form, 1.0, pitch[i], inner_f[i], 1.0, sine, cosine[i], INNER_SIDE)[0]
+        outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], OUTER_SIDE)[0]
 
 
 def case_arrays(scene: Scene) -> dict[str, Any]:

@@ -95,11 +95,7 @@ def catalogue(name: str | None) -> None:
 
 def main() -> NoReturn:
     """The console script."""
-    try:
-        cli.main(prog_name="qsbearing", standalone_mode=True)
-    except BrokenPipeError:  # the reader has seen enough, as `| head` has
-        _silence(sys.stdout)
-        sys.exit(SOLVED)
+    cli.main(prog_name="qsbearing")
     sys.exit(SOLVED)
 
 
@@ -180,7 +176,7 @@ def _out_of_reach(module: str) -> Iterator[None]:
 def _solve(scene: str) -> Solution:
     from qsbearing.faults import SceneError
     from qsbearing.scene_file import load_scene
-    from qsbearing.solve import solve, thread_count
+    from qsbearing.solving import solve, thread_count
 
     try:
         threads = thread_count()  # a slip in its environment variable is found here
@@ -239,11 +235,10 @@ def _print(text: str) -> None:
     """Text to standard output, whatever characters it can show."""
     stream = sys.stdout
     encoding = getattr(stream, "encoding", None) or "utf-8"
-    stream.write(text.encode(encoding, "replace").decode(encoding))
-    stream.flush()
-
-
-def _silence(stream: Any) -> None:
-    """Send what is left in a stream's buffer nowhere, or Python would try once more on its way out."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, stream.fileno())
+    try:
+        stream.write(text.encode(encoding, "replace").decode(encoding))
+        stream.flush()
+    except BrokenPipeError:
+        # The reader has seen enough, as `| head` has. What is left in the buffer goes nowhere, or Python would try to
+        # write it once more on its way out.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

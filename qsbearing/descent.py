@@ -40,7 +40,9 @@ def freeze(case: recarray, ring: recarray, balls: ndarray, blend: float) -> None
         _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
         _, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
         fc, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
-        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+        share_i, share_o = 0.0, 0.0
+        if case.gyroscopic:
+            share_i, share_o = moment_shares(case.shares, ball.control == INNER)
         ti, to = share_i * mg, share_o * mg
         present = (
             -ti * ci + to * co,

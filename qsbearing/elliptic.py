@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from math import pi, sqrt
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import formula, kernel
 
 # The arithmetic-geometric mean doubles its digits at each step: when the two means agree to this, the next
 # step, which the closing formula takes, agrees to its square, below rounding.
@@ -41,25 +41,25 @@ def complete_integral(kc: float, a: float, b: float) -> float:
         product = geometric * arithmetic
 
 
-@kernel
+@formula
 def first_kind(kc: float) -> float:
     """K, the complete elliptic integral of the first kind, by its complementary modulus kc."""
     return complete_integral(kc, 1.0, 1.0)
 
 
-@kernel
+@formula
 def second_kind(kc: float) -> float:
     """E, the complete elliptic integral of the second kind, by its complementary modulus kc."""
     return complete_integral(kc, 1.0, kc * kc)
 
 
-@kernel
+@formula
 def cosine_part(kc: float) -> float:
     """B = int cos^2 t / Delta dt."""
     return complete_integral(kc, 1.0, 0.0)
 
 
-@kernel
+@formula
 def sine_part(kc: float) -> float:
     """D = int sin^2 t / Delta dt = (K - E)/m, without the subtraction."""
     return complete_integral(kc, 0.0, 1.0)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from enum import StrEnum
 from math import pi
 from typing import Any
 
@@ -80,7 +81,7 @@ def raise_if_any(faults: list[Fault]) -> None:
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[np.ndarray | None, list[Fault]]:
     """The value as a float array, or the fault that says why it is none: not a number, NaN, infinite."""
     try:
-        if isinstance(value, str | bytes | bool):
+        if value is None or isinstance(value, str | bytes | bool):
             raise TypeError
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
@@ -92,6 +93,15 @@ def numeric(field: str, value: Any, quantity: Quantity) -> tuple[np.ndarray | No
         worst = float(array[~finite].flat[0])
         return None, [Fault(field, "is not a finite number", value=worst, quantity=quantity)]
     return array, []
+
+
+def choose(field: str, value: Any, choices: type[StrEnum]) -> tuple[Any, list[Fault]]:
+    """The member that a value names (a member itself, or its word), or the fault that says which there are."""
+    try:
+        return choices(value), []
+    except ValueError:
+        names = ", ".join(str(choice) for choice in choices)
+        return value, [Fault(field, f"is not one of {names}", value=value)]
 
 
 def within(field: str, value: Any, quantity: Quantity, low: float, high: float, meaning: str = "") -> list[Fault]:

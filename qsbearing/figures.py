@@ -30,7 +30,7 @@ STYLE: dict[str, dict[str, Any]] = {
 _MARKER_SIZE = {"inner": 4.0, "outer": 7.0}
 GREY = "0.35"
 _LOADS = ("axial", "radial y", "radial z", "moment y", "moment z")
-MOST_ELLIPSES = 24
+MOST_ELLIPSES = 20
 """More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""
 
 
@@ -150,7 +150,7 @@ def _draw_ellipses(axes: Axes, solution: Solution, index: Index) -> None:
     widest = float(max(minor.max() for _, minor, _ in sides.values())) or 1.0
     # Columns spread over the width of the sheet, and never touch.
     spacing = max(2.6 * widest, 19.0 * tallest / max(chosen.size, 3))
-    crowded, alone = chosen.size > 16, chosen.size == 1
+    alone = chosen.size == 1
     for side, columns in sides.items():
         up = 1.0 if side == "inner" else -1.0
         for column, (a, b, pressure) in enumerate(zip(*columns, strict=True)):
@@ -165,15 +165,13 @@ def _draw_ellipses(axes: Axes, solution: Solution, index: Index) -> None:
                 axes.text(x + 2.0 * widest + 0.5 * tallest, y, words, fontsize=10, va="center", linespacing=1.5)
             else:
                 place: dict[str, Any] = {"va": "bottom" if up > 0.0 else "top", "ha": "center"}
-                place |= {"rotation": 90, "fontsize": 7} if crowded else {"fontsize": 8}
-                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", **place)
+                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", fontsize=8, **place)
     axes.set_aspect("equal")
     edge = 0.8 * spacing + 0.3 * tallest
     axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge)
-    reach = 3.7 if crowded else 3.1
-    axes.set_ylim(-reach * tallest, reach * tallest)
+    axes.set_ylim(-3.1 * tallest, 3.1 * tallest)
     places = [column * spacing for column in range(chosen.size)]
-    axes.set_xticks(places, names, fontsize=8, rotation=60 if crowded else 0)
+    axes.set_xticks(places, names, fontsize=8)
     axes.set_yticks([1.45 * tallest, -1.45 * tallest], ["inner\nraceway", "outer\nraceway"], fontsize=9)
     axes.tick_params(length=0)
     title = "Contact ellipses to scale, rolling direction to the right"

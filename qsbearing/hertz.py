@@ -20,8 +20,12 @@ from enum import StrEnum
 from itertools import pairwise
 from math import exp, log, pi, sqrt
 
-from qsbearing.compiled import entry, kernel
+from qsbearing.compiled import entry, formula, kernel
 from qsbearing.elliptic import cosine_part, first_kind, second_kind, sine_part
+
+# The two raceways in the formulas that differ by a sign. Floats: for each integer constant handed to a compiled
+# function the compiler would make another copy of it.
+INNER_SIDE, OUTER_SIDE = -1.0, 1.0
 
 
 class HertzForm(StrEnum):
@@ -30,11 +34,11 @@ class HertzForm(StrEnum):
     EXACT = "exact"
     """The transcendental equation, solved to full precision."""
     BREWE_HAMROCK_1977 = "brewe_hamrock_1977"
-    """Fit by Brewe & Hamrock (J. Lubrication Technology 99, 1977): about 0.3 % in approach for B218, more near the
-    circle."""
-    HAMROCK_BREWE_1983 = "hamrock_brewe_1983"
-    """Fit by Hamrock & Brewe (J. Lubrication Technology 105, 1983): about 0.7 % in approach for B218, up to 5 % near
+    """Fit by Brewe & Hamrock (J. Lubrication Technology 99, 1977): about 0.7 % in approach for B218, up to 5.4 % near
     the circle."""
+    HAMROCK_BREWE_1983 = "hamrock_brewe_1983"
+    """Fit by Hamrock & Brewe (J. Lubrication Technology 105, 1983): about 0.3 % in approach for B218, up to 3 %
+    between the circle and k = 15; exact at the circle."""
 
 
 FORM_CODES = {form: code for code, form in enumerate(HertzForm)}
@@ -71,7 +75,7 @@ def exact_axis_ratio(curvature_ratio: float) -> float:
     return exp(x)
 
 
-@kernel
+@formula
 def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, float, float]:
     """Shape of the ellipse from lambda = smaller/larger curvature: (k = a/b, K, E, d ln(k^2 E/K^3)^(1/2)/d ln lambda).
 
@@ -96,10 +100,9 @@ def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, floa
 
 
 @kernel
-def stiffness_constant(form: int, curvature_x: float, curvature_y: float, effective_modulus: float) -> float:
+def stiffness_constant(k: float, K: float, E: float, curvature_sum: float, effective_modulus: float) -> float:
     """Q/approach^1.5 (19.18): pi k E' sqrt(E/(4.5 sum_rho K^3)) [N/m^1.5]."""
-    k, K, E, _ = contact_shape(form, min(curvature_x, curvature_y) / max(curvature_x, curvature_y))
-    return pi * k * effective_modulus * sqrt(E / (4.5 * (curvature_x + curvature_y) * K**3))
+    return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))
 
 
 @kernel
@@ -110,12 +113,12 @@ def ellipse_constants(
     k, K, E, _ = contact_shape(form, min(curvature_x, curvature_y) / max(curvature_x, curvature_y))
     curvature_sum = curvature_x + curvature_y
     a = (6.0 * k * k * E / (pi * curvature_sum * effective_modulus)) ** (1.0 / 3.0)
-    return a, a / k, pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3)), E
+    return a, a / k, stiffness_constant(k, K, E, curvature_sum, effective_modulus), E
 
 
 @kernel
-def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: int) -> float:
-    """1/Rx of ball and raceway in the rolling direction [1/m]; side -1 inner, +1 outer raceway.
+def rolling_curvature(ball_diameter: float, pitch_diameter: float, cos_angle: float, side: float) -> float:
+    """1/Rx of ball and raceway in the rolling direction [1/m]; side: INNER_SIDE or OUTER_SIDE.
 
     Rx = D/2 (1 -/+ gamma cos(alpha)), gamma = D/dm: the raceway's own radius is its distance to the bearing axis
     along the contact line, convex inside, concave outside.
@@ -129,7 +132,7 @@ def transverse_curvature(ball_diameter: float, groove_radius_coefficient: float)
     return (2.0 * groove_radius_coefficient - 1.0) / (groove_radius_coefficient * ball_diameter)
 
 
-@kernel
+@formula
 def stiffness_at_angle(
     form: int,
     ball_diameter: float,
@@ -138,14 +141,14 @@ def stiffness_at_angle(
     effective_modulus: float,
     sin_angle: float,
     cos_angle: float,
-    side: int,
+    side: float,
 ) -> tuple[float, float]:
     """Contact stiffness of a raceway at a contact angle, and the derivative of its logarithm by that angle."""
     rho_x = rolling_curvature(ball_diameter, pitch_diameter, cos_angle, side)
     rho_y = transverse_curvature(ball_diameter, groove_radius_coefficient)
     ratio = min(rho_x, rho_y) / max(rho_x, rho_y)
     k, K, E, shape_slope = contact_shape(form, ratio)
-    stiffness = pi * k * effective_modulus * sqrt(E / (4.5 * (rho_x + rho_y) * K**3))
+    stiffness = stiffness_constant(k, K, E, rho_x + rho_y, effective_modulus)
     # Only rho_x turns with the angle: d ln(rho_x)/d alpha = side gamma sin(alpha)/(1 + side gamma cos(alpha)).
     gamma = ball_diameter / pitch_diameter
     log_slope_x = side * gamma * sin_angle / (1.0 + side * gamma * cos_angle)

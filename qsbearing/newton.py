@@ -19,6 +19,8 @@ LARGEST_TURN = 0.6
 GROWTH_UNCHECKED = 0.3
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
+# No solution worth having lies this many ball diameters (or radians) away.
+FARTHEST = 2.0
 # From a fair start five to ten do; past this the safety net is cheaper.
 MOST = 30
 
@@ -149,7 +151,7 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         if iterations == MOST:
             return False, iterations, worst / scale if scale > 0.0 else 1.0
         largest = newton_step(case, ring, balls)
-        if not 0.0 <= largest < 1e6:
+        if not 0.0 <= largest < FARTHEST:  # nothing resists, or not a number
             return False, iterations, 1.0
         fraction = 1.0 if largest <= LARGEST_TURN * length else LARGEST_TURN * length / largest
         x = growth(ring, balls)
@@ -158,3 +160,6 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         before = worst
         move(ring, balls, fraction)
         iterations += 1
+        for i in range(5):
+            if not abs(ring.displacement[i]) < FARTHEST:
+                return False, iterations, 1.0

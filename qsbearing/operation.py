@@ -88,7 +88,7 @@ def operation_faults(operation: Operation) -> list[Fault]:
             )
         # Limits far outside any bearing: they catch slips of unit and keep the arithmetic finite.
         if load is not None:
-            quantity, limit = (MOMENT, 1e9) if channel.is_rotation else (FORCE, 1e10)
+            quantity, limit = (MOMENT, 1e8) if channel.is_rotation else (FORCE, 1e8)
             faults += within(f"operation.{channel.load}", load, quantity, -limit, limit)
         if displacement is not None:
             angle_or_length: tuple[Quantity, float] = (ANGLE, 0.2) if channel.is_rotation else (LENGTH, 0.1)

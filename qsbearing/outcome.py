@@ -67,8 +67,7 @@ def message(solution: Solution, index: int | tuple[int, ...] = ()) -> str:
 def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
     case = solution._maker.make(k, k + 1)[0]
     if notes & RUNAWAY:
-        ring = np.where(case["is_held"].astype(bool), 0.0, np.abs(solution._ring[k]))
-        ring = np.where(np.isfinite(ring), ring, np.inf)
+        ring = np.where(case["is_held"].astype(bool), 0.0, np.nan_to_num(np.abs(solution._ring[k]), nan=np.inf))
         names = " and ".join(CHANNELS[i].words for i in np.flatnonzero(ring > 0.5 * ring.max()))
         return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
     if notes & FRICTION_WITHOUT_LOAD:
@@ -142,7 +141,13 @@ def _ball_list(which: NDArray) -> str:
     if numbers.size == which.size > 1:
         return f"all {which.size} balls"
     count = "1 ball" if numbers.size == 1 else f"{numbers.size} balls"
-    return f"{count} (no. {', '.join(str(int(number)) for number in numbers)})"
+    return f"{count} (no. {', '.join(_runs(numbers))})"
+
+
+def _runs(numbers: NDArray) -> list[str]:
+    """Numbers as runs: 0, 3 to 7, 12."""
+    breaks = np.flatnonzero(np.diff(numbers) != 1) + 1
+    return [str(run[0]) if run.size == 1 else f"{run[0]} to {run[-1]}" for run in np.split(numbers, breaks)]
 
 
 def _unloaded_balls(solution: Solution, where: tuple[int, ...]) -> list[str]:

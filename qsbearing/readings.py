@@ -6,29 +6,30 @@ from math import atan2, nan, pi
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
-from qsbearing.solver import CONVERGED, is_moving
+from qsbearing.solver import CONVERGED
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
 CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
 
 
 @kernel
-def floats_free(case: recarray, inner_approach: float, outer_approach: float) -> bool:
+def floats_free(case: recarray, inner_approach: float) -> bool:
     """Whether a ball at rest touches neither raceway, so that it has no defined place."""
     return not is_moving(case) and inner_approach <= 0.0
 
 
 @kernel
-def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: int, what: int) -> float:
-    """One quantity of one ball, in the case's units; side -1 inner, +1 outer raceway."""
+def read_ball(
+    case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: float, what: int
+) -> float:
+    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE."""
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
     delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
@@ -37,7 +38,7 @@ def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2:
     delta, n1, n2 = (delta_i, si, ci) if side < 0 else (delta_o, so, co)
     stiffness, _ = groove_stiffness(case, side, n1, n2)
     load, _ = contact_load(stiffness, delta)
-    free = floats_free(case, delta_i, delta_o)
+    free = floats_free(case, delta_i)
     if what == LOAD:
         return 0.0 if free else load
     if free and (what == ANGLE or what == APPROACH):
@@ -56,13 +57,7 @@ def read_ball(case: recarray, control: int, a1: float, a2: float, u1: float, u2:
     if free or load <= 0.0:
         return 0.0
     cosine = n2 if case.actual_angle else c
-    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
-    a, b, _, _ = ellipse_constants(
-        case.form,
-        rolling_curvature(1.0, case.pitch_diameter, cosine, side),
-        transverse_curvature(1.0, coefficient),
-        1.0,
-    )
+    a, b, _, _ = raceway_ellipse(case, side, cosine)
     size = load ** (1.0 / 3.0)
     if what == SEMI_MAJOR_AXIS:
         return a * size
@@ -96,7 +91,7 @@ def read_cases(
     displacement: ndarray,
     position: ndarray,
     control: ndarray,
-    side: int,
+    side: float,
     what: int,
     out: ndarray,
 ) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from qsbearing.bearing import BallBearing
 from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
-from qsbearing.faults import MM, RPM, SPEED, Fault, likely_slip, raise_if_any
+from qsbearing.faults import MM, RPM, SPEED, Fault, choose, likely_slip, raise_if_any
 from qsbearing.hertz import HertzForm
 from qsbearing.operation import Operation
 from qsbearing.raceway_control import RacewayControl
@@ -38,6 +38,15 @@ class TiltLever(StrEnum):
     """dm/2, as ISO/TS 16281 takes it."""
 
 
+CHOICES: dict[str, type[StrEnum]] = {
+    "raceway_control": RacewayControl,
+    "hertz_angle": HertzAngle,
+    "hertz_form": HertzForm,
+    "tilt_lever": TiltLever,
+}
+"""The fields of a scene that choose one of several; each may be given as a member or as its word."""
+
+
 @dataclass(frozen=True)
 class Scene:
     """All that a solve needs. An effect that is not named here is not evaluated.
@@ -56,7 +65,13 @@ class Scene:
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
 
     def __post_init__(self) -> None:
-        raise_if_any(scene_faults(self))
+        faults = []
+        for name, choices in CHOICES.items():
+            if getattr(self, name) is not None or name != "raceway_control":
+                choice, wrong = choose(name, getattr(self, name), choices)
+                object.__setattr__(self, name, choice)
+                faults += wrong
+        raise_if_any(faults + scene_faults(self))
 
     @property
     def centrifugal_force(self) -> CentrifugalForce | None:
@@ -79,6 +94,9 @@ def scene_faults(scene: Scene) -> list[Fault]:
 
 def effect_faults(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[Fault]:
     """Faults of what is asked for, whatever the bearing."""
+    if not isinstance(ball_effects, tuple) or not all(isinstance(effect, BallEffect) for effect in ball_effects):
+        cause = "Write (qs.CentrifugalForce(), qs.GyroscopicMoment()): a tuple of effects, each with its brackets"
+        return [Fault("ball_effects", "is not a tuple of ball effects", value=ball_effects, cause=cause)]
     faults = []
     names = [effect.name for effect in ball_effects]
     if len(set(names)) < len(names):

@@ -517,8 +517,10 @@ def _operation(document: dict[str, Any], faults: list[FileFault]) -> Operation |
     try:
         operation = Operation(**fields)
     except SceneError as error:
+        # What stood in for a bad value is reported already; what its channel does wrong beside it is not.
+        stand_ins = {f"operation.{key}" for key in bad}
         translated = [translate(fault) for fault in error.faults]
-        faults += [fault for fault in translated if fault.key not in {f"operation.{key}" for key in bad}]
+        faults += [fault for fault in translated if fault.key not in stand_ins or fault.value is None]
         return None
     return operation if len(faults) == before else None
 
@@ -538,7 +540,8 @@ def _effects(document: dict[str, Any], faults: list[FileFault]) -> dict[str, Any
         else:
             cause = _did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
             faults.append(FileFault("effects.ball", "is not a ball effect", name, cause=cause))
-    if len(faults) == before:
+    known = {fault.key for fault in faults[before:]}
+    if not known & {"effects.ball", "effects.raceway_control"}:
         faults += [translate(fault) for fault in effect_faults(tuple(effects), good.get("raceway_control"))]
     if shares is not None and "ball" not in bad and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing import readings
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.solver import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.state import working_memory
 
@@ -29,7 +30,7 @@ class Status(StrEnum):
     CONVERGED = "converged"
     """Balls and ring are in balance."""
     NO_EQUILIBRIUM = "no_equilibrium"
-    """Nothing in the bearing supports the load; `Solution.message` says which channel or which hypothesis fails."""
+    """Nothing in the bearing supports the load; `outcome.message` says which channel or which hypothesis fails."""
     NOT_CONVERGED = "not_converged"
     """No balance was found; that is no proof that there is none."""
 
@@ -48,7 +49,7 @@ class RacewayContacts:
     of a ball at rest that touches neither raceway and so has no defined place.
     """
 
-    def __init__(self, solution: Solution, side: int) -> None:
+    def __init__(self, solution: Solution, side: float) -> None:
         self._solution = solution
         self._side = side
 
@@ -100,7 +101,7 @@ class Solution:
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
-    hold NaN everywhere but in `status`, `message`, `iterations` and `residual`.
+    hold NaN everywhere but in `status`, `iterations` and `residual`; `outcome.message` says why.
     """
 
     def __init__(
@@ -131,9 +132,9 @@ class Solution:
         self._residual = residual
         self.seconds = seconds
         """Wall time of the solve [s]."""
-        self.inner = RacewayContacts(self, -1)
+        self.inner = RacewayContacts(self, INNER_SIDE)
         """Contacts with the inner raceway."""
-        self.outer = RacewayContacts(self, 1)
+        self.outer = RacewayContacts(self, OUTER_SIDE)
         """Contacts with the outer raceway."""
 
     def _shaped(self, array: NDArray, *tail: int) -> Any:
@@ -149,7 +150,7 @@ class Solution:
             stop = min(start + CHUNK, self._maker.count)
             yield slice(start, stop), self._maker.make(start, stop)
 
-    def _read(self, side: int, what: int, unit: str) -> NDArray:
+    def _read(self, side: float, what: int, unit: str) -> NDArray:
         balls = self._maker.ball_axis
         out = np.empty((self._maker.count, balls))
         for part, cases in self._stretches():
@@ -223,21 +224,21 @@ class Solution:
         """Of each ball [N]; None where the scene does not name it."""
         if self.scene.centrifugal_force is None:
             return None
-        return self._read(0, readings.CENTRIFUGAL_FORCE, "force")
+        return self._read(OUTER_SIDE, readings.CENTRIFUGAL_FORCE, "force")
 
     @cached_property
     def gyroscopic_moment(self) -> NDArray | None:
         """Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."""
         if self.scene.gyroscopic_moment is None:
             return None
-        return self._read(0, readings.GYROSCOPIC_MOMENT, "moment")
+        return self._read(OUTER_SIDE, readings.GYROSCOPIC_MOMENT, "moment")
 
     @cached_property
     def orbital_speed(self) -> NDArray | None:
         """omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."""
         if self.scene.raceway_control is None:
             return None
-        return self._read(0, readings.ORBITAL_SPEED, "speed")
+        return self._read(OUTER_SIDE, readings.ORBITAL_SPEED, "speed")
 
     @cached_property
     def rotation_speed(self) -> NDArray | None:
@@ -245,7 +246,7 @@ class Solution:
         ball effect."""
         if self.scene.raceway_control is None:
             return None
-        return self._read(0, readings.ROTATION_SPEED, "speed")
+        return self._read(OUTER_SIDE, readings.ROTATION_SPEED, "speed")
 
     @cached_property
     def raceway_control(self) -> NDArray | None:

@@ -11,12 +11,12 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, moving_ball, resting_ball
+from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import ellipse_constants, rolling_curvature, transverse_curvature
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.newton import any_held, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
 from qsbearing.ring import add_force, find_equals, inner_groove_centre, place_balls
@@ -38,12 +38,6 @@ RUNAWAY_DISTANCE = 5.0
 OPEN_SIDE_SINE = -1e-9
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
-
-
-@kernel
-def is_moving(case: recarray) -> bool:
-    """Whether a named effect has some speed to act at."""
-    return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
 
 
 @kernel
@@ -75,7 +69,11 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
     ring.at_rest = True
-    return descend(case, ring, balls, tolerance)
+    converged, iterations, residual = descend(case, ring, balls, tolerance)
+    for i in range(5):
+        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
+            ring.ran_away = True
+    return converged, iterations, residual
 
 
 @kernel
@@ -90,7 +88,7 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> int:
             balls[n].u1, balls[n].u2 = u1, u2
         return 0
     _, iterations, _ = settle_at_rest(case, ring, balls, 1e-3)
-    seat_balls(case, ring, balls, True)
+    seat_balls(case, ring, balls)
     return iterations
 
 
@@ -124,7 +122,7 @@ def solve_moving(
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else GUESS
-    total, changes = 0, 0
+    total, changes, residual = 0, 0, 1.0
     reached, stride, target = 0.0, 0.25, 1.0
     while True:
         if attempt == GUESS:
@@ -132,11 +130,15 @@ def solve_moving(
         elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
             _, iterations, _ = settle_at_rest(case, ring, balls, 1e-8)
             total += iterations
-            seat_balls(case, ring, balls, True)
+            if ring.ran_away:
+                return False, total, residual, False
+            seat_balls(case, ring, balls)
             keep(ring, balls)
         if FROZEN <= attempt < CONTINUATION:
             restore(ring, balls)
             turn = attempt - FROZEN
+            if case.control == PER_BALL and 0 < turn < 10:
+                contradicted_controls(case, ring, balls, turn > 0, -changes - 1)
             freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
             ring.at_rest = False
             _, iterations, _ = descend(case, ring, balls, 1e-8)
@@ -166,7 +168,7 @@ def solve_moving(
         if case.control != PER_BALL:
             return True, total, residual, True
         changes += 1
-        only = -1 if 2 * changes < CONTROL_CHANGES_MOST else 0
+        only = min(0, changes - CONTROL_CHANGES_MOST // 2)  # below zero: all at once; zero: the first alone
         wrong = contradicted_controls(case, ring, balls, changes < CONTROL_CHANGES_MOST, only)
         if wrong == 0 or changes == CONTROL_CHANGES_MOST:
             return True, total, residual, wrong == 0
@@ -175,15 +177,9 @@ def solve_moving(
 
 
 @kernel
-def spin_constant(case: recarray, side: int, cosine: float) -> float:
+def spin_constant(case: recarray, side: float, cosine: float) -> float:
     """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
-    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
-    a, _, _, E = ellipse_constants(
-        case.form,
-        rolling_curvature(1.0, case.pitch_diameter, cosine, side),
-        transverse_curvature(1.0, coefficient),
-        1.0,
-    )
+    a, _, _, E = raceway_ellipse(case, side, cosine)
     return a * E
 
 
@@ -191,7 +187,7 @@ def spin_constant(case: recarray, side: int, cosine: float) -> float:
 def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change: bool, only: int) -> int:
     """How many balls' controls contradict Jones's criterion; changes them (all, or the one counted `only`) if asked."""
     s, c = case.sin_free, case.cos_free
-    inner_constant, outer_constant = spin_constant(case, -1, c), spin_constant(case, 1, c)
+    inner_constant, outer_constant = spin_constant(case, INNER_SIDE, c), spin_constant(case, OUTER_SIDE, c)
     wrong = 0
     for n in range(ring.balls):
         ball = balls[n]
@@ -199,9 +195,9 @@ def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change
         do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
         di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
         if case.actual_angle:
-            inner_constant, outer_constant = spin_constant(case, -1, ci), spin_constant(case, 1, co)
-        qi, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], di)
-        qo, _ = contact_load(groove_stiffness(case, 1, so, co)[0], do)
+            inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
+        qi, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], di)
+        qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
         if control != ball.control:
             if change and (only < 0 or only == wrong):
@@ -216,7 +212,7 @@ def inner_contact(case: recarray, ring: recarray, ball: recarray) -> tuple[float
     s, c = case.sin_free, case.cos_free
     a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
     delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-    load, _ = contact_load(groove_stiffness(case, -1, si, ci)[0], delta)
+    load, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta)
     if not case.gyroscopic or not is_moving(case):
         return si, load, 0.0
     _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
@@ -234,14 +230,13 @@ def objections(case: recarray, ring: recarray, balls: ndarray, converged: bool) 
     the inner raceway) has come to its end.
     """
     found = 0
-    for i in range(5):
-        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
-            return RUNAWAY
+    if not converged and ring.ran_away:
+        return RUNAWAY
     for n in range(ring.balls):
         sine, load, friction = inner_contact(case, ring, balls[n])
         if converged and case.one_sided and load > 0.0 and sine < OPEN_SIDE_SINE:
             found |= OPEN_SIDE
-        if friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
+        if case.control == INNER and friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
             found |= FRICTION_WITHOUT_LOAD
     return found
 
@@ -252,6 +247,7 @@ def solve_case(
 ) -> tuple[int, int, int, float]:
     """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
     ring.floor = FLOOR * case.series_stiffness
+    ring.ran_away = False
     for i in range(5):
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
@@ -268,8 +264,14 @@ def solve_case(
     else:
         for n in range(ring.balls):
             balls[n].control = INNER if case.control == INNER else OUTER
-        converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
-        seat_balls(case, ring, balls, False)
+        converged, iterations, residual = False, 0, 1.0
+        if is_warm:
+            ring.at_rest = True
+            converged, iterations, residual = descend(case, ring, balls, tolerance)
+        if not converged:
+            converged, more, residual = settle_at_rest(case, ring, balls, tolerance)
+            iterations += more
+        seat_balls(case, ring, balls)
     if is_unloaded(case):
         notes |= UNLOADED_RING
     against = objections(case, ring, balls, converged)

@@ -14,9 +14,10 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, series_stiffness
+from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
+from qsbearing.hertz import OUTER_SIDE
 from qsbearing.ring import inner_groove_centre
 
 
@@ -65,7 +66,7 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
 
 
 @kernel
-def seat_balls(case: recarray, ring: recarray, balls: ndarray, is_moving: bool) -> None:
+def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
     s, c = case.sin_free, case.cos_free
     length = case.inner_coefficient + case.outer_coefficient - 1.0
@@ -73,23 +74,25 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray, is_moving: bool) 
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        approach, n1, n2, _ = direction(length, s, c, a1, a2)
+        approach, n1, n2, inverse = direction(length, s, c, a1, a2)
         if approach > 0.0:
-            outer, _ = groove_stiffness(case, 1, n1, n2)
+            outer, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
             series, _ = series_stiffness(case, n1, n2)
             reach = approach * (series / outer) ** (2.0 / 3.0)
         else:
             reach = 0.5 * approach  # midway in the gap, for want of a place of its own
-            if is_moving:
+            if is_moving(case):
                 # thrown outward: in the groove's bottom, pressed by its own centrifugal force
                 fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
                 depth = (fc / case.outer_stiffness) ** (2.0 / 3.0)
                 u1, u2 = -outer_length * s, outer_length * (1.0 - c) + depth
                 inner, _, _, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
                 if inner < 0.0:
-                    n1, n2, reach = 0.0, 1.0, depth
-        ball.u1 = outer_length * (n1 - s) + reach * n1
-        ball.u2 = outer_length * (n2 - c) + reach * n2
+                    ball.u1, ball.u2 = u1, u2
+                    continue
+        # n less its free direction, from A less its free length: no difference of near-equal numbers
+        ball.u1 = outer_length * inverse * (a1 - s * approach) + reach * n1
+        ball.u2 = outer_length * inverse * (a2 - c * approach) + reach * n2
 
 
 @kernel

@@ -71,6 +71,7 @@ _RING = np.dtype(
         ("right", np.float64, (5,)),
         ("matrix", np.float64, (5, 5)),
         ("floor", np.float64),  # least stiffness of anything
+        ("ran_away", np.bool_),  # at rest nothing stopped it
         ("at_rest", np.bool_),  # which convex problem: at rest, or under frozen inertia forces
         ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
         ("azimuth_first", np.float64),

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from qsbearing.catalogue import Entry
     from qsbearing.solution import Solution
 
-WIDEST = 100
-"""Columns; wider than this no table is easier to read."""
+NARROWEST, WIDEST = 80, 100
+"""Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
 
 SAME = 1e-9
 """Balls whose loads and angles differ by less than this share a row: a symmetric load makes them equal but for
@@ -39,7 +39,7 @@ def text_of(renderable: RenderableType, width: int | None = None) -> str:
     if width is None:
         # A file has no width to ask for; a terminal keeps its own, within reason.
         known = console.is_terminal or "COLUMNS" in os.environ
-        console.width = min(console.width, WIDEST) if known else WIDEST
+        console.width = max(min(console.width, WIDEST), NARROWEST) if known else WIDEST
     with console.capture() as capture:
         console.print(renderable)
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
@@ -52,11 +52,11 @@ def result(solution: Solution) -> Group:
     found = record.record(solution)
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
-        parts.append(_ring(solution, found))
-        rows = distinct(found["balls"])
-        parts += [_contacts(rows, len(found["balls"])), _ellipses(rows, len(found["balls"]))]
+        rows, count = distinct(found["balls"]), len(found["balls"])
+        tables = [_ring(solution, found), _contacts(rows, count), _ellipses(rows, count)]
         if found["effects"]:
-            parts.append(_motion(rows, len(found["balls"]), found))
+            tables.append(_motion(rows, count, found))
+        parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
     for sentence in found["warnings"]:
         parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
     return Group(*parts)
@@ -82,7 +82,7 @@ class Row:
         """Where they stand."""
         if len(self.members) == count > 1:
             return "any"
-        places = [f"{azimuth:.6g}" for azimuth in self.azimuths]
+        places = [f"{azimuth:.2f}".rstrip("0").rstrip(".") for azimuth in self.azimuths]
         return ", ".join(places) if len(places) <= 2 else f"{places[0]} ... {places[-1]}"
 
 
@@ -208,12 +208,12 @@ def _ellipses(rows: list[Row], count: int) -> Table:
     table = _table("Contact ellipses: a across, b along the rolling direction; delta: approach", heading, left=(0, 1))
     pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
     pairs += [("inner", "approach_um"), ("outer", "approach_um")]
-    return _filled(table, rows, count, [_column([_pressed(row, side, key) for row in rows]) for side, key in pairs])
+    return _filled(table, rows, count, [_column([_pressed(row, side, key) for row in rows], 5) for side, key in pairs])
 
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
-    title = "Ball inertia and motion" + ("; mu: the friction that Mg demands of each contact" if gyroscopic else "")
+    title = "Ball inertia and motion" + ("; mu: the friction that Mg demands" if gyroscopic else "")
     heading = ["ball", "azimuth\ndeg"]
     columns: list[list[str]] = []
     for key, words in (("centrifugal_force_N", "Fc\nN"), ("gyroscopic_moment_Nmm", "Mg\nNmm")):
@@ -224,9 +224,11 @@ def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
         for side, letter in (("inner", "i"), ("outer", "o")):
             heading.append(f"mu {letter}\n-")
             columns.append(_column([row.ball[side]["required_friction"] for row in rows], significant=4))
-    heading += ["orbit\nrpm", "rotation\nrpm", "control"]
-    columns += [_column([row.ball[key] for row in rows]) for key in ("orbital_speed_rpm", "rotation_speed_rpm")]
-    columns.append([row.ball["raceway_control"] for row in rows])
+    heading += ["orbit\nrpm", "rotation\nrpm"]
+    columns += [_column([row.ball[key] for row in rows], 5) for key in ("orbital_speed_rpm", "rotation_speed_rpm")]
+    if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
+        heading.append("control")
+        columns.append([row.ball["raceway_control"] for row in rows])
     return _filled(_table(title, heading, left=(0, 1)), rows, count, columns)
 
 
@@ -259,7 +261,7 @@ def _filled(table: Table, rows: list[Row], count: int, columns: list[list[str]])
 
 
 def _table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)) -> Table:
-    table = Table(title=title, box=box.SIMPLE_HEAD, title_justify="left", title_style="bold")
+    table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
     table.pad_edge, table.padding = False, (0, 1, 0, 0)
     for position, words in enumerate(heading):
         table.add_column(words, justify="left" if position in left else "right", no_wrap=True)
@@ -268,10 +270,10 @@ def _table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)) -> 
 
 def catalogue(entries: Sequence[Entry]) -> Group:
     """All entries, one a row, their sources below."""
-    heading = ("name", "kind", "Z", "D\nmm", "dm\nmm", "alpha0\ndeg", "balls", "rings", "source")
+    heading = ("name", "kind", "Z", "D\nmm", "dm\nmm", "alpha0\ndeg", "balls", "rings", "from")
     table = _table("Catalogue", heading, left=(0, 1, 6, 7, 8))
-    for column in table.columns[6:8]:
-        column.no_wrap = False
+    for column in (table.columns[1], *table.columns[6:8]):
+        column.no_wrap, column.min_width = False, 7
     sources: list[str] = []
     for entry in entries:
         bearing = entry.bearing
@@ -296,12 +298,12 @@ def catalogue(entries: Sequence[Entry]) -> Group:
     hint = Text(
         "`qsbearing catalogue NAME` tells where each number comes from; `qsbearing run NAME` solves an example."
     )
-    return Group(table, notes, Padding(hint, (1, 0, 0, 0)))
+    return Group(table, Padding(notes, (1, 0, 0, 0)), Padding(hint, (1, 0, 0, 0)))
 
 
 def catalogue_entry(entry: Entry) -> Group:
     """One entry, with the origin of every number."""
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
     table.add_column("", no_wrap=True)
     table.add_column("value", no_wrap=True)
     table.add_column("where it comes from")
@@ -312,7 +314,7 @@ def catalogue_entry(entry: Entry) -> Group:
         shown = _material(value, full=True) if key.endswith("_material") else f"{value:g}"
         table.add_row(key, shown, Text(origin, style="yellow" if key in entry.assumed else ""))
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
-    return Group(head, table)
+    return Group(head, Padding(table, (1, 0, 0, 0)))
 
 
 def _free_angle(bearing: dict[str, Any]) -> float:
@@ -325,5 +327,5 @@ def _free_angle(bearing: dict[str, Any]) -> float:
 def _material(value: Any, full: bool = False) -> str:
     if isinstance(value, str):
         return value
-    numbers = f"{value['elastic_modulus_GPa']:g} GPa"
-    return f"{numbers}, {value['poisson_ratio']:g},\n{value['density_kg_m3']:g} kg/m3" if full else numbers
+    modulus, ratio, density = (value[key] for key in ("elastic_modulus_GPa", "poisson_ratio", "density_kg_m3"))
+    return f"{modulus:g} GPa, {ratio:g},\n{density:g} kg/m3" if full else f"{modulus:.4g} GPa"

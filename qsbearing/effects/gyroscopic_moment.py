@@ -18,6 +18,7 @@ from enum import StrEnum
 from typing import ClassVar
 
 from qsbearing.compiled import kernel
+from qsbearing.faults import choose, raise_if_any
 
 
 class MomentShares(StrEnum):
@@ -39,6 +40,11 @@ class GyroscopicMoment:
 
     moment_shares: MomentShares = MomentShares.CONTROLLING
     name: ClassVar[str] = "gyroscopic_moment"
+
+    def __post_init__(self) -> None:
+        shares, faults = choose("moment_shares", self.moment_shares, MomentShares)
+        object.__setattr__(self, "moment_shares", shares)
+        raise_if_any(faults)
 
 
 @kernel

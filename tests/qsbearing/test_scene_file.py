@@ -82,7 +82,7 @@ def test_every_key_arrives_in_si_under_its_python_name(load: Any) -> None:
         scene_text(
             {
                 "kind": '"deep_groove"',
-                "ball_material": '{elastic_modulus_GPa = 315, poisson_ratio = 0.26, density_kg_m3 = 3200, '
+                "ball_material": "{elastic_modulus_GPa = 315, poisson_ratio = 0.26, density_kg_m3 = 3200, "
                 "thermal_expansion_per_K = 3.2e-6}",
             },
             {
@@ -234,10 +234,10 @@ def test_unknown_names_and_missing_files(tmp_path: Path) -> None:
     [
         (b"", "is empty"),
         (b" \n\t\n", "is empty"),
-        (b"[bearing]\nname = \"B218\xff\"", "is not UTF-8 text (byte 23, line 2)"),
+        (b'[bearing]\nname = "B218\xff"', "is not UTF-8 text (byte 23, line 2)"),
         ("[bearing]".encode("utf-16"), "UTF-16"),
         (b"[bearing]\nball_count 16\n", "line 2: ball_count 16"),
-        (b"[bearing]\nname = \"B218\"\nname = \"B218\"\n", "line 3"),
+        (b'[bearing]\nname = "B218"\nname = "B218"\n', "line 3"),
         (b"a = " + b"9" * 5000, "is not TOML"),
         (b"a = " + b"[" * 20000, "is not TOML"),
         (b"# " + b"x" * 1_000_001, "longer than a megabyte"),
@@ -355,7 +355,12 @@ def test_words_that_are_no_choice(faults: Any, change: dict[str, dict[str, str |
 @pytest.mark.parametrize(
     ("change", "key", "allowed", "cause"),
     [
-        ({"ball_diameter_mm": "0.022225"}, "ball_diameter_mm", (0.05, 1000), "Given in metres? 0.022225 metres = 22.225 mm"),
+        (
+            {"ball_diameter_mm": "0.022225"},
+            "ball_diameter_mm",
+            (0.05, 1000),
+            "Given in metres? 0.022225 metres = 22.225 mm",
+        ),
         ({"ball_diameter_mm": "22225"}, "ball_diameter_mm", (0.05, 1000), "22225 micrometres = 22.225 mm"),
         ({"ball_diameter_mm": "-22.225"}, "ball_diameter_mm", (0.05, 1000), ""),
         ({"pitch_diameter_mm": "0.0126"}, "pitch_diameter_mm", (0.1, 20000), "Given in metres?"),
@@ -368,6 +373,7 @@ def test_words_that_are_no_choice(faults: Any, change: dict[str, dict[str, str |
         ({"free_contact_angle_deg": "-40"}, "free_contact_angle_deg", (0, 85), ""),
         ({"outer_groove_radius_mm": "11.0"}, "outer_groove_radius_mm", (11.1125, 22.225), "touches at two edges"),
         ({"outer_groove_radius_mm": "23.2562"}, "outer_groove_radius_mm", (11.1125, 22.225), "diameter"),
+        ({"pitch_diameter_mm": "62.8"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
         ({"pitch_diameter_mm": "100"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
         ({"ball_count": "40"}, "pitch_diameter_mm", (283.271, 20000), "Fewer or smaller balls"),
     ],
@@ -426,7 +432,11 @@ def test_a_clearance_in_micrometres(faults: Any) -> None:
 
 def test_an_entrys_value_that_an_override_spoils_is_named_as_the_entrys(faults: Any) -> None:
     found = faults('[bearing]\nname = "B218"\nball_diameter_mm = 25\n[operation]\naxial_load_N = 1\n')
-    assert set(found) == {"bearing.inner_groove_radius_mm", "bearing.outer_groove_radius_mm", "bearing.pitch_diameter_mm"}
+    assert set(found) == {
+        "bearing.inner_groove_radius_mm",
+        "bearing.outer_groove_radius_mm",
+        "bearing.pitch_diameter_mm",
+    }
     assert "from the catalogue, B218" in str(found["bearing.inner_groove_radius_mm"])
 
 
@@ -528,6 +538,7 @@ def test_all_faults_of_all_tables_at_once(faults: Any) -> None:
         "operation.moment_y_Nm",
         "operation.speeed",
         "effects.hertz_angle",
+        "effects.raceway_control",
     }
 
 
@@ -538,3 +549,12 @@ def test_the_text_of_a_fault_says_field_value_unit_range_and_cause(faults: Any) 
         "    allowed: 0.05 to 1000 mm\n"
         "    Given in metres? 0.022225 metres = 22.225 mm"
     )
+
+
+def test_a_bad_value_does_not_hide_that_its_channel_is_doubled(load: Any) -> None:
+    with pytest.raises(qs.SceneFileError) as caught:
+        load(scene_text(operation={"axial_load_N": "nan", "axial_displacement_um": "3"}))
+    problems = [fault.problem for fault in caught.value.faults]
+    assert len(problems) == 2
+    assert "finite" in problems[0]
+    assert "never both" in problems[1]

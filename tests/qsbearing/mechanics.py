@@ -1,0 +1,96 @@
+"""Mechanics in three dimensions, written from vectors: what solved balls must satisfy, with nothing of the kernel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import qsbearing as qs
+
+from .scenes import lever, moment_shares
+
+AXIS = np.array([1.0, 0.0, 0.0])
+
+
+@dataclass(frozen=True)
+class Vectors:
+    """One case's contacts as vectors; every array has shape (ball, 3)."""
+
+    radial: NDArray
+    """Unit vector from the axis to the ball."""
+    tangent: NDArray
+    """Unit vector of the ball's travel, axis x radial."""
+    inner_normal: NDArray
+    """From the inner contact to the ball's centre."""
+    outer_normal: NDArray
+    """From the ball's centre to the outer contact."""
+    inner_pull: NDArray
+    """Force on the ball at the inner contact, friction included."""
+    outer_pull: NDArray
+    """Force on the ball at the outer contact, friction included."""
+
+
+def vectors(solution: qs.Solution) -> Vectors:
+    """The contacts of a single case: normals from the angles, forces from the loads, friction from the moments."""
+    psi = solution.azimuth
+    zero = np.zeros_like(psi)
+    radial = np.stack([zero, np.cos(psi), np.sin(psi)], axis=-1)
+    normals, pulls = {}, {}
+    if solution.gyroscopic_moment is None:
+        friction = {"inner": zero, "outer": zero}
+    else:
+        force = solution.gyroscopic_moment / float(np.asarray(solution.scene.bearing.ball_diameter))
+        share_i, share_o = moment_shares(solution.scene, solution.raceway_control)
+        friction = {"inner": share_i * force, "outer": share_o * force}
+    for race, sense in (("inner", 1.0), ("outer", -1.0)):
+        contacts = getattr(solution, race)
+        angle = np.where(contacts.load > 0.0, contacts.angle, 0.0)
+        normal = np.sin(angle)[:, None] * AXIS + np.cos(angle)[:, None] * radial
+        across = np.cos(angle)[:, None] * AXIS - np.sin(angle)[:, None] * radial
+        normals[race] = normal
+        pulls[race] = sense * (contacts.load[:, None] * normal - friction[race][:, None] * across)
+    return Vectors(radial, np.cross(AXIS, radial), normals["inner"], normals["outer"], pulls["inner"], pulls["outer"])
+
+
+def ring_load(solution: qs.Solution) -> NDArray:
+    """The load that holds the inner ring against its balls: forces at the contact points, moments about the centre.
+
+    The inner groove's centre stands at the tilt lever from the axis; the contact lies a groove radius from it.
+    """
+    v = vectors(solution)
+    groove_radius = float(np.asarray(solution.scene.bearing.inner_groove_radius))
+    contact = lever(solution.scene) * v.radial - groove_radius * v.inner_normal
+    moment = np.cross(contact, v.inner_pull).sum(axis=0)
+    return np.array([*v.inner_pull.sum(axis=0), moment[1], moment[2]])
+
+
+def contact_stiffness(solution: qs.Solution, race: str) -> NDArray:
+    """Q/delta^1.5 of every contact of a race, by the public Hertz contact at the angle that the scene asks for."""
+    bearing, scene = solution.scene.bearing, solution.scene
+    side = -1.0 if race == "inner" else 1.0
+    diameter = float(np.asarray(bearing.ball_diameter))
+    gamma = diameter / float(np.asarray(bearing.pitch_diameter))
+    groove = float(np.asarray(getattr(bearing, f"{race}_groove_radius")))
+    angles = getattr(solution, race).angle
+    if scene.hertz_angle is qs.HertzAngle.FREE:
+        angles = np.full_like(angles, float(np.asarray(bearing.free_contact_angle)))
+    elif scene.hertz_angle is qs.HertzAngle.ZERO:
+        angles = np.zeros_like(angles)
+    values = []
+    for angle in np.nan_to_num(angles):
+        rolling = 2.0 / (diameter * (1.0 + side * gamma * np.cos(angle)))
+        across = 2.0 / diameter - 1.0 / groove
+        modulus = float(bearing.effective_modulus)
+        values.append(qs.point_contact(1.0, rolling, across, modulus, scene.hertz_form).stiffness_constant)
+    return np.array(values)
+
+
+def stored_energy(solution: qs.Solution) -> float:
+    """Elastic energy of all contacts, the integral 2/5 K delta^2.5 of Q over delta [J]."""
+    total = 0.0
+    for race in ("inner", "outer"):
+        approach = np.maximum(np.nan_to_num(getattr(solution, race).approach), 0.0)
+        total += float((0.4 * contact_stiffness(solution, race) * approach**2.5).sum())
+    return total

@@ -1,0 +1,30 @@
+"""The front door: what `import qsbearing as qs` gives."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+import qsbearing as qs
+
+
+def test_every_public_name_is_there() -> None:
+    for name in qs.__all__:
+        assert getattr(qs, name) is not None
+    assert set(qs.__all__) <= set(dir(qs))
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        qs.nothing  # noqa: B018
+
+
+def test_solve_is_the_function_whatever_was_imported_before() -> None:
+    code = "import qsbearing.solving, qsbearing as qs\nassert callable(qs.solve), qs.solve\n"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_import_itself_loads_nothing_heavy() -> None:
+    code = "import sys, qsbearing\nassert not {'numpy', 'numba', 'scipy', 'pydantic', 'rich'} & set(sys.modules)\n"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
