@@ -1,9 +1,9 @@
 """The sparse linear solver, chosen at run time from what is installed; the record says which.
 
-Measured on two cores on the stiffness of a contact block with 44 100 degrees of freedom (factor / 128 right-hand
-sides, s): rslab 4.7 / 1.4, PARDISO 4.6 / 4.8. At 13 608: rslab 0.7 / 0.6, PARDISO 0.9 / 1.2, scipy's SuperLU
-2.1 / 0.9. CHOLMOD (scikit-sparse) needs a compiler and Debian's libsuitesparse-dev; it is taken first where somebody
-went to that trouble.
+Measured on two cores, one contact on one mesh of 12 474 and of 42 180 unknowns, all of it, s and peak MB: rslab 1.4, 570
+and 4.8, 1250; PARDISO 1.2, 360 and 7.2, 930; scipy's SuperLU in the order of `dissection` 2.0, 380 and 13.6, 1030.
+CHOLMOD (scikit-sparse 0.4) needs a compiler and Debian's libsuitesparse-dev; it is taken first where somebody went to
+that trouble, and was not at hand for these measurements.
 """
 
 from __future__ import annotations
