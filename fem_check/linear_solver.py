@@ -1,7 +1,7 @@
 """The sparse linear solver, chosen at run time from what is installed; the record says which.
 
-Measured on two cores, one contact on one mesh of 12 474 and of 42 180 unknowns, all of it, s and peak MB: rslab 1.4, 570
-and 4.8, 1250; PARDISO 1.2, 360 and 7.2, 930; scipy's SuperLU in the order of `dissection` 2.0, 380 and 13.6, 1030.
+Measured on two cores, one contact on one mesh of 12 474 and of 42 180 unknowns, all of it, s and peak MB: rslab 1.4,
+570 and 4.8, 1250; PARDISO 1.2, 360 and 7.2, 930; scipy's SuperLU in the order of `dissection` 2.0, 380 and 13.6, 1030.
 CHOLMOD (scikit-sparse 0.4) needs a compiler and Debian's libsuitesparse-dev; it is taken first where somebody went to
 that trouble, and was not at hand for these measurements.
 """
