@@ -9,8 +9,8 @@ load by an active set. g comes from the exact surfaces, never from the mesh's fa
 
 A mesh in units of a contact is similar at every size, so one factorisation serves any unit length. That is used twice:
 for any load of a series, and to take out the luck of where the contact's edge falls in the mesh. The edge passes
-through the elements as the unit length changes by one element; the answer swings by up to 0.35 % of p0 at 8
-elements per semi-axis, the mean over one such period is within 0.08 %; at 12 it is 0.12 % and 0.02 %. So every contact is solved at `POSITIONS` unit
+through the elements as the unit length changes by one element; p0 swings by up to 0.35 % at 8 elements per semi-axis,
+its mean over one such period is within 0.08 % (0.12 and 0.02 % at 12). So every contact is solved at `POSITIONS` unit
 lengths, evenly over one element, and the mean is the answer. No mesh line is ever put on the edge on purpose.
 """
 
