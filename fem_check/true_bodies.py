@@ -3,8 +3,8 @@
 Conventions, on which the approach depends. The ball's reference is its equator, the plane through its centre normal to
 the contact: half a ball is held there by a plane of symmetry, as between two equal and opposite contacts, its sides
 free. The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-space's
-would. Pressure acts along the normal of the surface that the deformed bodies share; the gap counts along the contact's
-normal.
+would. Gap and pressure count along the contact's normal, as in Hertz's and the boundary elements' linear problem, so
+that what differs is the bodies alone. A pressure that turns with the surface is a second-order effect, looked at apart.
 """
 
 from __future__ import annotations
@@ -63,8 +63,21 @@ def graded(values: Array, near: float, near_size: float, elements: int, far: flo
     )
 
 
-def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Progress = silent) -> TrueBodies:
-    """Condense ball and raceway for a contact of about the given semi-axes [m]."""
+def bodies(
+    groove: BallInGroove,
+    a: float,
+    b: float,
+    elements: int,
+    progress: Progress = silent,
+    *,
+    pressure_turns: bool = False,
+) -> TrueBodies:
+    """Condense ball and raceway for a contact of about the given semi-axes [m].
+
+    Args:
+        pressure_turns: let the pressure act along the normal of the surface that the deformed bodies share, not along
+            the contact's normal.
+    """
     recipe = meshing.finite_body(elements)
     brick = meshing.load(recipe)
     radius = groove.ball_radius / b
@@ -103,12 +116,18 @@ def bodies(groove: BallInGroove, a: float, b: float, elements: int, progress: Pr
             groove.ball.poisson_ratio,
             Support.EQUATOR,
             ball_shape,
-            slope_into_ball,
+            slope_into_ball if pressure_turns else None,
             progress,
             surface_order=BALL_SURFACE_ORDER,
         ),
         race=elastic_body.condense(
-            race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, race_shape, common_slope, progress
+            race_brick,
+            hats,
+            groove.race.poisson_ratio,
+            Support.HALF_SPACE,
+            race_shape,
+            common_slope if pressure_turns else None,
+            progress,
         ),
         flat=elastic_body.condense(race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, progress=progress),
         hats=hats,
