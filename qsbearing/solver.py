@@ -12,7 +12,7 @@ from math import sqrt
 from numpy import ndarray, recarray
 
 from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
-from qsbearing.compiled import entry, kernel
+from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend, freeze
 from qsbearing.effects.gyroscopic_moment import moment_shares
@@ -76,7 +76,7 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
     return converged, iterations, residual
 
 
-@kernel
+@inlined
 def first_guess(case: recarray, ring: recarray, balls: ndarray) -> int:
     """Place ring and balls for Newton's first iteration; returns the iterations it took to find the place."""
     if radial_to_axial(case) < 1.0:
@@ -110,7 +110,7 @@ def restore(ring: recarray, balls: ndarray) -> None:
         balls[n].u1, balls[n].u2 = balls[n].kept1, balls[n].kept2
 
 
-@kernel
+@inlined
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, float, bool]:
@@ -241,7 +241,7 @@ def objections(case: recarray, ring: recarray, balls: ndarray, converged: bool) 
     return found
 
 
-@kernel
+@inlined
 def solve_case(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[int, int, int, float]:
