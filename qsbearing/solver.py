@@ -125,6 +125,9 @@ def solve_moving(
     total, changes, residual = 0, 0, 1.0
     reached, stride, target = 0.0, 0.25, 1.0
     while True:
+        # Controls may change so many times, all at once below zero, then only the first that is contradicted.
+        may_change = changes + 1 < CONTROL_CHANGES_MOST
+        only = min(0, changes + 1 - CONTROL_CHANGES_MOST // 2)
         if attempt == GUESS:
             total += first_guess(case, ring, balls)
         elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
@@ -138,7 +141,7 @@ def solve_moving(
             restore(ring, balls)
             turn = attempt - FROZEN
             if case.control == PER_BALL and 0 < turn < 10:
-                contradicted_controls(case, ring, balls, turn > 0, -changes - 1)
+                contradicted_controls(case, ring, balls, may_change, only)
             freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
             ring.at_rest = False
             _, iterations, _ = descend(case, ring, balls, 1e-8)
@@ -168,9 +171,8 @@ def solve_moving(
         if case.control != PER_BALL:
             return True, total, residual, True
         changes += 1
-        only = min(0, changes - CONTROL_CHANGES_MOST // 2)  # below zero: all at once; zero: the first alone
-        wrong = contradicted_controls(case, ring, balls, changes < CONTROL_CHANGES_MOST, only)
-        if wrong == 0 or changes == CONTROL_CHANGES_MOST:
+        wrong = contradicted_controls(case, ring, balls, may_change, only)
+        if wrong == 0 or not may_change:
             return True, total, residual, wrong == 0
         attempt = WARM
         reached, stride = 0.0, 0.25
