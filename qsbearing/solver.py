@@ -110,6 +110,26 @@ def restore(ring: recarray, balls: ndarray) -> None:
         balls[n].u1, balls[n].u2 = balls[n].kept1, balls[n].kept2
 
 
+@kernel
+def keep_solved(ring: recarray, balls: ndarray) -> None:
+    """Note a balance found, before controls change."""
+    for i in range(5):
+        ring.solved[i] = ring.displacement[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.solved1, ball.solved2, ball.solved_control = ball.u1, ball.u2, ball.control
+
+
+@kernel
+def restore_solved(ring: recarray, balls: ndarray) -> None:
+    """Bring back the last balance found."""
+    for i in range(5):
+        ring.displacement[i] = ring.solved[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.u1, ball.u2, ball.control = ball.solved1, ball.solved2, ball.solved_control
+
+
 @inlined
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
@@ -118,11 +138,12 @@ def solve_moving(
 
     One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
     converged turn may change the controls that Jones's criterion contradicts and go on from where it stands; all at
-    once at first, and if that goes round in circles, one at a time.
+    once at first, and if that goes round in circles, one at a time. Controls that have no solution are no choice: the
+    last balance found stands, and is not consistent.
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else GUESS
-    total, changes, residual = 0, 0, 1.0
+    total, changes, residual, solved_residual = 0, 0, 1.0, 1.0
     reached, stride, target = 0.0, 0.25, 1.0
     while True:
         # Controls may change so many times, all at once below zero, then only the first that is contradicted.
@@ -140,7 +161,7 @@ def solve_moving(
         if FROZEN <= attempt < CONTINUATION:
             restore(ring, balls)
             turn = attempt - FROZEN
-            if case.control == PER_BALL and 0 < turn < 10:
+            if case.control == PER_BALL and turn >= 12:  # first with the controls as they are
                 contradicted_controls(case, ring, balls, may_change, only)
             freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
             ring.at_rest = False
@@ -162,15 +183,20 @@ def solve_moving(
             else:
                 restore(ring, balls)
                 stride *= 0.4
-                if stride < 1e-4:
+                if stride >= 1e-4:
+                    continue
+                if changes == 0:
                     return False, total, residual, False
-                continue
+                restore_solved(ring, balls)
+                return True, total, solved_residual, False
         if not converged:
             attempt += 1
             continue
         if case.control != PER_BALL:
             return True, total, residual, True
         changes += 1
+        keep_solved(ring, balls)
+        solved_residual = residual
         wrong = contradicted_controls(case, ring, balls, may_change, only)
         if wrong == 0 or not may_change:
             return True, total, residual, wrong == 0

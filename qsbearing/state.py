@@ -35,6 +35,9 @@ _BALL = np.dtype(
         ("from2", np.float64),
         ("kept1", np.float64),  # where to come back to
         ("kept2", np.float64),
+        ("solved1", np.float64),  # where it was, and its control, when the case was last in balance
+        ("solved2", np.float64),
+        ("solved_control", np.int64),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -62,6 +65,7 @@ _RING = np.dtype(
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
         ("kept", np.float64, (5,)),
+        ("solved", np.float64, (5,)),
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
         ("channel", np.int64, (5,)),  # which
