@@ -12,6 +12,8 @@ a ball are springs in series and X has a closed form: the ring's channels are al
 
 from __future__ import annotations
 
+from math import inf
+
 from numpy import ndarray, recarray
 
 from qsbearing.ball import inertia, resting_ball
@@ -99,7 +101,7 @@ def convex_pass(case: recarray, ring: recarray, balls: ndarray) -> float:
     """
     start_sums(case, ring)
     applied = applied_load(case)
-    worst, contact, inertial = 0.0, 0.0, 0.0
+    worst, contact, inertial, total = 0.0, 0.0, 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
@@ -115,14 +117,17 @@ def convex_pass(case: recarray, ring: recarray, balls: ndarray) -> float:
             if imbalance > 0.0:
                 worst = max(worst, imbalance / max(own, load, LEAST_BALL_FORCE * applied))
         add_ball(ring, ball)
+        total += ball.r1 + ball.r2
     scale = max(applied, inertial, contact if any_held(case) else 0.0)
     for p in range(ring.channels):
         lever = channel_scale(case, ring.channel[p])
         imbalance = abs(ring.imbalance[p]) / lever
+        total += imbalance
         if imbalance > 0.0:
             worst = max(worst, imbalance / scale if scale > 0.0 else 1.0)
         ring.matrix[p, p] += ring.floor * lever * lever  # as for a ball: a channel that nothing resists keeps a step
-    return worst
+    # A maximum passes over what is not a number; a sum does not.
+    return worst if abs(total) < inf else inf
 
 
 @kernel

@@ -6,6 +6,8 @@ free channels; the balls' steps follow from the ring's. Nothing is nested and no
 
 from __future__ import annotations
 
+from math import inf
+
 from numpy import ndarray, recarray
 
 from qsbearing.ball import moving_ball
@@ -52,13 +54,14 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     loads where a displacement is prescribed, since then they are the reaction.
     """
     start_sums(case, ring)
-    worst = 0.0
+    worst, total = 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         r1, r2, load, fc, friction = moving_ball(case, ball, a1, a2, ring.floor)
         worst = max(worst, abs(r1), abs(r2))
+        total += r1 + r2
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
         add_ball(ring, ball)
@@ -66,6 +69,9 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         lever = channel_scale(case, ring.channel[p])
         ring.matrix[p, p] += ring.floor * lever * lever
         worst = max(worst, abs(ring.imbalance[p]) / lever)
+        total += ring.imbalance[p]
+    if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
+        worst = inf
     scale = max(applied_load(case), inertial)
     if any_held(case):
         scale = max(scale, contact)

@@ -11,7 +11,7 @@ import numpy as np
 from qsbearing.case import CaseMaker
 from qsbearing.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.solver import solve_cases
+from qsbearing.solver import CONVERGED, solve_cases
 from qsbearing.state import working_memory
 
 if TYPE_CHECKING:
@@ -128,6 +128,8 @@ def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
         )
     ring = np.empty((count, 5))
     position, control = np.empty((count, balls, 2)), np.empty((count, balls), np.int8)
-    # A start that failed holds no place to continue from: its own cases start afresh from zero, which Newton rejects.
     ring[:], position[:], control[:] = start._ring, start._position, start._control
+    # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
+    failed = np.broadcast_to(start._codes != CONVERGED, count)
+    ring[failed], position[failed], control[failed] = 0.0, 0.0, 0
     return ring, position, control

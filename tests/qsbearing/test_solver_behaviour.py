@@ -607,3 +607,18 @@ def test_control_by_each_ball_never_asks_friction_of_an_unloaded_contact(
     scene = turning(speed / qs.rpm, replace(bearing, kind=qs.BearingKind.DEEP_GROOVE), control=PER_BALL)
     solution = qs.solve(with_operation(scene, **dict(zip(LOADS, load, strict=True))))
     assert solution.status is qs.Status.CONVERGED, (solution.status, solution._notes, solution.residual)
+
+
+@pytest.mark.parametrize("speed", [0.0, 700.0])
+def test_what_is_not_a_number_is_never_converged(speed: float) -> None:
+    """A start that holds NaN is left behind, at rest and at speed, whether or not it says that it failed."""
+    scene = qs.Scene(B218, qs.Operation(axial_load=5e3, radial_load_y=2e3, moment_z=0.0, speed=speed), BOTH, OUTER)
+    expected = qs.solve(scene)
+    for codes in (0, 2):
+        start = qs.solve(scene)
+        start._ring[:] = np.nan
+        start._position[:] = np.nan
+        start._codes[:] = codes
+        found = qs.solve(scene, start=start)
+        assert found.converged
+        assert found.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)
