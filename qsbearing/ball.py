@@ -37,6 +37,8 @@ from qsbearing.raceway_control import INNER, rotation_axis
 IDLE = 3.0
 # Contact lines closer to one line than this sine: the corner between the grooves says little about loads.
 STRAIGHT = 0.2
+# Of a place, in units of its size: a few roundings.
+ROUNDING = 5e-16
 # Lengths below this many ball diameters have no direction.
 SHORTEST = 1e-12
 
@@ -160,14 +162,14 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
 
 @kernel
 def close_chain(ball: recarray, a1: float, a2: float) -> None:
-    """Let the inner link be what ring and outer link leave."""
+    """Let the inner link be what ring and outer link leave; at rest there is no outer link, its step is none."""
     ball.v1, ball.v2 = a1 - ball.u1, a2 - ball.u2
 
 
 @kernel
 def moving_ball(
     case: recarray, ball: recarray, a1: float, a2: float, floor: float
-) -> tuple[float, float, float, float]:
+) -> tuple[float, float, float, float, float]:
     """Evaluate one ball where it is, and eliminate its own unknowns into its record.
 
     Args:
@@ -175,7 +177,8 @@ def moving_ball(
         floor: least stiffness of the ball [force/length].
 
     Returns:
-        (imbalance, largest contact load, Fc, |Mg|/D); the imbalance counts what the chain's gap keeps from acting.
+        (imbalance, largest contact load, Fc, |Mg|/D, what rounding of its place may do to its loads); the imbalance
+        counts what the chain's gap keeps from acting.
     """
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
@@ -251,23 +254,32 @@ def moving_ball(
     ball.outer_sine, ball.outer_cosine, ball.outer_inverse, ball.outer_approach = so, co, inverse_o, delta_o
     ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = si, ci, inverse_i, delta_i
     open_force = max(qi_slope, qi * inverse_i) * max(abs(gap1), abs(gap2))
-    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), fc, abs(mg)
+    place = abs(ball.u1) + abs(ball.u2) + abs(a1) + abs(a2)
+    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), fc, abs(mg), ROUNDING * place * (qi_slope + qo_slope)
 
 
 @kernel
-def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> float:
-    """One ball at rest between its grooves, springs in series: fills its record, returns its load."""
+def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[float, float, float]:
+    """One ball at rest between its grooves, springs in series: one link from groove centre to groove centre.
+
+    Fills its record; returns (what the link's gap keeps from acting, its load, what rounding may do to that).
+    """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    approach, n1, n2, inverse = direction(length, case.sin_free, case.cos_free, a1, a2)
+    approach, n1, n2, inverse = direction(length, case.sin_free, case.cos_free, ball.v1, ball.v2)
+    gap1, gap2 = a1 - ball.v1, a2 - ball.v2
     stiffness, slope = series_stiffness(case, n1, n2)
     load, load_slope = contact_load(stiffness, approach)
     k11, k12, k22 = contact_tangent(load, load_slope, n1, n2, inverse)
     turn = load * slope * inverse  # of the stiffness with the contact angle
+    k11, k12, k21, k22 = k11 + turn * n1 * n2, k12 - turn * n1 * n1, k12 + turn * n2 * n2, k22 - turn * n2 * n1
     lever = case.tilt_lever
     ball.force[0], ball.force[1], ball.force[2] = load * n1, load * n2, lever * load * n1
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11, k12
+    ball.stiffness[1, 0], ball.stiffness[1, 1] = k21, k22
+    ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * k11, lever * k12
     for row in range(3):
-        ball.condensed[row] = ball.force[row]
-    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11 + turn * n1 * n2, k12 - turn * n1 * n1
-    ball.stiffness[1, 0], ball.stiffness[1, 1] = k12 + turn * n2 * n2, k22 - turn * n2 * n1
-    ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * ball.stiffness[0, 0], lever * ball.stiffness[0, 1]
-    return load
+        ball.condensed[row] = ball.force[row] + ball.stiffness[row, 0] * gap1 + ball.stiffness[row, 1] * gap2
+    ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = n1, n2, inverse, approach
+    ball.is_idle = load == 0.0
+    open_force = max(load_slope, load * inverse) * max(abs(gap1), abs(gap2))
+    return open_force, load, ROUNDING * (abs(a1) + abs(a2)) * load_slope

@@ -28,11 +28,13 @@ MOST = 200
 def pass_at_rest(case: recarray, ring: recarray, balls: ndarray) -> float:
     """Evaluate the bearing at rest, its tangent left in the ring: the imbalance over the largest force."""
     start_sums(case, ring)
-    contact = 0.0
+    contact, rounding = 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        contact = max(contact, resting_ball(case, ball, a1, a2))
+        ball.v1, ball.v2 = a1, a2
+        _, load, noise = resting_ball(case, ball, a1, a2)
+        contact, rounding = max(contact, load), max(rounding, noise)
         add_ball(ring, ball)
     worst, total = 0.0, 0.0
     for p in range(ring.channels):
@@ -46,6 +48,7 @@ def pass_at_rest(case: recarray, ring: recarray, balls: ndarray) -> float:
     if worst == 0.0:
         return 0.0
     scale = max(applied_load(case), contact if any_held(case) else 0.0)
+    ring.scale, ring.rounding = scale, rounding
     return worst / scale if scale > 0.0 else 1.0
 
 
@@ -108,7 +111,8 @@ def descend(case: recarray, ring: recarray, balls: ndarray, tolerance: float) ->
             return False, iteration, worst
         before = worst
         worst = search_line(case, ring, balls, tolerance, 1.0 if largest <= length else length / largest)
-        if worst >= before and before <= STALLED:  # the limit of rounding: the step is taken back
+        limit = max(STALLED, ring.rounding / ring.scale)
+        if worst >= before and before <= limit:  # the limit of rounding: the step is taken back
             move_along(ring, 0.0)
             return True, iteration, before
     return worst <= STALLED, MOST, worst

@@ -17,7 +17,7 @@ from math import inf
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import close_chain, moving_ball, throw
+from qsbearing.ball import close_chain, moving_ball, resting_ball, throw
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
 from qsbearing.linear import solve_in_place
@@ -70,13 +70,20 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     loads where a displacement is prescribed, since then they are the reaction.
     """
     start_sums(case, ring)
-    worst, worst_own, total = 0.0, 0.0, 0.0
+    ring.largest_approach = 0.0
+    worst, worst_own, rounding, total = 0.0, 0.0, 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        imbalance, load, fc, friction = moving_ball(case, ball, a1, a2, ring.floor)
+        fc, friction = 0.0, 0.0
+        if ring.at_rest:
+            imbalance, load, noise = resting_ball(case, ball, a1, a2)
+        else:
+            imbalance, load, fc, friction, noise = moving_ball(case, ball, a1, a2, ring.floor)
+        ring.largest_approach = max(ring.largest_approach, ball.inner_approach)
         worst = max(worst, imbalance)
+        rounding = max(rounding, noise)
         if imbalance > worst_own * load:
             worst_own = imbalance / load if load > 0.0 else inf
         total += imbalance
@@ -93,6 +100,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     scale = max(applied_load(case), inertial)
     if any_held(case):
         scale = max(scale, contact)
+    ring.scale, ring.rounding = scale, rounding
     return worst, scale, worst_own
 
 
@@ -127,11 +135,14 @@ def ball_steps(case: recarray, ring: recarray, balls: ndarray) -> float:
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         da1, da2 = inner_groove_centre(case, ring.step, ball.cosine, ball.sine)
-        ball.du1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
-        ball.du2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
-        ball.dv1 = a1 + da1 - ball.u1 - ball.v1 - ball.du1
-        ball.dv2 = a2 + da2 - ball.u2 - ball.v2 - ball.du2
-        outer = abs(ball.outer_cosine * ball.du1 - ball.outer_sine * ball.du2) * ball.outer_inverse
+        ball.dv1, ball.dv2 = a1 + da1 - ball.u1 - ball.v1, a2 + da2 - ball.u2 - ball.v2
+        outer = 0.0
+        if not ring.at_rest:
+            ball.du1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
+            ball.du2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
+            ball.dv1 -= ball.du1
+            ball.dv2 -= ball.du2
+            outer = abs(ball.outer_cosine * ball.du1 - ball.outer_sine * ball.du2) * ball.outer_inverse
         inner = abs(ball.inner_cosine * ball.dv1 - ball.inner_sine * ball.dv2) * ball.inner_inverse
         ball.turn = max(outer, inner)
         if not ball.is_idle:
@@ -160,12 +171,12 @@ def link_change(n1: float, n2: float, inverse: float, approach: float, d1: float
 
 
 @kernel
-def settle_inner_link(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+def settle_link(case: recarray, ball: recarray, a1: float, a2: float, length: float, most: float) -> None:
     """Close the chain where that is safe: where the gap is small against the approach, or the contact out of touch.
 
-    A contact that geometry brings into touch starts with no more approach than its ball has at the outer raceway.
+    A contact that geometry brings into touch starts with the approach `most` at most.
     """
-    s, c, length = case.sin_free, case.cos_free, case.inner_coefficient - 0.5
+    s, c = case.sin_free, case.cos_free
     w1, w2 = a1 - ball.u1, a2 - ball.u2
     approach, n1, n2, inverse = direction(length, s, c, w1, w2)
     gap = max(abs(w1 - ball.v1), abs(w2 - ball.v2))
@@ -173,7 +184,7 @@ def settle_inner_link(case: recarray, ball: recarray, a1: float, a2: float) -> N
         ball.v1, ball.v2 = w1, w2
     elif ball.inner_approach <= 0.0:
         # n less its free direction, from W less its free length: no difference of near-equal numbers
-        first = min(approach, ball.outer_approach)
+        first = min(approach, most)
         ball.v1 = length * inverse * (w1 - s * approach) + first * n1
         ball.v2 = length * inverse * (w2 - c * approach) + first * n2
 
@@ -185,7 +196,7 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
     An idle ball that is asked to turn far does not hold up the ring: it is put anew where it would be thrown, or if
     its grooves leave it no room for that, turned as far as tangents hold.
     """
-    s, c = case.sin_free, case.cos_free
+    s, c, whole = case.sin_free, case.cos_free, case.inner_coefficient + case.outer_coefficient - 1.0
     for i in range(5):
         ring.displacement[i] += fraction * ring.step[i]
     for n in range(ring.balls):
@@ -193,20 +204,24 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         part = fraction
         if ball.is_idle and ball.turn > LARGEST_TURN:
-            room, _, _, _ = direction(case.inner_coefficient + case.outer_coefficient - 1.0, s, c, a1, a2)
-            if room <= 0.0:
+            room, _, _, _ = direction(whole, s, c, a1, a2)
+            if room <= 0.0 and not ring.at_rest:
                 throw(case, ball, a1, a2)
                 continue
             part = min(fraction, LARGEST_TURN / ball.turn)
-        so, co, si, ci = ball.outer_sine, ball.outer_cosine, ball.inner_sine, ball.inner_cosine
-        m1, m2 = link_change(so, co, ball.outer_inverse, ball.outer_approach, part * ball.du1, part * ball.du2)
-        ball.u1 += m1
-        ball.u2 += m2
+        length, most = whole, ring.largest_approach
+        if not ring.at_rest:
+            length, most = case.inner_coefficient - 0.5, ball.outer_approach
+            so, co = ball.outer_sine, ball.outer_cosine
+            m1, m2 = link_change(so, co, ball.outer_inverse, ball.outer_approach, part * ball.du1, part * ball.du2)
+            ball.u1 += m1
+            ball.u2 += m2
+        si, ci = ball.inner_sine, ball.inner_cosine
         m1, m2 = link_change(si, ci, ball.inner_inverse, ball.inner_approach, part * ball.dv1, part * ball.dv2)
         ball.v1 += m1
         ball.v2 += m2
         if is_patient:
-            settle_inner_link(case, ball, a1, a2)
+            settle_link(case, ball, a1, a2, length, most)
         else:
             close_chain(ball, a1, a2)
 
@@ -229,18 +244,20 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     """Iterate in place from where ring and balls are: (converged, iterations, relative residual).
 
     No step is refused: from a fair start this converges in five to ten iterations, often through a larger imbalance,
-    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far.
+    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far, or carry the
+    ring further than its grooves' centres are apart.
     """
+    length = case.inner_coefficient + case.outer_coefficient - 1.0
     iterations, before, is_last = 0, -1.0, False
     while True:
         worst, scale, worst_own = pass_over_balls(case, ring, balls)
         if not scale < inf:
             return False, iterations, 1.0
-        ring.scale = scale
         residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
         # The limit of rounding: no step helps any more, and what stands is good.
-        is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
-        if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
+        limit = max(STALLED, ring.rounding / scale) if scale > 0.0 else STALLED
+        is_stalled = 0.0 <= before <= limit and 0.5 * before <= residual <= limit
+        if residual <= tolerance or is_stalled or (is_last and residual <= limit):
             if close_chains(case, ring, balls):
                 if iterations >= MOST:
                     return False, iterations, residual
@@ -254,9 +271,9 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
             return False, iterations, residual
         largest = ring_step(case, ring, balls)
         turn = ball_steps(case, ring, balls)
-        if not (0.0 <= largest < FARTHEST and turn < inf):  # nothing resists, or not a number
+        if not (0.0 <= largest < inf and turn < inf):
             return False, iterations, 1.0
-        fraction = 1.0 if turn <= LARGEST_TURN else LARGEST_TURN / turn
+        fraction = min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(largest, length))
         before = residual
         move(case, ring, balls, fraction, iterations < PATIENCE)
         iterations += 1

@@ -157,6 +157,7 @@ def stiffness_of_cases(
                 close_chain(ball, a1, a2)
                 moving_ball(case, ball, a1, a2, FLOOR * case.series_stiffness)
             else:
+                ball.v1, ball.v2 = a1, a2
                 resting_ball(case, ball, a1, a2)
             add_ball(ring, ball)
         for p in range(5):

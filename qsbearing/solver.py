@@ -18,7 +18,7 @@ from qsbearing.contact import contact_load, direction
 from qsbearing.descent import descend
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.newton import STALLED, any_held, close_chains, newton
+from qsbearing.newton import STALLED, any_held, applied_load, close_chains, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
 from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
@@ -29,7 +29,7 @@ CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY, OVER_SHOULDER = 1, 2, 4, 8, 16, 32
 
 # Where a solve at speed starts, in this order: from the start given, from closed forms, from rest.
-WARM, GUESS, REST, CONTINUATION = 0, 1, 2, 3
+WARM, GUESS, LOADS, REST, CONTINUATION = 0, 1, 2, 3, 4
 # The part of the speed below which continuation takes no smaller step.
 LEAST_STRIDE = 1e-4
 # A ball's control may change so often: there and back. What is contradicted then is contradicted both ways.
@@ -38,10 +38,16 @@ CONTROL_CHANGES = 2
 THRUST_REACH = 5.0
 # How well the balance at rest must be known for Newton to start from it.
 REST_TOLERANCE = 1e-3
+# Loads that press balls by this many diameters at rest are heavy; on the way down from them each is so much lighter.
+HEAVY_APPROACH = 1e-3
+LIGHTER = 10.0
+LEAST_LIGHTER = 1.5
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 # Angles this far outside are rounding, not contact on the open side or over the shoulder.
 ANGLE_ROUNDING = 1e-9
+# A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
+NO_LOAD = 1e-3
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
 
@@ -69,14 +75,104 @@ def is_thrust_like(case: recarray) -> bool:
 
 
 @kernel
+def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
+    """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual)."""
+    ring.at_rest = True
+    for n in range(ring.balls):
+        balls[n].u1, balls[n].u2 = 0.0, 0.0
+    close_chains(case, ring, balls)
+    converged, iterations, residual = newton(case, ring, balls, tolerance)
+    ring.at_rest = False
+    return converged, iterations, residual
+
+
+@kernel
+def set_loads(case: recarray, ring: recarray, factor: float) -> None:
+    """Load the ring with this many times its loads."""
+    for i in range(5):
+        if not case.is_held[i]:
+            case.prescribed[i] = factor * ring.load[i]
+
+
+@kernel
+def heavy_factor(case: recarray) -> float:
+    """How many times the loads would press the balls hard."""
+    own = applied_load(case)
+    return HEAVY_APPROACH**1.5 * case.ball_count * case.series_stiffness / own if own > 0.0 else 1.0
+
+
+@kernel
+def rest_from_above(case: recarray, ring: recarray, balls: ndarray, factor: float) -> int:
+    """Bring the ring to rest under loads ever lighter, down to nearly its own; returns the iterations taken.
+
+    Light loads leave open which few balls carry them: a choice hard to make at once and easy to follow from heavier
+    loads, which press more balls.
+    """
+    total = 0
+    while factor > 1.0:
+        set_loads(case, ring, factor)
+        if total == 0:
+            ring_at_rest(case, ring.displacement)
+        converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
+        total += iterations
+        if not converged:
+            break
+        factor /= LIGHTER
+    set_loads(case, ring, 1.0)
+    return total
+
+
+@kernel
+def moving_from_above(case: recarray, ring: recarray, balls: ndarray) -> int:
+    """The same at speed, from loads so heavy that inertia hardly counts; returns the iterations taken."""
+    factor, lighter, total = heavy_factor(case), LIGHTER, 0
+    if factor <= 1.0:
+        return 0
+    set_loads(case, ring, factor)
+    ring_at_rest(case, ring.displacement)
+    _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
+    seat_balls(case, ring, balls)
+    keep(ring, balls)
+    while True:
+        set_loads(case, ring, factor)
+        converged, iterations, _ = newton(case, ring, balls, REST_TOLERANCE)
+        total += iterations
+        if converged:
+            keep(ring, balls)
+            if factor <= LIGHTER:
+                break
+        else:
+            restore(ring, balls)
+            factor *= lighter
+            lighter = sqrt(lighter)
+            if lighter < LEAST_LIGHTER:
+                break
+        factor = max(factor / lighter, 1.0)
+        close_chains(case, ring, balls)
+    set_loads(case, ring, 1.0)
+    restore(ring, balls)
+    return total
+
+
+@kernel
 def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
-    ring_at_rest(case, ring.displacement)
-    converged, iterations, residual = descend(case, ring, balls, tolerance)
+    total = 0
+    for attempt in range(3):
+        ring_at_rest(case, ring.displacement)
+        if attempt == 1:
+            total += rest_from_above(case, ring, balls, heavy_factor(case))
+        if attempt < 2:
+            converged, iterations, residual = rest(case, ring, balls, tolerance)
+        else:
+            converged, iterations, residual = descend(case, ring, balls, tolerance)
+        total += iterations
+        if converged:
+            break
     for i in range(5):
         if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
             ring.ran_away = True
-    return converged, iterations, residual
+    return converged, total, residual
 
 
 @inlined
@@ -164,6 +260,9 @@ def solve_moving(
             close_chains(case, ring, balls)
         elif attempt == GUESS:
             first_guess(case, ring, balls)
+        elif attempt == LOADS:
+            total += moving_from_above(case, ring, balls)
+            close_chains(case, ring, balls)
         else:
             if attempt == REST:
                 _, iterations, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
@@ -280,8 +379,8 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
             share_i, share_o = moment_shares(case.shares, ball.control == INNER)
             moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
             for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
-                is_felt = load == 0.0 and friction > STALLED * ring.scale
-                if is_felt or (is_lost and friction > load):
+                is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
+                if is_without or (is_lost and friction > load):
                     found |= FRICTION_WITHOUT_LOAD
     return found
 
@@ -292,9 +391,10 @@ def solve_case(
 ) -> tuple[int, int, int, float]:
     """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
     ring.floor = FLOOR * case.series_stiffness
-    ring.ran_away = False
+    ring.ran_away, ring.at_rest = False, False
     ring.reached = 1.0
     for i in range(5):
+        ring.load[i] = 0.0 if case.is_held[i] else case.prescribed[i]
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
     notes = 0
@@ -311,7 +411,7 @@ def solve_case(
             balls[n].control = INNER if case.control == INNER else OUTER
         converged, iterations, residual = False, 0, 1.0
         if is_warm:
-            converged, iterations, residual = descend(case, ring, balls, tolerance)
+            converged, iterations, residual = rest(case, ring, balls, tolerance)
         if not converged:
             converged, more, residual = settle_at_rest(case, ring, balls, tolerance)
             iterations += more
@@ -342,6 +442,7 @@ def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> 
                 close_chain(ball, a1, a2)
                 moving_ball(case, ball, a1, a2, ring.floor)
             else:
+                ball.v1, ball.v2 = a1, a2
                 resting_ball(case, ball, a1, a2)
             add_force(ball, cosine, sine, reaction)
     for i in range(5):

@@ -71,6 +71,7 @@ _RING = np.dtype(
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
         ("kept", np.float64, (5,)),
+        ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("solved", np.float64, (5,)),
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
@@ -82,7 +83,10 @@ _RING = np.dtype(
         ("matrix", np.float64, (5, 5)),
         ("floor", np.float64),  # least stiffness of anything
         ("scale", np.float64),  # the largest force
+        ("rounding", np.float64),  # what rounding of the balls' places may do to their loads
         ("reached", np.float64),  # the part of the speed that ring and balls stand for
+        ("at_rest", np.bool_),  # no inertia: each ball is one link
+        ("largest_approach", np.float64),  # of any inner link, or link at rest
         ("ran_away", np.bool_),  # at rest nothing stopped it
         ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
         ("azimuth_first", np.float64),
