@@ -39,6 +39,8 @@ STALLED = 1e-10
 OWN_TOLERANCE = 1e-9
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
+# Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
+FLOOR = 1e-15
 # From a fair start five to ten do; past this another start is cheaper.
 MOST = 40
 

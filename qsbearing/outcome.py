@@ -8,7 +8,7 @@ import numpy as np
 
 from qsbearing.operation import CHANNELS
 from qsbearing.solution import tangents
-from qsbearing.solver import (
+from qsbearing.verdict import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_CONSISTENT_CONTROL,

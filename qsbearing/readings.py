@@ -20,9 +20,10 @@ from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.newton import FLOOR
 from qsbearing.raceway_control import INNER, rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
-from qsbearing.solver import CONVERGED, FLOOR
+from qsbearing.verdict import CONVERGED
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
 CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)

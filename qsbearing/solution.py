@@ -10,7 +10,8 @@ import numpy as np
 
 from qsbearing import readings
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.solver import (
+from qsbearing.state import working_memory
+from qsbearing.verdict import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_CONSISTENT_CONTROL,
@@ -20,7 +21,6 @@ from qsbearing.solver import (
     OVER_SHOULDER,
     RUNAWAY,
 )
-from qsbearing.state import working_memory
 
 if TYPE_CHECKING:
     import pandas

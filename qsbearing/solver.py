@@ -1,9 +1,7 @@
-"""One case from start to verdict: which solve it needs, and what happens where that does not converge.
+"""One case, the direct way: a start from closed forms, Newton's method, the verdict.
 
-At rest the convex problem is the whole problem. At speed Newton's method runs from a closed-form start; where that does
-not converge, from the bearing at rest, and where the full speed is too far from there, by continuation in speed. On
-that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its groove,
-or friction would have to exceed the load that makes it.
+That is all for nearly every case. What does not end in a balance that stands is left to the detours, which are compiled
+only when a case first needs them.
 """
 
 from __future__ import annotations
@@ -12,53 +10,26 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import close_chain, groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
+from qsbearing.ball import close_chain, is_moving, moving_ball, resting_ball
 from qsbearing.compiled import entry, inlined, kernel
-from qsbearing.contact import contact_load, direction
-from qsbearing.descent import descend
-from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.newton import STALLED, any_held, applied_load, close_chains, newton
-from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
+from qsbearing.newton import FLOOR, any_held, close_chains, newton
+from qsbearing.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
+from qsbearing.verdict import (
+    CONVERGED,
+    NO_CONSISTENT_CONTROL,
+    UNLOADED_RING,
+    contradicted_controls,
+    is_unloaded,
+    objections,
+)
 
-CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
+UNFINISHED = 3
+"""A case's code while only a detour may still find its balance."""
 
-# What a verdict may be about; bits.
-OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY, OVER_SHOULDER = 1, 2, 4, 8, 16, 32
-
-# Where a solve at speed starts, in this order: from the start given, from closed forms, from rest.
-WARM, GUESS, LOADS, REST, CONTINUATION = 0, 1, 2, 3, 4
-# The part of the speed below which continuation takes no smaller step.
-LEAST_STRIDE = 1e-4
-# A ball's control may change so often: there and back. What is contradicted then is contradicted both ways.
-CONTROL_CHANGES = 2
 # Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest.
 THRUST_REACH = 5.0
-# How well the balance at rest must be known for Newton to start from it.
-REST_TOLERANCE = 1e-3
-# Loads that press balls by this many diameters at rest are heavy; on the way down from them each is so much lighter.
-HEAVY_APPROACH = 1e-3
-LIGHTER = 10.0
-LEAST_LIGHTER = 1.5
-# A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
-RUNAWAY_DISTANCE = 5.0
-# Angles this far outside are rounding, not contact on the open side or over the shoulder.
-ANGLE_ROUNDING = 1e-9
-# A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
-NO_LOAD = 1e-3
-# Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
-FLOOR = 1e-15
-
-
-@kernel
-def is_unloaded(case: recarray) -> bool:
-    """No load and no displacement anywhere."""
-    for i in range(5):
-        if case.prescribed[i] != 0.0 or case.is_held[i]:
-            return False
-    return True
 
 
 @kernel
@@ -87,95 +58,6 @@ def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
 
 
 @kernel
-def set_loads(case: recarray, ring: recarray, factor: float) -> None:
-    """Load the ring with this many times its loads."""
-    for i in range(5):
-        if not case.is_held[i]:
-            case.prescribed[i] = factor * ring.load[i]
-
-
-@kernel
-def heavy_factor(case: recarray) -> float:
-    """How many times the loads would press the balls hard."""
-    own = applied_load(case)
-    return HEAVY_APPROACH**1.5 * case.ball_count * case.series_stiffness / own if own > 0.0 else 1.0
-
-
-@kernel
-def rest_from_above(case: recarray, ring: recarray, balls: ndarray, factor: float) -> int:
-    """Bring the ring to rest under loads ever lighter, down to nearly its own; returns the iterations taken.
-
-    Light loads leave open which few balls carry them: a choice hard to make at once and easy to follow from heavier
-    loads, which press more balls.
-    """
-    total = 0
-    while factor > 1.0:
-        set_loads(case, ring, factor)
-        if total == 0:
-            ring_at_rest(case, ring.displacement)
-        converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
-        total += iterations
-        if not converged:
-            break
-        factor /= LIGHTER
-    set_loads(case, ring, 1.0)
-    return total
-
-
-@kernel
-def moving_from_above(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """The same at speed, from loads so heavy that inertia hardly counts; returns the iterations taken."""
-    factor, lighter, total = heavy_factor(case), LIGHTER, 0
-    if factor <= 1.0:
-        return 0
-    set_loads(case, ring, factor)
-    ring_at_rest(case, ring.displacement)
-    _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
-    seat_balls(case, ring, balls)
-    keep(ring, balls)
-    while True:
-        set_loads(case, ring, factor)
-        converged, iterations, _ = newton(case, ring, balls, REST_TOLERANCE)
-        total += iterations
-        if converged:
-            keep(ring, balls)
-            if factor <= LIGHTER:
-                break
-        else:
-            restore(ring, balls)
-            factor *= lighter
-            lighter = sqrt(lighter)
-            if lighter < LEAST_LIGHTER:
-                break
-        factor = max(factor / lighter, 1.0)
-        close_chains(case, ring, balls)
-    set_loads(case, ring, 1.0)
-    restore(ring, balls)
-    return total
-
-
-@kernel
-def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
-    """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
-    total = 0
-    for attempt in range(3):
-        ring_at_rest(case, ring.displacement)
-        if attempt == 1:
-            total += rest_from_above(case, ring, balls, heavy_factor(case))
-        if attempt < 2:
-            converged, iterations, residual = rest(case, ring, balls, tolerance)
-        else:
-            converged, iterations, residual = descend(case, ring, balls, tolerance)
-        total += iterations
-        if converged:
-            break
-    for i in range(5):
-        if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
-            ring.ran_away = True
-    return converged, total, residual
-
-
-@inlined
 def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Place ring and balls for Newton's first iteration, by closed forms alone.
 
@@ -197,234 +79,69 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
 
 
 @kernel
-def keep(ring: recarray, balls: ndarray) -> None:
-    """Note where ring and balls are."""
-    for i in range(5):
-        ring.kept[i] = ring.displacement[i]
-    for n in range(ring.balls):
-        balls[n].kept1, balls[n].kept2 = balls[n].u1, balls[n].u2
-
-
-@kernel
-def restore(ring: recarray, balls: ndarray) -> None:
-    """Bring ring and balls back to where they were kept."""
-    for i in range(5):
-        ring.displacement[i] = ring.kept[i]
-    for n in range(ring.balls):
-        balls[n].u1, balls[n].u2 = balls[n].kept1, balls[n].kept2
-
-
-@kernel
-def keep_solved(ring: recarray, balls: ndarray) -> None:
-    """Note a balance found, before controls change."""
-    for i in range(5):
-        ring.solved[i] = ring.displacement[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.solved1, ball.solved2, ball.solved_control = ball.u1, ball.u2, ball.control
-
-
-@kernel
-def restore_solved(ring: recarray, balls: ndarray) -> None:
-    """Bring back the last balance found."""
-    for i in range(5):
-        ring.displacement[i] = ring.solved[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.u1, ball.u2, ball.control = ball.solved1, ball.solved2, ball.solved_control
-
-
-@kernel
-def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
-    """Turn the rings at this part of their speeds."""
-    case.inner_speed, case.outer_speed = part * inner, part * outer
-
-
-@inlined
-def solve_moving(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[bool, int, float, int]:
-    """Equilibrium at speed: (converged, iterations, relative residual, notes); `ring.reached` is the speed it is for.
-
-    One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
-    converged turn may change the controls that Jones's criterion contradicts and go on from where it stands. Controls
-    that have no solution are no choice: the last balance found stands, and is not consistent.
-    """
-    inner, outer = case.inner_speed, case.outer_speed
-    attempt = WARM if is_warm else GUESS
-    total, solved_residual = 0, -1.0
-    reached, stride = 0.0, 1.0
-    while True:
-        part = 1.0
-        if attempt == WARM:
-            close_chains(case, ring, balls)
-        elif attempt == GUESS:
-            first_guess(case, ring, balls)
-        elif attempt == LOADS:
-            total += moving_from_above(case, ring, balls)
-            close_chains(case, ring, balls)
-        else:
-            if attempt == REST:
-                _, iterations, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
-                total += iterations
-                if ring.ran_away:
-                    return False, total, 1.0, RUNAWAY
-                keep(ring, balls)
-                attempt, reached, stride = CONTINUATION, 0.0, 1.0
-            part = min(1.0, reached + stride)
-            set_speed(case, part, inner, outer)
-            restore(ring, balls)
-            if reached == 0.0:
-                seat_balls(case, ring, balls)
-            close_chains(case, ring, balls)
-        converged, iterations, residual = newton(case, ring, balls, tolerance)
-        total += iterations
-        ring.reached = part
-        if attempt == CONTINUATION:
-            against = 0
-            if converged:
-                against = objections(case, ring, balls, False)
-                keep(ring, balls)
-                reached, stride = part, 1.5 * stride
-            else:
-                stride *= 0.4
-                if stride < LEAST_STRIDE:
-                    restore(ring, balls)
-                    if reached > 0.0:
-                        set_speed(case, reached, inner, outer)
-                        ring.reached = reached
-                    else:
-                        seat_balls(case, ring, balls)
-                    against = objections(case, ring, balls, True)
-            set_speed(case, 1.0, inner, outer)
-            is_over = against != 0 or stride < LEAST_STRIDE
-            if is_over and solved_residual >= 0.0:
-                restore_solved(ring, balls)
-                ring.reached = 1.0
-                return True, total, solved_residual, NO_CONSISTENT_CONTROL
-            if is_over:
-                return False, total, residual, against
-            if not converged or reached < 1.0:
-                continue
-        elif not converged:
-            attempt += 1
-            continue
-        if case.control != PER_BALL:
-            return True, total, residual, 0
-        keep_solved(ring, balls)
-        solved_residual = residual
-        wrong, changed = contradicted_controls(case, ring, balls)
-        if changed == 0:
-            return True, total, residual, 0 if wrong == 0 else NO_CONSISTENT_CONTROL
-        attempt = WARM
-
-
-@kernel
-def spin_constant(case: recarray, side: float, cosine: float) -> float:
-    """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
-    a, _, _, E = raceway_ellipse(case, side, cosine)
-    return a * E
-
-
-@kernel
-def contradicted_controls(case: recarray, ring: recarray, balls: ndarray) -> tuple[int, int]:
-    """How many balls' controls contradict Jones's criterion, and how many of them could still be changed, and were."""
-    s, c = case.sin_free, case.cos_free
-    inner_constant = spin_constant(case, INNER_SIDE, case.hertz_cosine)
-    outer_constant = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
-    wrong, changed = 0, 0
-    for n in range(ring.balls):
-        ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-        di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-        if case.actual_angle:
-            inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
-        qi, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], di)
-        qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
-        control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
-        if control != ball.control:
-            wrong += 1
-            if ball.changes < CONTROL_CHANGES:
-                ball.control = control
-                ball.changes += 1
-                changed += 1
-    return wrong, changed
-
-
-@kernel
-def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) -> int:
-    """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
-
-    A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing; beyond a right
-    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist, and no contact
-    carries more friction than load: where the balance was lost on the way up in speed (`is_lost`) at such a place, the
-    hypothesis that puts friction there has come to its end. Friction below the solver's accuracy is none.
-    """
-    found = 0
-    s, c = case.sin_free, case.cos_free
-    for n in range(ring.balls):
-        ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-        delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-        inner, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta_i)
-        outer, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], delta_o)
-        if inner > 0.0:
-            if case.one_sided and si < -ANGLE_ROUNDING:
-                found |= OPEN_SIDE
-            if ci < -ANGLE_ROUNDING:
-                found |= OVER_SHOULDER
-        if case.gyroscopic and is_moving(case):
-            share_i, share_o = moment_shares(case.shares, ball.control == INNER)
-            moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
-            for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
-                is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
-                if is_without or (is_lost and friction > load):
-                    found |= FRICTION_WITHOUT_LOAD
-    return found
-
-
-@inlined
-def solve_case(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[int, int, int, float]:
-    """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
+def prepare(
+    case: recarray,
+    ring: recarray,
+    balls: ndarray,
+    is_warm: bool,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+) -> None:
+    """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
+    place_balls(case, ring, balls)
+    find_equals(case, ring, balls)
     ring.floor = FLOOR * case.series_stiffness
     ring.ran_away, ring.at_rest = False, False
     ring.reached = 1.0
     for i in range(5):
         ring.load[i] = 0.0 if case.is_held[i] else case.prescribed[i]
+        ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
-    notes = 0
-    if is_moving(case):
-        for n in range(ring.balls):
-            balls[n].changes = 0
-            if case.control != PER_BALL:
-                balls[n].control = case.control
-            elif not is_warm:
-                balls[n].control = OUTER
-        converged, iterations, residual, notes = solve_moving(case, ring, balls, tolerance, is_warm)
-    else:
-        for n in range(ring.balls):
-            balls[n].control = INNER if case.control == INNER else OUTER
-        converged, iterations, residual = False, 0, 1.0
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.u1, ball.u2 = 0.0, 0.0
+        ball.changes = 0
+        ball.control = INNER if case.control == INNER else OUTER
         if is_warm:
-            converged, iterations, residual = rest(case, ring, balls, tolerance)
-        if not converged:
-            converged, more, residual = settle_at_rest(case, ring, balls, tolerance)
-            iterations += more
-            if ring.ran_away and not converged:
-                notes = RUNAWAY
+            ball.u1, ball.u2 = position[ball.number, 0], position[ball.number, 1]
+            if case.control == PER_BALL and is_moving(case):
+                ball.control = control[ball.number]
+
+
+@inlined
+def solve_directly(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
+) -> tuple[bool, int, int, float]:
+    """Solve one case from the start given or a closed form: (whether a balance stands, notes, iterations, residual).
+
+    With per-ball control a balance may change the controls that Jones's criterion contradicts, and is sought again from
+    where it stands.
+    """
+    notes = UNLOADED_RING if is_unloaded(case) else 0
+    if not is_moving(case):
+        if not is_warm:
+            ring_at_rest(case, ring.displacement)
+        converged, total, residual = rest(case, ring, balls, tolerance)
         seat_balls(case, ring, balls)
-    if is_unloaded(case):
-        notes |= UNLOADED_RING
-    if converged:
-        notes |= objections(case, ring, balls, False)
-    if notes & (OPEN_SIDE | OVER_SHOULDER | FRICTION_WITHOUT_LOAD | RUNAWAY):
-        return NO_EQUILIBRIUM, notes, iterations, residual
-    return CONVERGED if converged else NOT_CONVERGED, notes, iterations, residual
+    else:
+        if is_warm:
+            close_chains(case, ring, balls)
+        else:
+            first_guess(case, ring, balls)
+        total, changed = 0, 1
+        converged, residual = True, 1.0
+        while converged and changed > 0:
+            converged, iterations, residual = newton(case, ring, balls, tolerance)
+            total += iterations
+            changed = 0
+            if converged and case.control == PER_BALL:
+                wrong, changed = contradicted_controls(case, ring, balls)
+                if wrong > 0 and changed == 0:
+                    notes |= NO_CONSISTENT_CONTROL
+    stands = converged and objections(case, ring, balls, not converged) == 0
+    return stands, notes, total, residual
 
 
 @kernel
@@ -450,6 +167,28 @@ def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> 
         load[i] = reaction[i] * ring.in_plane[i] if case.is_held[i] else case.prescribed[i]
 
 
+@kernel
+def deliver(
+    case: recarray,
+    ring: recarray,
+    balls: ndarray,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    load: ndarray,
+) -> None:
+    """Write where ring and balls stand, in the case's units; zero for balls that the case does not have."""
+    for i in range(5):
+        displacement[i] = ring.displacement[i]
+    for j in range(position.shape[0]):
+        ball = balls[balls[j].place]
+        is_there = j < case.ball_count
+        position[j, 0] = ball.u1 if is_there else 0.0
+        position[j, 1] = ball.u2 if is_there else 0.0
+        control[j] = ball.control if is_there else 0
+    ring_load(case, ring, balls, load)
+
+
 @entry
 def solve_cases(
     cases: ndarray,
@@ -471,30 +210,14 @@ def solve_cases(
 
     displacement (case, 5) and position (case, ball, 2) hold the start if is_warm, and the result in the case's units;
     load (case, 5) the ring's loads, reactions of held channels included; reached the part of the speed that all this is
-    for: below 1 where the balance ends on the way up. rings (1) and balls are working memory.
+    for. rings (1) and balls are working memory. An unfinished case keeps its start.
     """
     ring = rings[0]
     for k in range(cases.size):
         case = cases[k]
-        place_balls(case, ring, balls)
-        find_equals(case, ring, balls)
-        for i in range(5):
-            ring.displacement[i] = displacement[k, i] * ring.in_plane[i] if is_warm else 0.0
-        for n in range(ring.balls):
-            ball = balls[n]
-            if is_warm:
-                ball.u1, ball.u2 = position[k, ball.number, 0], position[k, ball.number, 1]
-                ball.control = control[k, ball.number]
-            else:
-                ball.u1, ball.u2 = 0.0, 0.0
-        status[k], notes[k], iterations[k], residual[k] = solve_case(case, ring, balls, tolerance, is_warm)
-        reached[k] = ring.reached
-        for i in range(5):
-            displacement[k, i] = ring.displacement[i]
-        for j in range(position.shape[1]):
-            ball = balls[balls[j].place]
-            is_there = j < case.ball_count
-            position[k, j, 0] = ball.u1 if is_there else 0.0
-            position[k, j, 1] = ball.u2 if is_there else 0.0
-            control[k, j] = ball.control if is_there else 0
-        ring_load(case, ring, balls, load[k])
+        prepare(case, ring, balls, is_warm, displacement[k], position[k], control[k])
+        stands, notes[k], iterations[k], residual[k] = solve_directly(case, ring, balls, tolerance, is_warm)
+        reached[k] = 1.0
+        status[k] = CONVERGED if stands else UNFINISHED
+        if stands:
+            deliver(case, ring, balls, displacement[k], position[k], control[k], load[k])

@@ -11,8 +11,9 @@ import numpy as np
 from qsbearing.case import CaseMaker
 from qsbearing.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.solver import CONVERGED, solve_cases
+from qsbearing.solver import UNFINISHED, solve_cases
 from qsbearing.state import working_memory
+from qsbearing.verdict import CONVERGED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -78,7 +79,7 @@ def solve(
     def solve_stretch(begin: int, stop: int) -> NDArray:
         records = maker.make(begin, stop)
         part = slice(begin, stop)
-        solve_cases(
+        given = (
             records,
             *working_memory(maker.ball_axis),
             tolerance,
@@ -93,6 +94,12 @@ def solve(
             residual[part],
             reached[part],
         )
+        solve_cases(*given)
+        unfinished = np.flatnonzero(codes[part] == UNFINISHED)
+        if unfinished.size:
+            from qsbearing.detours import solve_hard_cases  # compiled only when a case first needs it
+
+            solve_hard_cases(unfinished, *given)
         return records
 
     if count <= KEPT_RECORDS:

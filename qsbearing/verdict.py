@@ -1,0 +1,101 @@
+"""What a state of ring and balls is worth: how a case may end, what forbids a balance, whose control it calls for."""
+
+from __future__ import annotations
+
+from numpy import ndarray, recarray
+
+from qsbearing.ball import groove_stiffness, inertia, is_moving, raceway_ellipse
+from qsbearing.compiled import kernel
+from qsbearing.contact import contact_load, direction
+from qsbearing.effects.gyroscopic_moment import moment_shares
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.newton import STALLED
+from qsbearing.raceway_control import INNER, OUTER, outer_controls
+from qsbearing.ring import inner_groove_centre
+
+CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
+
+# What a verdict may be about; bits.
+OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY, OVER_SHOULDER = 1, 2, 4, 8, 16, 32
+
+# A ball's control may change so often: there and back. What is contradicted then is contradicted both ways.
+CONTROL_CHANGES = 2
+# Angles this far outside are rounding, not contact on the open side or over the shoulder.
+ANGLE_ROUNDING = 1e-9
+# A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
+NO_LOAD = 1e-3
+
+
+@kernel
+def is_unloaded(case: recarray) -> bool:
+    """No load and no displacement anywhere."""
+    for i in range(5):
+        if case.prescribed[i] != 0.0 or case.is_held[i]:
+            return False
+    return True
+
+
+@kernel
+def spin_constant(case: recarray, side: float, cosine: float) -> float:
+    """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
+    a, _, _, E = raceway_ellipse(case, side, cosine)
+    return a * E
+
+
+@kernel
+def contradicted_controls(case: recarray, ring: recarray, balls: ndarray) -> tuple[int, int]:
+    """How many balls' controls contradict Jones's criterion, and how many of them could still be changed, and were."""
+    s, c = case.sin_free, case.cos_free
+    inner_constant = spin_constant(case, INNER_SIDE, case.hertz_cosine)
+    outer_constant = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
+    wrong, changed = 0, 0
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+        di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
+        if case.actual_angle:
+            inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
+        qi, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], di)
+        qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
+        control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
+        if control != ball.control:
+            wrong += 1
+            if ball.changes < CONTROL_CHANGES:
+                ball.control = control
+                ball.changes += 1
+                changed += 1
+    return wrong, changed
+
+
+@kernel
+def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) -> int:
+    """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
+
+    A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing; beyond a right
+    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist, and no contact
+    carries more friction than load: where the balance was lost on the way up in speed (`is_lost`) at such a place, the
+    hypothesis that puts friction there has come to its end. Friction below the solver's accuracy is none.
+    """
+    found = 0
+    s, c = case.sin_free, case.cos_free
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
+        delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+        inner, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta_i)
+        outer, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], delta_o)
+        if inner > 0.0:
+            if case.one_sided and si < -ANGLE_ROUNDING:
+                found |= OPEN_SIDE
+            if ci < -ANGLE_ROUNDING:
+                found |= OVER_SHOULDER
+        if case.gyroscopic and is_moving(case):
+            share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+            moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
+            for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
+                is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
+                if is_without or (is_lost and friction > load):
+                    found |= FRICTION_WITHOUT_LOAD
+    return found
