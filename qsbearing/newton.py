@@ -161,8 +161,11 @@ def link_change(n1: float, n2: float, inverse: float, approach: float, d1: float
     longer = n1 * d1 + n2 * d2
     half_turn = 0.5 * inverse * (n2 * d1 - n1 * d2)
     if approach > 0.0:
-        if longer > -LINEAR_RELIEF * approach:
-            longer = approach * ((1.0 + 1.5 * longer / approach) ** (2.0 / 3.0) - 1.0)
+        x = longer / approach
+        if abs(x) <= LINEAR_RELIEF:  # the same to third order, without the power
+            longer *= 1.0 - x * (0.25 - x / 6.0)
+        elif x > 0.0:
+            longer = approach * ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0)
         else:
             longer = max(longer, -LARGEST_RELIEF * approach)
     # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
