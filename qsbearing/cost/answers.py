@@ -42,6 +42,14 @@ STIFFNESS = ("axial_stiffness", "radial_stiffness", "tilt_stiffness")
 NAMES = (*RING, *(f"{side}_{name}" for side in RACEWAYS for name in CONTACT), *STIFFNESS, "ring_load")
 """Every answer judged."""
 
+GROUPS = {
+    "displacements": RING,
+    "loads and angles": ("inner_load", "inner_angle", "outer_load", "outer_angle", "ring_load"),
+    "semi-axes and pressures": tuple(f"{side}_{name}" for side in RACEWAYS for name in CONTACT[2:]),
+    "stiffness": STIFFNESS,
+}
+"""Answers that err alike."""
+
 Answers = dict[str, "NDArray | None"]
 """Arrays (*cases, balls or channels) by name, SI; None for what a fidelity does not give."""
 

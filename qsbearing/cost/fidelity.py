@@ -63,12 +63,39 @@ def errors(scene: Scene) -> dict[str, dict[str, float | None] | None]:
     return found
 
 
-def _answers(rung: Rung, scene: Scene) -> answers.Answers | None:
+def by_speed(scene: Scene) -> dict[str, Any]:
+    """Error of each group of answers by rung along the speeds of `situations.SWEEP`; None where the top has no answer."""
+    swept = situations.sweep(scene)
+    top = TOP.of(swept)
+    solution = solve(top)
+    full = answers.read(top, solution)
+    parameter = np.logspace(*np.log10(situations.SWEEP[:2]), situations.SWEEP[2])
+    found: dict[str, Any] = {"dm_n_mm_rpm": [float(f"{value:.4g}") for value in parameter], "rungs": {}}
+    for rung in LADDER[:-1]:
+        given = _answers(rung, swept, scene)
+        if given is None:
+            continue
+        judged = answers.errors(given, full)
+        found["rungs"][rung.name] = {
+            group: [_short(value) for value in np.where(solution.converged, worst, np.nan)]
+            for group, names in answers.GROUPS.items()
+            if (worst := _worst(judged, names)) is not None
+        }
+    return found
+
+
+def _worst(judged: dict[str, Any], names: tuple[str, ...]) -> Any:
+    known = [judged[name] for name in names if judged[name] is not None]
+    return answers.accuracy(judged, names) if known else None
+
+
+def _answers(rung: Rung, scene: Scene, still: Scene | None = None) -> answers.Answers | None:
+    """What a rung answers; `still` is the single case of a scene along speeds, for the formula that knows none."""
     if rung.is_solved:
         simple = rung.of(scene)
         solution = solve(simple)
-        return answers.read(simple, solution) if solution.converged else None
-    estimate = thrust_estimate(scene)
+        return answers.read(simple, solution) if np.any(solution.converged) else None
+    estimate = thrust_estimate(still or scene)
     if estimate is None:
         return None
     given: answers.Answers = dict.fromkeys(answers.NAMES)

@@ -22,6 +22,9 @@ ROUND = 5e-4
 """Seconds that a round spends on a task, where a call takes less; their median is the round's value, so that what else
 the machine did meanwhile drops out."""
 
+LONG = 0.02
+"""Seconds from which a call is read once a round only."""
+
 LOW, HIGH = 0.05, 0.95
 """Quantiles of the rounds that are stated as spread."""
 
@@ -36,7 +39,7 @@ def interleaved(tasks: dict[Any, Callable[[], Any]], rounds: int) -> Times:
         task()
         once = max(min(_seconds(task, 1) for _ in range(2)), 1e-7)
         calls[name] = max(1, round(SAMPLE / once))
-        samples[name] = max(1, round(ROUND / (calls[name] * once)))
+        samples[name] = max(3 if once < LONG else 1, round(ROUND / (calls[name] * once)))
     times: Times = {name: [] for name in tasks}
     order = list(tasks)
     collecting = gc.isenabled()

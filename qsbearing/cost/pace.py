@@ -1,9 +1,10 @@
 """How long a solve takes: measured ratios to two reference solves, and these two timed on this machine, now.
 
-    seconds = t1 + balls * ball[kind] (t2 - t1)
+    seconds = first t1 + balls * ball[kind] (t2 - t1)
 
 t1 is a thrust-loaded bearing, nearly all overhead of the call; t2 - t1 is what combined load with every contact's own
-angle takes beyond it, nearly all arithmetic. `balls` are those that a solve iterates: one under thrust, half of them
+angle takes beyond it, nearly all arithmetic. `first` is how much longer the first solve of a scene takes in a fresh process
+than a repeated one: the processor has not seen it yet. `balls` are those that a solve iterates: one under thrust, half of them
 where the load lies in a plane. The ratios are medians over random scenes.
 """
 
@@ -95,8 +96,8 @@ def seconds(scene: Scene, table: dict[str, Any], here: dict[str, float]) -> floa
     """Expected time of solving a single case [s].
 
     Args:
-        table: the measured ratios, `ball` by kind.
+        table: the measured ratios, `first` and `ball` by kind.
         here: the calibration of this machine.
     """
     arithmetic = max(here["combined"] - here["thrust"], 0.0)
-    return float(here["thrust"] + balls(scene) * table["ball"][kind(scene)] * arithmetic)
+    return float(table["first"] * here["thrust"] + balls(scene) * table["ball"][kind(scene)] * arithmetic)

@@ -7,6 +7,7 @@
                 max_pressure}}]}                    one Hertz contact of B218 by each form, against 50 digits
     fidelity    [{name, speed_rpm, dm_n_mm_rpm, rungs: [{rung, words, one_case_s, batch_case_s, one_case_over_top,
                 batch_case_over_top, memory_MB, errors: {answer: relative error}, accuracy}]}]
+    speeds      {dm_n_mm_rpm: [...], rungs: {rung: {group of answers: [relative errors]}}}
     tolerance   [{name, starts: [{start, words, steps: [{tolerance, converged, residual, iterations, error, one_case_s,
                 batch_case_s, and both over_default}]}]}]
     scaling     {cases: [...], balls: [...], workers: [...]}, each with case_s, memory_MB and a ratio
@@ -68,6 +69,7 @@ def measure(
     }
     if "fidelity" in parts:
         found["contact"] = fidelity.contact(settings, tolerance.truth()["contact"])
+        found["speeds"] = fidelity.by_speed(scene)
         found["fidelity"] = fidelity.measure(scene, settings, progress)
     if "tolerance" in parts:
         found["tolerance"] = tolerance.measure(settings, progress)

@@ -44,6 +44,18 @@ def situations(scene: Scene) -> list[Situation]:
     return found if is_usual else [*found, Situation(OWN, scene)]
 
 
+SWEEP = (1e4, 3e6, 26)
+"""First and last dm n [mm rpm] of the speeds at which errors are followed, and how many, evenly in their logarithm."""
+
+
+def sweep(scene: Scene) -> Scene:
+    """The scene at the speeds of `SWEEP`, along one case axis."""
+    first, last, count = SWEEP
+    pitch = float(np.asarray(scene.bearing.pitch_diameter)) / mm
+    speeds = np.logspace(np.log10(first), np.log10(last), count) / pitch * rpm
+    return replace(scene, operation=replace(scene.operation, speed=speeds, outer_speed=None))
+
+
 def at_speed(scene: Scene, speed: float) -> Scene:
     """The scene with its inner ring alone turning, at this speed [rad/s]."""
     return replace(scene, operation=replace(scene.operation, speed=speed, outer_speed=None))
