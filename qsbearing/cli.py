@@ -61,9 +61,7 @@ def cli() -> None:
     help="Leave out or simplify what SCENE names where the answer stays within this relative error of its full answer: "
     "the quickest fidelity that will do, by a measured table. 1e-3, for instance.",
 )
-def run(
-    scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None
-) -> None:
+def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
@@ -289,7 +287,11 @@ def _measure(scene: Scene, quick: bool) -> dict[str, Any]:
     chosen = settings.QUICK if quick else settings.FULL
     console = Console(stderr=True)
     with Progress(
-        TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), console=console, transient=True,
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
         disable=not console.is_terminal,
     ) as progress:
         task = progress.add_task("start", total=record.steps(chosen))

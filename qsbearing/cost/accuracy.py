@@ -1,10 +1,10 @@
 """The cheapest fidelity that will do: chosen by the measured table, checked by the solution's own contacts.
 
 `choose` judges each simplification of a scene by the indicators of what it does without and the table `advice.json`,
-before anything is solved, and takes the one that is expected to be quickest among those whose error stays below what was
-asked. `solve_to` solves it, judges it anew by the loads and angles found, and goes on to the next where these say that it
-will not do. The scene's own fidelity has no error by definition: accuracy is against the scene's full answer, and
-`qsbearing.cost.answers` says how it is counted.
+before anything is solved, and takes the one that is expected to be quickest among those whose error stays below what
+was asked. `solve_to` solves it, judges it anew by the loads and angles found, and goes on to the next where these say
+that it will not do. The scene's own fidelity has no error by definition: accuracy is against the scene's full answer,
+and `qsbearing.cost.answers` says how it is counted.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from qsbearing.case import case_arrays
 from qsbearing.cost import indicators, pace
 from qsbearing.cost.ladder import LADDER, Rung, ways
 from qsbearing.solving import solve
@@ -44,8 +45,8 @@ def bound(name: str, when: str, indicator: float, touches: bool) -> float:
     Args:
         name: of the omission.
         when: "before" solving, from formulas, or "after", from the contacts found.
-        indicator: what `qsbearing.cost.indicators` says of it; the error of a smaller one than measured shrinks with it.
-        touches: whether some ball is about to lose a raceway.
+        indicator: what `qsbearing.cost.indicators` says of it; the error of a smaller one than measured shrinks with
+        it. touches: whether some ball is about to lose a raceway.
     """
     entry = table()["omissions"][name]
     if not indicator > 0.0:
@@ -109,10 +110,10 @@ def choose(scene: Scene, asked: float, here: dict[str, float] | None = None) -> 
     """
     if not FINEST <= asked <= COARSEST:
         raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
+    if any(np.ndim(value) for value in case_arrays(scene).values() if value is not None):
+        raise ValueError("the scene has array fields: a fidelity is chosen for one case at a time")
     judge = indicators.Judge(scene)
     contacts = indicators.estimated(judge)
-    if np.ndim(contacts.most):
-        raise ValueError("the scene has array fields: a fidelity is chosen for one case at a time")
     here = pace.calibration() if here is None else here
     found = []
     for rung, simple in ways(scene):

@@ -3,8 +3,8 @@
 Each error is relative to a size that cannot vanish while the bearing carries load:
 
     contact load                        the largest on that raceway
-    semi-axes, pressure                 the largest on that raceway; contacts that carry less than a tenth of its largest
-                                        load do not count
+    semi-axes, pressure                 the largest on that raceway; contacts that carry less than a tenth of its
+                                        largest load do not count
     contact angle                       the largest on either raceway, at least one degree; of the same contacts
     displacement, tilt times dm/2       the largest of them all, at least the approach across the most loaded ball
     ring load (reactions)               the largest, moments over dm/2
@@ -86,7 +86,7 @@ def errors(found: Answers, full: Answers) -> dict[str, NDArray | None]:
         judged[name] = _worst(found[name], full[name], length)
     judged["ring_load"] = _worst(found["ring_load"], full["ring_load"], _largest(full["ring_load"]))
     heavy = {side: _is_heavy(full[f"{side}_load"]) for side in RACEWAYS}
-    turned = [np.where(heavy[side], full[f"{side}_angle"], 0.0) for side in RACEWAYS]
+    turned = [np.where(heavy[side], _given(full[f"{side}_angle"]), 0.0) for side in RACEWAYS]
     angle = np.maximum(_largest(*turned), SMALLEST_ANGLE)
     for side in RACEWAYS:
         for name in CONTACT:
@@ -119,8 +119,14 @@ def _nan_max(array: Any) -> NDArray:
 
 
 def _is_heavy(load: NDArray | None) -> NDArray:
-    assert load is not None
-    return np.nan_to_num(load) > LIGHT * np.nan_to_num(_nan_max(load))[..., None]
+    known = np.nan_to_num(_given(load))
+    return known > LIGHT * known.max(axis=-1, keepdims=True)
+
+
+def _given(array: NDArray | None) -> NDArray:
+    """What the full answer always has."""
+    assert array is not None
+    return array
 
 
 def _gap(found: NDArray | None, full: NDArray | None) -> NDArray:

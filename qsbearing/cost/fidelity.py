@@ -64,12 +64,13 @@ def errors(scene: Scene) -> dict[str, dict[str, float | None] | None]:
 
 
 def by_speed(scene: Scene) -> dict[str, Any]:
-    """Error of each group of answers by rung along the speeds of `situations.SWEEP`; None where the top has no answer."""
+    """Error of each group of answers by rung along the speeds of `situations.SWEEP`; None where the top has no
+    answer."""
     swept = situations.sweep(scene)
     top = TOP.of(swept)
     solution = solve(top)
     full = answers.read(top, solution)
-    parameter = np.logspace(*np.log10(situations.SWEEP[:2]), situations.SWEEP[2])
+    parameter = situations.swept_dm_n()
     found: dict[str, Any] = {"dm_n_mm_rpm": [float(f"{value:.4g}") for value in parameter], "rungs": {}}
     for rung in LADDER[:-1]:
         given = _answers(rung, swept, scene)
@@ -162,8 +163,8 @@ def contact(settings: Settings, truth: dict[str, Any]) -> dict[str, Any]:
     """One Hertz contact by each form: time, and error of approach, semi-axes and pressure against 50 digits."""
     from qsbearing.hertz import HertzForm, point_contact
 
-    arguments = tuple(float(truth[key]) for key in ("load", "curvature_x", "curvature_y", "effective_modulus"))
-    tasks = {form: partial(point_contact, *arguments, form) for form in HertzForm}
+    given = {key: float(truth[key]) for key in ("load", "curvature_x", "curvature_y", "effective_modulus")}
+    tasks: dict[Any, Any] = {form: partial(point_contact, **given, form=form) for form in HertzForm}
     seconds = measuring.interleaved(tasks, settings.rounds * settings.processes)
     forms = []
     for form, task in tasks.items():
@@ -173,6 +174,4 @@ def contact(settings: Settings, truth: dict[str, Any]) -> dict[str, Any]:
             for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
         }
         forms.append({"form": str(form), "seconds": measuring.spread(seconds[form]), "errors": judged})
-    return {"what": truth["what"], "load_N": arguments[0], "forms": forms}
-
-
+    return {"what": truth["what"], "load_N": given["load"], "forms": forms}

@@ -31,7 +31,7 @@ def speeds(record: dict[str, Any]) -> Figure:
         for k, rung in enumerate(rungs):
             values = record["speeds"]["rungs"].get(rung["rung"], {}).get(group)
             if values is not None:
-                heights = [np.nan if not value else value for value in values]
+                heights = [value if value else np.nan for value in values]
                 each.plot(along, heights, **_rung(k, rungs) | {"markersize": 4}, linewidth=1.1, markevery=(k, 6))
         each.set(xscale="log", yscale="log", title=group.capitalize(), xlabel="dm n, mm rpm", ylabel="relative error")
         each.axhspan(1.0, max(each.get_ylim()[1], 1.1), color="0.95", zorder=0)
@@ -161,7 +161,14 @@ def scaling(record: dict[str, Any]) -> Figure:
         sizes = [row[what] for row in rows]
         _line(axes[0, k], sizes, [row["case_s"] for row in rows], COLOURS[1], size=1e6)
         axes[0, k].set(xscale="log", yscale="log", xlabel=words, ylabel="time a case, µs (one thread)")
-        _line(axes[1, 0], sizes, [row["memory_MB"] for row in rows], COLOURS[1 + 4 * k], marker=MARKERS[k + 1], label=words)
+        _line(
+            axes[1, 0],
+            sizes,
+            [row["memory_MB"] for row in rows],
+            COLOURS[1 + 4 * k],
+            marker=MARKERS[k + 1],
+            label=words,
+        )
     axes[1, 0].set(xscale="log", xlabel="cases, or balls (of 5 000 cases)", ylabel="peak memory of the process, MB")
     axes[1, 0].set_ylim(0.0, 1.12 * max(row["memory_MB"]["high"] for what in ("cases", "balls") for row in found[what]))
     axes[1, 0].legend(fontsize=8.5, frameon=False, loc="upper left")

@@ -5,11 +5,11 @@ centres and g = D/dm:
 
     centrifugal force    x = Fc/Q: the two contact angles of a ball part by about x cos(alpha)
     gyroscopic moment    y = 2 |Mg|/(D Q): the contact forces turn by about y
-        for both, a turn of the contacts moves the ring by its square, enlarged by BD/delta, and the more so where a ball
-        carries little: x (1 + BD/delta x), y (1 + BD/delta (x + y))
+        for both, a turn of the contacts moves the ring by its square, enlarged by BD/delta, and the more so where a
+        ball carries little: x (1 + BD/delta x), y (1 + BD/delta (x + y))
     control by each ball y, where Jones's criterion may give some ball to the inner raceway; else nothing
-    actual angle         g sin(alpha)/(1 - g cos(alpha0)) for each radian by which angles leave alpha0: the change of the
-                         curvature in the rolling direction
+    actual angle         g sin(alpha)/(1 - g cos(alpha0)) for each radian by which angles leave alpha0: the change of
+                         the curvature in the rolling direction
     exact Hertz          the fit's own deviation, in approach, semi-axes or pressure
 
 Loads, angles and approaches come from formulas (`estimated`), before anything is solved, or from a solution (`found`).
@@ -32,8 +32,6 @@ from qsbearing.scene import HertzAngle
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-    from numpy.typing import NDArray
 
     from qsbearing.scene import Scene
     from qsbearing.solution import Solution
@@ -66,8 +64,8 @@ class Contacts:
     control: Any
     """Jones's criterion Qo ao Eo cos(ai - ao)/(Qi ai Ei), the least: above 1 the outer raceway controls every ball."""
     touches: Any
-    """Whether some ball is about to lose a raceway, or has: there stiffness starts with an infinite slope, and the little
-    that an effect moves such a ball changes it out of proportion."""
+    """Whether some ball is about to lose a raceway, or has: there stiffness starts with an infinite slope, and the
+    little that an effect moves such a ball changes it out of proportion."""
 
 
 class Judge:
@@ -159,8 +157,8 @@ def estimated(judge: Judge) -> Contacts:
     pull = judge.centrifugal_force(angle) * cosine
     turn = np.abs(angle - judge.free) + 0.5 * np.minimum(pull / least, 1.0) + around / most * approach / judge.distance
     if operation.tilt_y is None and operation.tilt_z is None:
-        # Free to tilt, the ring lets each ball's line of contact follow the load: its radial part varies with the radial
-        # load, its axial part with the moment.
+        # Free to tilt, the ring lets each ball's line of contact follow the load: its radial part varies with the
+        # radial load, its axial part with the moment.
         axial, sideways = np.maximum(thrust, 1e-300), np.maximum(thrust, 1e-300) / np.tan(np.maximum(angle, 0.05))
         steep = np.arctan2(axial + SPREAD * moment, np.maximum(sideways - SPREAD * radial, 0.0))
         flat = np.arctan2(np.maximum(axial - SPREAD * moment, 0.0), sideways + SPREAD * radial)
@@ -293,8 +291,9 @@ OMISSIONS = (
     Omission(
         "per_ball_control",
         "control by each ball (outer control instead)",
-        lambda simple, full: full.raceway_control is RacewayControl.PER_BALL
-        and simple.raceway_control is RacewayControl.OUTER,
+        lambda simple, full: (
+            full.raceway_control is RacewayControl.PER_BALL and simple.raceway_control is RacewayControl.OUTER
+        ),
         control,
     ),
     Omission(

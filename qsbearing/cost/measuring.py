@@ -1,8 +1,8 @@
 """Times and memory that can be compared: taken in turn, in several fresh processes, medians with their spread.
 
-A shared machine's speed drifts, and each process lays out its memory in its own way. So what is compared is timed in turn
-within a round, ratios are taken round by round, and the rounds of several processes are pooled: a later run differs from
-this one as these processes differ from each other.
+A shared machine's speed drifts, and each process lays out its memory in its own way. So what is compared is timed in
+turn within a round, ratios are taken round by round, and the rounds of several processes are pooled: a later run
+differs from this one as these processes differ from each other.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ ROUND = 5e-4
 """Seconds that a round spends on a task, where a call takes less; their median is the round's value, so that what else
 the machine did meanwhile drops out."""
 
-LONG = 0.02
+LONG = 0.01
 """Seconds from which a call is read once a round only."""
 
 LOW, HIGH = 0.05, 0.95
@@ -36,8 +36,9 @@ def interleaved(tasks: dict[Any, Callable[[], Any]], rounds: int) -> Times:
     """Seconds a call of each task, all tasks in turn within each round, each round beginning with another one."""
     calls, samples = {}, {}
     for name, task in tasks.items():
-        task()
-        once = max(min(_seconds(task, 1) for _ in range(2)), 1e-7)
+        once = max(_seconds(task, 1), 1e-7)
+        if once < LONG:
+            once = max(min(_seconds(task, 1) for _ in range(2)), 1e-7)
         calls[name] = max(1, round(SAMPLE / once))
         samples[name] = max(3 if once < LONG else 1, round(ROUND / (calls[name] * once)))
     times: Times = {name: [] for name in tasks}
@@ -122,6 +123,16 @@ def spread(values: list[float]) -> dict[str, float]:
 def ratio(times: Times, of: Any, to: Any) -> dict[str, float]:
     """Median and spread of the ratio of two tasks, taken round by round."""
     return spread([one / other for one, other in zip(times[of], times[to], strict=True)])
+
+
+ROUNDING = 1e-3
+"""Medians closer than this are the same: memory hardly spreads at all."""
+
+
+def agrees(stated: dict[str, float], again: dict[str, float]) -> bool:
+    """Whether a later median lies within the spread stated before."""
+    margin = ROUNDING * stated["median"]
+    return stated["low"] - margin <= again["median"] <= stated["high"] + margin
 
 
 def peak_MB() -> float:

@@ -3,9 +3,9 @@
     seconds = first t1 + balls * ball[kind] (t2 - t1)
 
 t1 is a thrust-loaded bearing, nearly all overhead of the call; t2 - t1 is what combined load with every contact's own
-angle takes beyond it, nearly all arithmetic. `first` is how much longer the first solve of a scene takes in a fresh process
-than a repeated one: the processor has not seen it yet. `balls` are those that a solve iterates: one under thrust, half of them
-where the load lies in a plane. The ratios are medians over random scenes.
+angle takes beyond it, nearly all arithmetic. `first` is how much longer the first solve of a scene takes in a fresh
+process than a repeated one: the processor has not seen it yet. `balls` are those that a solve iterates: one under
+thrust, half of them where the load lies in a plane. The ratios are medians over random scenes.
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ CALIBRATION_ROUNDS = 7
 
 
 def reference_scenes() -> tuple[Scene, Scene]:
-    """B218 under thrust, and under combined load with actual-angle Hertz: the machine's overhead, and its arithmetic."""
+    """B218 under thrust, and under combined load with actual-angle Hertz: the machine's overhead, and its
+    arithmetic."""
     bearing = BallBearing(16, 22.225 * mm, 125.26 * mm, 11.6281 * mm, 11.6281 * mm, 40 * deg)
     effects = (CentrifugalForce(), GyroscopicMoment())
     thrust = Scene(bearing, Operation(speed=8000 * rpm, axial_load=1e4), effects, RacewayControl.OUTER)

@@ -35,11 +35,11 @@ if TYPE_CHECKING:
 PARTS = ("fidelity", "tolerance", "scaling")
 
 DEFINITION = (
-    "errors are against the top rung at the same bearing, loads and speed; each over a size that cannot vanish: contact "
-    "loads, semi-axes and pressures over the largest of the raceway, angles over the largest of both raceways, "
+    "errors are against the top rung at the same bearing, loads and speed; each over a size that cannot vanish: "
+    "contact loads, semi-axes and pressures over the largest of the raceway, angles over the largest of both raceways, "
     "displacements over the largest of all (tilts times dm/2; at least the approach across the most loaded ball), "
-    "stiffnesses over their own value; contacts below a tenth of the largest load count with their load only; of several "
-    "balls or channels the worst counts; accuracy is the worst of all answers that a rung gives"
+    "stiffnesses over their own value; contacts below a tenth of the largest load count with their load only; of "
+    "several balls or channels the worst counts; accuracy is the worst of all answers that a rung gives"
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import replace
 from functools import partial
-from math import pi
+from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,7 +81,7 @@ def with_balls(scene: Scene, count: int) -> Scene:
     speed of the balls' centres."""
     bearing, operation = scene.bearing, scene.operation
     ball, pitch = float(np.asarray(bearing.ball_diameter)), float(np.asarray(bearing.pitch_diameter))
-    room = max(pitch, 1.1 * ball / np.sin(pi / max(count, 2)))
+    room = max(pitch, 1.05 * ball / sin(pi / max(count, 2)))
     share = count / float(np.asarray(bearing.ball_count))
     changed: dict[str, Any] = {"speed": float(np.asarray(operation.speed)) * pitch / room}
     for channel in CHANNELS:
@@ -166,9 +166,7 @@ def _by_processes(
 
         tasks: dict[Any, Any] = {count: partial(shared, count) for count in counts}
         seconds = measuring.interleaved(tasks, settings.rounds)
-        memory: dict[int, float | None] = {
-            count: sum(peak for _, peak in shared(count)) for count in counts
-        }
+        memory: dict[int, float | None] = {count: sum(peak for _, peak in shared(count)) for count in counts}
     return seconds, memory
 
 
@@ -177,4 +175,3 @@ def _part(work: tuple[Scene, int, int, int]) -> tuple[NDArray, float]:
     share = cases // parts + (part < cases % parts)
     solution = solve(situations.many(scene, share), threads=1)
     return solution.displacement, measuring.peak_MB()
-

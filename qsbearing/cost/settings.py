@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Settings:
     """Numbers of repeats and sizes of what is measured."""
 
-    rounds: int = 12
+    rounds: int = 10
     """In each process; each task once a round."""
     processes: int = 3
     """Fresh processes over which the rounds are spread."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.operation import CHANNELS
 from qsbearing.scene import Scene
 from qsbearing.units import mm, rpm
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 SPEEDS = (
     ("rest", 0.0),
@@ -38,7 +41,7 @@ def situations(scene: Scene) -> list[Situation]:
     pitch = float(np.asarray(scene.bearing.pitch_diameter))
     own = float(np.asarray(scene.operation.speed))
     found = [Situation(name, at_speed(scene, parameter / (pitch / mm) * rpm)) for name, parameter in SPEEDS]
-    is_usual = scene.operation.outer_speed is None and any(
+    is_usual = not np.any(scene.operation.outer_speed or 0.0) and any(
         abs(own - float(np.asarray(one.scene.operation.speed))) <= 0.01 * abs(own) for one in found
     )
     return found if is_usual else [*found, Situation(OWN, scene)]
@@ -48,11 +51,15 @@ SWEEP = (1e4, 3e6, 26)
 """First and last dm n [mm rpm] of the speeds at which errors are followed, and how many, evenly in their logarithm."""
 
 
+def swept_dm_n() -> NDArray:
+    """The speeds of `SWEEP` [mm rpm]."""
+    first, last, count = SWEEP
+    return np.logspace(np.log10(first), np.log10(last), count)
+
+
 def sweep(scene: Scene) -> Scene:
     """The scene at the speeds of `SWEEP`, along one case axis."""
-    first, last, count = SWEEP
-    pitch = float(np.asarray(scene.bearing.pitch_diameter)) / mm
-    speeds = np.logspace(np.log10(first), np.log10(last), count) / pitch * rpm
+    speeds = swept_dm_n() / (float(np.asarray(scene.bearing.pitch_diameter)) / mm) * rpm
     return replace(scene, operation=replace(scene.operation, speed=speeds, outer_speed=None))
 
 

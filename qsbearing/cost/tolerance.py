@@ -1,8 +1,9 @@
 """The tolerance ladder: what the solver's residual tolerance buys, in true error and in time, from three starts.
 
-The truth is that of the 50-digit reference, packed in `truth.json`. The error is the worst of displacements (tilts times
-dm/2, over the largest), contact loads (over the largest of the raceway) and contact angles (over the largest). Newton's
-steps square the error, so tolerances between two steps give the very same answer, and the last digits are rounding's.
+The truth is that of the 50-digit reference, packed in `truth.json`. The error is the worst of displacements (tilts
+times dm/2, over the largest), contact loads (over the largest of the raceway) and contact angles (over the largest).
+Newton's steps square the error, so tolerances between two steps give the very same answer, and the last digits are
+rounding's.
 """
 
 from __future__ import annotations
@@ -53,16 +54,14 @@ def truth() -> dict[str, Any]:
 
 def scene_of(entry: dict[str, Any]) -> Scene:
     """A scene of `truth.json`."""
-    bearing = {key: float(value) for key, value in entry["bearing"].items() if not key.endswith("_deg")}
-    materials = {
-        name: Material(**{key: float(value) for key, value in entry[name].items()})
-        for name in ("ball_material", "ring_material")
-    }
+    bearing: dict[str, Any] = {key: float(value) for key, value in entry["bearing"].items() if not key.endswith("_deg")}
+    for name in ("ball_material", "ring_material"):
+        numbers: dict[str, Any] = {key: float(value) for key, value in entry[name].items()}
+        bearing[name] = Material(**numbers)
     return Scene(
         BallBearing(
             **bearing,
             free_contact_angle=float(entry["bearing"]["free_contact_angle_deg"]) * deg,
-            **materials,  # type: ignore[arg-type]
         ),
         Operation(
             speed=float(entry["speed_rpm"]) * rpm, **{key: float(value) for key, value in entry["operation"].items()}

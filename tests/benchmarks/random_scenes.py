@@ -1,8 +1,8 @@
 """Random scenes of every kind that the model knows: what the advice of `run --accuracy` is built from and tested on.
 
-Bearings from miniature to large, contact angles from deep groove to 45 degrees, steel and ceramic balls; ball loads from
-light preload to about the static rating; speeds from rest to dm n = 2.5e6 mm rpm; thrust, combined loads with free and
-held tilts, moments, rigid preload, misalignment; every subset of effects and every choice.
+Bearings from miniature to large, contact angles from deep groove to 45 degrees, steel and ceramic balls; ball loads
+from light preload to about the static rating; speeds from rest to dm n = 2.5e6 mm rpm; thrust, combined loads with free
+and held tilts, moments, rigid preload, misalignment; every subset of effects and every choice.
 """
 
 from __future__ import annotations
@@ -15,7 +15,15 @@ import numpy as np
 
 import qsbearing as qs
 
-LOADINGS = ("thrust", "combined, free tilt", "combined, held tilt", "five channels", "preload", "misaligned", "deep groove")
+LOADINGS = (
+    "thrust",
+    "combined, free tilt",
+    "combined, held tilt",
+    "five channels",
+    "preload",
+    "misaligned",
+    "deep groove",
+)
 _LOADING_SHARES = (0.2, 0.2, 0.15, 0.15, 0.1, 0.1, 0.1)
 _BOTH = (qs.CentrifugalForce(), qs.GyroscopicMoment())
 _EFFECTS = (_BOTH, (qs.CentrifugalForce(),), (qs.GyroscopicMoment(),), ())

@@ -36,9 +36,7 @@ LENGTHS = ("ball_count", "ball_diameter", "pitch_diameter", "inner_groove_radius
 def packed(entry: dict[str, Any]) -> dict[str, Any]:
     """One scene in the fields of `qsbearing.Scene`, and its answers; all numbers as decimal strings."""
     case, result = entry["case"], entry["result"]
-    operation = {
-        CHANNELS[name][kind == "displacement"]: value for name, (kind, value) in case["channels"].items()
-    }
+    operation = {CHANNELS[name][kind == "displacement"]: value for name, (kind, value) in case["channels"].items()}
     return {
         "name": case["name"],
         "bearing": {key: str(case[key]) for key in (*LENGTHS, "free_contact_angle_deg")},
@@ -61,7 +59,9 @@ def contact(entry: dict[str, Any]) -> dict[str, Any]:
     case, inner = entry["case"], entry["result"]["balls"][0]["inner"]
     ball, pitch, groove = (mpf(case[key]) for key in ("ball_diameter", "pitch_diameter", "inner_groove_radius"))
     cosine = mp.cos(mpf(case["free_contact_angle_deg"]) * mp.pi / 180)
-    modulus = 1 / ((1 - mpf(case["ball_material"]["poisson_ratio"]) ** 2) / mpf(case["ball_material"]["elastic_modulus"]))
+    modulus = 1 / (
+        (1 - mpf(case["ball_material"]["poisson_ratio"]) ** 2) / mpf(case["ball_material"]["elastic_modulus"])
+    )
     keys = ("load", "approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
     return {
         "what": "B218, inner raceway at the free contact angle",
