@@ -1,7 +1,7 @@
 """What `qsbearing cost` found, as plain data: `cost.json`.
 
-    kind, version, machine, settings, definition    what this is, where and how thoroughly it was measured, and how
-                                                    errors are counted
+    kind, version, machine, settings, definition, notes    what this is, where and how thoroughly it was measured,
+                                                    how errors are counted, why some curves are not monotone
     bearing, scene                                  what was looked at
     contact     {what, load_N, forms: [{form, seconds, errors: {approach, semi_major_axis, semi_minor_axis,
                 max_pressure}}]}                    one Hertz contact of B218 by each form, against 50 digits
@@ -43,6 +43,19 @@ DEFINITION = (
 )
 
 
+NOTES = (
+    "A finer rung need not be nearer below dm n of some 4e5 mm rpm: control by each ball gives heavily loaded balls to "
+    "the inner raceway there, so outer control puts the gyroscopic moment in the wrong place, and where Jones's "
+    "criterion is nearly a tie the free and the actual angle decide it differently.",
+    "The centrifugal force alone comes nearer again at the highest speeds: there the balls settle at outer angles near "
+    "zero, where they have no gyroscopic moment.",
+    "The thrust estimate can show a smaller worst error than the static rungs: it gives fewer answers to be wrong in.",
+    "One call is overhead of the call itself but for actual-angle Hertz; a start given costs more there than the "
+    "iterations it saves, which in a batch it does not.",
+)
+"""Where the curves are not what one expects, and why."""
+
+
 def measure(
     scene: Scene,
     settings: Settings,
@@ -63,6 +76,7 @@ def measure(
         "machine": where,
         "settings": asdict(settings),
         "definition": DEFINITION,
+        "notes": list(NOTES),
         "answers": list(NAMES),
         "bearing": scene.bearing.name,
         "scene": _words(scene),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import math
 from io import StringIO
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from rich import box
@@ -44,6 +45,7 @@ def report(record: dict[str, Any]) -> Group:
         parts.append(_tolerance(record))
     if "scaling" in record:
         parts += [_growth(record), _workers(record)]
+    parts.append(Text("\n".join(record["notes"]), style="dim"))
     return Group(parts[0], *(Padding(part, (1, 0, 0, 0)) for part in parts[1:]))
 
 
@@ -61,7 +63,7 @@ def _heading(record: dict[str, Any]) -> Text:
 def _fidelity(record: dict[str, Any]) -> Table:
     """Rungs: time and memory, in the last situation."""
     place = record["fidelity"][-1]
-    heading = ["", "one call\nus", "of the\ntop", "in a batch\nus a case", "of the\ntop", "MB"]
+    heading = ["", "one call\nus", "of the top\n", "in a batch\nus a case", "of the top\n", "MB\n"]
     table = _table(f"Fidelity: time and memory, {place['name']}", heading)
     for rung in place["rungs"]:
         table.add_row(
@@ -78,7 +80,7 @@ def _fidelity(record: dict[str, Any]) -> Table:
 def _when(record: dict[str, Any]) -> Table:
     """Rungs: the worst error in each situation."""
     places = record["fidelity"]
-    heading = ["", *(f"{place['name']}\n{place['dm_n_mm_rpm']:g}" for place in places)]
+    heading = ["", *("\n".join([*wrap(place["name"], 11), f"{place['dm_n_mm_rpm']:g}"]) for place in places)]
     table = _table("Fidelity: error of the worst answer by situation and dm n, mm rpm", heading)
     for k, rung in enumerate(places[0]["rungs"]):
         table.add_row(rung["words"], *(_error(place["rungs"][k]["accuracy"]) for place in places))
@@ -101,7 +103,7 @@ def _worst(errors: dict[str, float | None] | None, names: Sequence[str]) -> floa
 def _contact(contact: dict[str, Any]) -> Table:
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
     title = f"One contact: {contact['what']}, {contact['load_N']:.0f} N; errors against 50 digits"
-    table = _table(title, ["Hertz by", "us", *(name.replace("_", " ") for name in names)])
+    table = _table(title, ["Hertz by", "us", *("\n".join(wrap(name.replace("_", " "), 10)) for name in names)])
     for form in contact["forms"]:
         table.add_row(
             form["form"].replace("_", " "), _micro(form["seconds"]), *(_error(form["errors"][name]) for name in names)
@@ -112,8 +114,10 @@ def _contact(contact: dict[str, Any]) -> Table:
 def _tolerance(record: dict[str, Any]) -> Table:
     heading = ["residual\ntolerance"]
     for start in STARTS:
-        heading += [f"{start}\nerror", "Newton\nsteps", "batch\nus a case"]
-    table = _table(f"Tolerance: over {len(record['tolerance'])} scenes, the largest error against 50 digits", heading)
+        heading += [f"{start.replace('continuation', 'continued')}\nerror", "\nsteps", "\nus"]
+    count = len(record["tolerance"])
+    title = f"Tolerance: largest error of {count} scenes against 50 digits; us a case in a batch"
+    table = _table(title, heading)
     rows = summary(record["tolerance"])
     for tolerance in dict.fromkeys(row["tolerance"] for row in rows):
         cells = []
@@ -150,7 +154,8 @@ def _table(title: str, heading: Sequence[str]) -> Table:
     table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
     table.pad_edge, table.padding = False, (0, 1, 0, 0)
     for position, words in enumerate(heading):
-        table.add_column(words, justify="right" if position else "left", overflow="fold", no_wrap=position > 0)
+        # A number that does not fit goes on below: cut off, it would be another number.
+        table.add_column(words, justify="right" if position else "left", overflow="fold")
     return table
 
 
@@ -159,11 +164,11 @@ def _micro(time: dict[str, float] | None, spread: bool = True) -> str:
     if time is None:
         return "-"
     median = f"{time['median'] * 1e6:.3g}"
-    return f"{median} ({time['low'] * 1e6:.3g}-{time['high'] * 1e6:.3g})" if spread else median
+    return f"{median}\n({time['low'] * 1e6:.3g}-{time['high'] * 1e6:.3g})" if spread else median
 
 
 def _number(ratio: dict[str, float] | None) -> str:
-    return "-" if ratio is None else f"{ratio['median']:.2g} ({ratio['low']:.2g}-{ratio['high']:.2g})"
+    return "-" if ratio is None else f"{ratio['median']:.2g}\n({ratio['low']:.2g}-{ratio['high']:.2g})"
 
 
 def _error(value: float | None) -> str:

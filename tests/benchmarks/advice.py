@@ -137,13 +137,13 @@ def main() -> None:
     print("random scenes at every fidelity, about half a minute ...", file=sys.stderr, flush=True)
     table = make()
     keep(table)
-    accuracy.table.cache_clear()
     keep(table | {"trial": acceptance.summary(acceptance.outcomes())})
 
 
 def keep(table: dict[str, Any]) -> None:
-    """Write the table to its place."""
+    """Write the table to its place, for this process too."""
     TABLE.write_text(json.dumps(table, indent=1) + "\n", encoding="utf-8")
+    accuracy.table.cache_clear()
 
 
 if __name__ == "__main__":

@@ -128,8 +128,9 @@ def test_the_table_knows_every_omission_and_promises_less_where_balls_nearly_lif
 def test_fresh_scenes_stay_below_the_tables_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
     """The generator run on a few other scenes: 99 % of the errors at each step of the ladder are below their bound."""
     monkeypatch.setattr(advice, "SEED", 4711)
+    monkeypatch.setattr(advice, "CASES", fewer(50, 8))
     met, count = 0, 0
-    for name, columns in advice.ratios(fewer(60, 1)).items():
+    for name, columns in advice.ratios(fewer(60, 2)).items():
         for indicator, touches, error in zip(
             np.concatenate(columns["after"]),
             np.concatenate(columns["after touching"]),
@@ -138,7 +139,7 @@ def test_fresh_scenes_stay_below_the_tables_bounds(monkeypatch: pytest.MonkeyPat
         ):
             count += 1
             met += error <= accuracy.bound(name, "after", float(indicator), bool(touches)) + 1e-9
-    assert count > fewer(3000, 30)
+    assert count > fewer(3000, 10)
     assert met >= 0.99 * count
 
 
@@ -216,7 +217,7 @@ def test_what_is_asked_is_met_by_some_scenes_it_was_not_built_from() -> None:
     found = acceptance.outcomes(fewer(60, 4), seed=fewer(1234, 1235))
     missed = [one for one in found if not one.is_met]
     assert len(missed) <= 1
-    assert any(one.is_simplified for one in found)
+    assert sum(one.is_simplified for one in found) >= fewer(5, 0)
     assert all(one.error <= 10.0 * one.asked for one in missed)
 
 

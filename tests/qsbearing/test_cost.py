@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+import re
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
@@ -219,6 +220,15 @@ def test_a_tighter_tolerance_is_no_worse(entry: dict[str, Any]) -> None:
         assert errors[-1] < 1e-13
 
 
+def test_the_ladder_of_tolerances_is_climbed() -> None:
+    for start in tolerance._errors(tolerance.truth()["scenes"][2])["starts"]:
+        steps = start["steps"]
+        assert [step["tolerance"] for step in steps] == list(tolerance.TOLERANCES)
+        assert steps[0]["error"] > 1e6 * steps[-1]["error"]
+        assert steps[0]["iterations"] < steps[-1]["iterations"]
+        assert all(step["residual"] <= step["tolerance"] for step in steps)
+
+
 # Measuring ----------------------------------------------------------------------------------------------------------
 
 
@@ -341,10 +351,21 @@ def test_the_kept_errors_are_the_models(name: str) -> None:
 
 
 def test_the_report_fits_a_terminal_and_names_every_rung(full_record: dict[str, Any]) -> None:
-    text = text_of(tables.report(full_record), 100)
-    assert max(map(len, text.splitlines())) <= 100
-    for words in ("static, exact Hertz", "continuation", "balls in the bearing", "threads", "aero engine"):
+    text = text_of(tables.report(full_record), 80)
+    assert max(map(len, text.splitlines())) <= 80
+    # No number is cut: those of a narrow terminal are those of a wide one.
+    numbers = re.compile(r"(?<![\w.])\d[\d.,e-]*")
+    assert sorted(numbers.findall(text)) == sorted(numbers.findall(text_of(tables.report(full_record), 200)))
+    for words in ("static, exact Hertz", "continued", "balls in the bearing", "threads", "aero engine"):
         assert words in text
+
+
+@pytest.mark.parametrize(
+    ("error", "shown"),
+    [(0.0, "0"), (None, "-"), (2.5, "2.5"), (0.123, "0.12"), (0.0456, "4.6e-2"), (9.97e-5, "1.0e-4")],
+)
+def test_errors_are_short(error: float | None, shown: str) -> None:
+    assert tables._error(error) == shown
 
 
 def test_csv_holds_every_point(full_record: dict[str, Any]) -> None:
