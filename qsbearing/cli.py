@@ -19,7 +19,9 @@ from qsbearing import __version__
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
+    from qsbearing.cost.accuracy import Reached
     from qsbearing.output_file import OutputFile
+    from qsbearing.scene import Scene
     from qsbearing.solution import Solution
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
@@ -52,26 +54,82 @@ def cli() -> None:
     metavar="FILE",
     help="Also draw loads, contact angles and contact ellipses; .png, .svg or .pdf.",
 )
-def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None) -> None:
+@click.option(
+    "--accuracy",
+    type=float,
+    metavar="ERROR",
+    help="Leave out or simplify what SCENE names where the answer stays within this relative error of its full answer: "
+    "the quickest fidelity that will do, by a measured table. 1e-3, for instance.",
+)
+def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
     with ExitStack() as stack:
         csv_file, plot_file = _claim(stack, scene, csv_target, plot_target)
-        solution = _solve(scene)
+        reached = None if accuracy is None else _solve_to(scene, accuracy, as_json)
+        solution = _solve(scene) if reached is None else reached.solution
         if as_json:
-            _print(_json(solution))
+            _print(_json(solution, reached))
         else:
             from qsbearing import tables
 
             _print_table(tables.result(solution))
+            if reached is not None and solution.converged:
+                from qsbearing.cost import words
+
+                _print(f"\n{words.after(reached)}\n")
         if not solution.converged:
             for file in (csv_file, plot_file):
                 if file is not None:
                     click.echo(f"qsbearing: {file.target} is not written: there is no solution to write", err=True)
             sys.exit(UNSOLVED)
         _write(solution, csv_file, plot_file)
+
+
+@cli.command()
+@click.argument("scene")
+@click.option("--json", "as_json", is_flag=True, help="Print the record as one JSON object, and nothing else.")
+@click.option("--out", metavar="DIR", help="Also write the record, its tables (CSV) and pictures (PNG) to this folder.")
+@click.option("--quick", is_flag=True, help="Few repeats: for a look, with a spread that means little.")
+def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
+    """Measure what accuracy costs in time, for the bearing and the loads of SCENE; takes about two minutes.
+
+    Fidelities from a closed formula to all that the model has, each with its time, its memory and its error against the
+    finest, from rest to the speeds of aero engines; the solver's tolerance; cases, balls and workers.
+
+    Exit codes: 0 measured, 1 the scene has no solution, 2 bad input.
+    """
+    with ExitStack() as stack:
+        folder = None
+        if out is not None:
+            from qsbearing.cost.outputs import OutputFolder
+
+            try:
+                folder = stack.enter_context(OutputFolder(out))
+            except (OSError, ValueError) as error:
+                _refuse(f"--out {out}: {error}")
+        solution = _solve(scene)
+        if not solution.converged:
+            from qsbearing.outcome import message
+
+            click.echo(f"qsbearing: {message(solution)}", err=True)
+            sys.exit(UNSOLVED)
+        found = _measure(solution.scene, quick)
+        if as_json:
+            import json
+
+            _print(json.dumps(found, indent=1, allow_nan=False) + "\n")
+        else:
+            from qsbearing.cost import tables
+
+            _print_table(tables.report(found))
+        if folder is not None:
+            try:
+                folder.fill(found)
+            except OSError as error:  # a disk that filled up meanwhile
+                _refuse(f"cannot write: {error}")
 
 
 @cli.command()
@@ -174,16 +232,23 @@ def _out_of_reach(module: str) -> Iterator[None]:
 
 
 def _solve(scene: str) -> Solution:
+    from qsbearing.solving import solve
+
+    found, threads = _load(scene)
+    # The compiler's start-up loads scipy.linalg, only to see whether it is there: a sixth of the whole run.
+    with _out_of_reach("scipy.linalg"):
+        return solve(found, threads=threads)
+
+
+def _load(scene: str) -> tuple[Scene, int]:
+    """The scene, and the threads to use."""
     from qsbearing.faults import SceneError
     from qsbearing.scene_file import load_scene
-    from qsbearing.solving import solve, thread_count
+    from qsbearing.solving import thread_count
 
     try:
         threads = thread_count()  # a slip in its environment variable is found here
-        found = load_scene(scene)
-        # The compiler's start-up loads scipy.linalg, only to see whether it is there: a sixth of the whole run.
-        with _out_of_reach("scipy.linalg"):
-            return solve(found, threads=threads)
+        return load_scene(scene), threads
     except SceneError as error:
         _refuse(str(error))
     except ValueError as error:
@@ -192,15 +257,65 @@ def _solve(scene: str) -> Solution:
         raise
 
 
+def _solve_to(scene: str, accuracy: float, as_json: bool) -> Reached:
+    """Solve at the fidelity that the accuracy takes; the choice is told beforehand, beside JSON on standard error."""
+    from qsbearing.cost import accuracy as advice
+    from qsbearing.cost import words
+
+    if not advice.FINEST <= accuracy <= advice.COARSEST:
+        _refuse(
+            f"--accuracy {accuracy:g}: is outside its range\n    allowed: {advice.FINEST:g} to {advice.COARSEST:g}, a "
+            "relative error\n    1e-3 is a tenth of a per cent"
+        )
+    found, _ = _load(scene)
+    with _out_of_reach("scipy.linalg"):
+        choice = advice.choose(found, accuracy)
+    if as_json:
+        click.echo(words.before(choice), err=True)
+    else:
+        _print(f"{words.before(choice)}\n\n")
+    return advice.solve_to(choice)
+
+
+def _measure(scene: Scene, quick: bool) -> dict[str, Any]:
+    """The record of what everything costs, with a progress bar where there is a terminal to show it."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from qsbearing.cost import record, settings
+
+    chosen = settings.QUICK if quick else settings.FULL
+    console = Console(stderr=True)
+    with Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    ) as progress:
+        task = progress.add_task("start", total=record.steps(chosen))
+
+        def step(words: str) -> None:
+            progress.update(task, advance=1, description=words)
+
+        return record.measure(scene, chosen, step)
+
+
 # After solving ------------------------------------------------------------------------------------------------------
 
 
-def _json(solution: Solution) -> str:
+def _json(solution: Solution, reached: Reached | None) -> str:
     import json
 
     from qsbearing.record import record
 
-    return json.dumps(record(solution), indent=1, allow_nan=False) + "\n"
+    found = record(solution)
+    if reached is not None:
+        from qsbearing.cost.words import as_data
+
+        found["accuracy"] = as_data(reached)
+    return json.dumps(found, indent=1, allow_nan=False) + "\n"
 
 
 def _write(solution: Solution, csv_file: OutputFile | None, plot_file: OutputFile | None) -> None:

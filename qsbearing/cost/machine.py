@@ -1,0 +1,50 @@
+"""Where something was measured: processor, cores, load, versions."""
+
+from __future__ import annotations
+
+import os
+import platform
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from qsbearing import __version__
+
+PACKAGES = ("numpy", "numba", "scipy")
+
+
+def machine() -> dict[str, Any]:
+    """The machine and the packages that the solver rests on."""
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
+    return {
+        "processor": processor(),
+        "cores": os.cpu_count(),
+        "load_average": None if load is None else round(load, 1),
+        "system": platform.system(),
+        "python": platform.python_version(),
+        **{name: metadata.version(name) for name in PACKAGES},
+        "qsbearing": __version__,
+        "solver": "Newton on ring and balls, compiled by numba" if _is_compiled() else "the same in plain Python",
+    }
+
+
+def in_a_line(found: dict[str, Any]) -> str:
+    """The machine for the foot of a figure."""
+    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES))
+    return f"{found['processor']}, {found['cores']} cores; {versions}; {found['solver']}"
+
+
+def processor() -> str:
+    """The processor's name."""
+    info = Path("/proc/cpuinfo")
+    if info.exists():
+        for line in info.read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    return platform.processor() or platform.machine()
+
+
+def _is_compiled() -> bool:
+    from qsbearing import compiled
+
+    return compiled.COMPILED
