@@ -25,15 +25,19 @@ RECORDS = Path(__file__).with_name("records")
 @click.option("--resume", is_flag=True, help="Go on with the campaign that the folder holds.")
 @click.option("--record", is_flag=True, help="Keep the summary under tests/campaign/records.")
 @click.option("--scene", "named", metavar="CHUNK/INDEX", help="Only print this scene of the seed as a scene file.")
-def main(
-    count: int, seed: int, out: Path | None, threads: int, resume: bool, record: bool, named: str | None
-) -> None:
+def main(count: int, seed: int, out: Path | None, threads: int, resume: bool, record: bool, named: str | None) -> None:
     """Solve COUNT random scenes, classify and check every one. Exit codes: 0 no failure, 1 some, 2 bad input."""
     if named is not None:
         print(scene_text(seed, named), end="")
         return
     folder = out or Path(tempfile.gettempdir()) / f"qsbearing-campaign-{seed}"
-    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
+    columns = (
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        TimeRemainingColumn(),
+        TextColumn("{task.description}"),
+    )
     with Progress(*columns, console=Console(stderr=True)) as bar:
         task = bar.add_task("", total=count)
 

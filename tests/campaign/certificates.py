@@ -103,7 +103,9 @@ def free_load(scene: qs.Scene) -> tuple[list[int], NDArray]:
     arm = 0.5 * float(np.asarray(scene.bearing.pitch_diameter))
     free = [c for c, channel in enumerate(CHANNELS) if getattr(scene.operation, channel.displacement) is None]
     load = [float(np.asarray(getattr(scene.operation, CHANNELS[c].load) or 0.0)) for c in free]
-    return free, np.array([value / (arm if CHANNELS[c].is_rotation else 1.0) for c, value in zip(free, load, strict=True)])
+    return free, np.array(
+        [value / (arm if CHANNELS[c].is_rotation else 1.0) for c, value in zip(free, load, strict=True)]
+    )
 
 
 def friction_acts_on_ring(scene: qs.Scene) -> bool:

@@ -124,12 +124,13 @@ def findings(scene: qs.Scene, solution: qs.Solution) -> Findings:
             side.friction = side.share * moment / diameter
         imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
+        closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = BALANCE * _force_scale(scene, inner, outer, throw, moment)[:, None]
     return Findings(
         imbalance=imbalance,
         expressible=expressible,
-        closure=_closure(scene, solution, inner, outer, psi),
+        closure=closure,
         hertz=hertz,
         tension=_tension(solution),
         friction_without_load=_any(
@@ -279,13 +280,10 @@ def _closure(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Con
     a1 = span * np.sin(free) + d[0] + tilt
     a2 = span * np.cos(free) + d[1] * cosine + d[2] * sine
     li, lo = inner.length + inner.approach, outer.length + outer.approach
-    gap = np.maximum(
-        np.abs(li * inner.sine + lo * outer.sine - a1), np.abs(li * inner.cosine + lo * outer.cosine - a2)
-    )
+    gap = np.maximum(np.abs(li * inner.sine + lo * outer.sine - a1), np.abs(li * inner.cosine + lo * outer.cosine - a2))
     # The groove radii themselves are rounded: their small difference from the ball's carries that along.
-    size = np.maximum.reduce(
-        [inner.groove + outer.groove, *(np.abs(part) for part in (d[0], lever * d[3], lever * d[4], d[1], d[2]))]
-    )
+    parts = (d[0], d[1], d[2], lever * d[3], lever * d[4])
+    size = np.maximum(inner.groove + outer.groove, np.max(np.abs(np.broadcast_arrays(*parts)), axis=0))
     placed = inner.placed & outer.placed
     return np.where(placed, gap / size, 0.0).max(axis=-1)
 
@@ -337,9 +335,7 @@ def _hertz(scene: qs.Scene, contacts: Contacts, side: float) -> NDArray:
     return worst.max(axis=-1)
 
 
-def _contradicted(
-    scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, there: NDArray
-) -> NDArray:
+def _contradicted(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, there: NDArray) -> NDArray:
     """Jones: the outer raceway controls where Qo ao Eo cos(ai - ao) > Qi ai Ei; near equality either will do."""
     if scene.raceway_control is not qs.RacewayControl.PER_BALL:
         return np.zeros(there.shape[0], bool)
@@ -350,8 +346,8 @@ def _contradicted(
         spin.append(side.load * np.nan_to_num(side.semi_major) * 2.0 * elliprg(0.0, kc2, 1.0))
     held_back = spin[1] * np.cos(inner.angle - outer.angle)
     decided = np.abs(held_back - spin[0]) > 1e-9 * np.maximum(spin[0], spin[1])
-    speeds = (scene.operation.speed, scene.operation.outer_speed)
-    is_moving = np.any([np.asarray(0.0 if speed is None else speed) != 0.0 for speed in speeds], axis=0)
+    outer_speed = 0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed
+    is_moving = (np.asarray(scene.operation.speed) != 0.0) | (np.asarray(outer_speed) != 0.0)
     wrong = decided & ((held_back > spin[0]) != (solution.raceway_control == "outer")) & there
     return wrong.any(axis=-1) & is_moving
 

@@ -261,7 +261,9 @@ def draw_speeds(rng: np.random.Generator, pitch: NDArray) -> tuple[NDArray, NDAr
     """Speeds of inner and outer ring [rpm]: rest, inner alone, outer alone, together, against each other."""
     n = pitch.size
     parameter = np.where(
-        rng.random(n) < 0.6, SPEED_PARAMETER * rng.random(n) ** 2, 10.0 ** rng.uniform(0.0, np.log10(SPEED_PARAMETER), n)
+        rng.random(n) < 0.6,
+        SPEED_PARAMETER * rng.random(n) ** 2,
+        10.0 ** rng.uniform(0.0, np.log10(SPEED_PARAMETER), n),
     )
     speed = parameter / pitch * np.where(rng.random(n) < 0.2, -1.0, 1.0)
     share = rng.uniform(-1.0, 1.0, n)
