@@ -42,8 +42,8 @@ def main(count: int, seed: int, out: Path | None, threads: int, resume: bool, re
         task = bar.add_task("", total=count)
 
         def show(scenes: int, classes: dict[str, int]) -> None:
-            words = ", ".join(f"{number} {name.replace('_', ' ')}" for name, number in classes.items())
-            bar.update(task, completed=scenes, description=words)
+            found = ", ".join(f"{number} {name.replace('_', ' ')}" for name, number in classes.items())
+            bar.update(task, completed=scenes, description=found)
 
         try:
             summary = run_campaign(count, seed, folder, workers=threads, resume=resume, progress=show)
@@ -70,7 +70,8 @@ def in_words(summary: dict[str, Any], folder: Path) -> str:
         "iterations   " + ", ".join(f"{name} {n}" for name, n in summary["iterations_of_converged"].items()),
         f"             most: {summary['most_iterations']}",
         "largest      " + ", ".join(f"{name} {value:.1e}" for name, value in summary["largest"].items()),
-        f"certificates {none['proofs']} proofs, {none['evidence']} with evidence, {none['certificates'].get('none', 0)} without",
+        f"certificates {none['proofs']} proofs, {none['evidence']} with evidence, "
+        f"{none['certificates'].get('none', 0)} without",
         "noted        " + ", ".join(f"{name} {number}" for name, number in summary["noted"].items()),
         f"failures     {summary['failures_total']}",
         *(f"             {number} {what}" for what, number in summary["failures"].items()),

@@ -60,8 +60,8 @@ class Findings:
     open_side: NDArray
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
     turned_over: NDArray
-    """Whether some loaded contact lies beyond 90 degrees, where no groove reaches: counted, not a failure, for the model
-    says that it looks at no shoulders."""
+    """Whether some loaded contact lies beyond 90 degrees, where no groove reaches: counted, not a failure, for the
+    model says that it looks at no shoulders."""
     not_finite: NDArray
     """Whether a number is missing that a solved case has."""
     control: NDArray
@@ -114,7 +114,7 @@ def _column(value: Any) -> NDArray:
 def findings(scene: qs.Scene, solution: qs.Solution) -> Findings:
     """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN."""
     bearing = scene.bearing
-    diameter, pitch = _column(bearing.ball_diameter), _column(bearing.pitch_diameter)
+    diameter = _column(bearing.ball_diameter)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)

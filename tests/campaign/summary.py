@@ -19,14 +19,14 @@ CERTIFICATES = {
     "unsupported direction": "proof: a ring direction along which the load works and no ball is pressed, found by "
     "non-negative least squares and checked by its scalar products",
     "null motion": "proof: a ring motion that moves no groove centre and along which the load works",
-    "open side, unique balance": "proof: at rest the balance with shoulders on both sides is unique; it is checked, and "
-    "has load at a negative inner angle",
-    "open side, a balance": "evidence: the balance with shoulders on both sides is checked, and has load at a negative "
-    "inner angle; at speed its uniqueness is not proved",
+    "open side, unique balance": "proof: at rest the balance with shoulders on both sides is unique; it is checked, "
+    "and has load at a negative inner angle",
+    "open side, a balance": "evidence: the balance with shoulders on both sides is checked, and has load at a "
+    "negative inner angle; at speed its uniqueness is not proved",
     "friction without load, a balance": "evidence: the balance of the equations as they stand is checked, and puts "
     "friction at a contact without load; its uniqueness is not proved",
-    "friction above the load": "evidence: followed up in speed, the last balance found asks a contact for more friction "
-    "than its load; that there is no other is not proved",
+    "friction above the load": "evidence: followed up in speed, the last balance found asks a contact for more "
+    "friction than its load; that there is no other is not proved",
     "none": "nothing found: counted as a failure",
 }
 

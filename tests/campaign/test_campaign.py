@@ -181,6 +181,7 @@ def test_the_open_side_is_seen() -> None:
 def test_control_that_contradicts_jones_is_seen() -> None:
     solution = sample(PER_BALL)
     assert not findings(solution.scene, solution).control[0]
+    solution = sample(PER_BALL)
     solution._control[:] = 1 - solution._control
     assert findings(solution.scene, solution).control[0]
 
@@ -195,7 +196,7 @@ def test_a_reversed_thrust_is_unsupported_along_the_axis() -> None:
 
 
 def test_a_moment_beyond_the_thrust_has_a_direction_that_is_checked() -> None:
-    """Thrust needs its line of action within the ball circle: a moment beyond thrust times radius tilts the ring off."""
+    """Thrust needs its line of action within the ball circle: a moment beyond that tilts the ring off."""
     radius = float(B218.inner_groove_centre_radius)
     for factor, found in ((0.9, False), (1.1, True)):
         scene = resting(axial_load=1e3, moment_z=factor * 1e3 * radius)
