@@ -91,7 +91,7 @@ def test_what_a_name_promises_is_so() -> None:
         assert 0 < sum(load > 0.0 for load in loads(name)) < 5
     assert all(load > 0.0 for load in loads("most_balls_unloaded_at_speed", "outer"))
     straddling = np.array(loads("straddling_the_load"))
-    assert sorted(np.flatnonzero(straddling)) == [0, 8]
+    assert set(np.argsort(straddling)[-2:]) == {0, 8}
     assert straddling[0] == pytest.approx(straddling[8], rel=1e-12)
     assert not any(loads("huge_clearance"))
     assert 4.5e-3 < tilt("tilted_by_5_mrad") < 6.5e-3
