@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from qsbearing.raceway_control import RacewayControl
     from qsbearing.scene import HertzAngle, Scene, TiltLever
     from qsbearing.scene_file import load_scene
-    from qsbearing.solution import RacewayContacts, Solution, Status, stiffness
+    from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
     from qsbearing.solving import solve
 
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
@@ -52,6 +52,7 @@ _HOME = {
     "SceneError": "faults",
     "SceneFileError": "file_fault",
     "Solution": "solution",
+    "Reason": "solution",
     "Status": "solution",
     "TiltLever": "scene",
     "load_scene": "scene_file",
@@ -101,6 +102,7 @@ __all__ = [
     "PointContact",
     "RacewayContacts",
     "RacewayControl",
+    "Reason",
     "Scene",
     "SceneError",
     "SceneFileError",

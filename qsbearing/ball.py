@@ -13,6 +13,8 @@ groove's radius: h3 = lever h1 + fi D Ti (the last term is missing in 19.15).
 
 from __future__ import annotations
 
+from math import sqrt
+
 from numpy import recarray
 
 from qsbearing.case import BALL_INERTIA, BALL_MASS
@@ -28,8 +30,15 @@ from qsbearing.hertz import (
     stiffness_at_angle,
     transverse_curvature,
 )
-from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
+
+# A ball whose inner load is below this many centrifugal forces: where it lies its own inertia says, not the ring.
+IDLE = 3.0
+# Contact lines closer to one line than this sine: the corner between the grooves says little about loads.
+STRAIGHT = 0.2
+# Lengths below this many ball diameters have no direction.
+SHORTEST = 1e-12
 
 
 @kernel
@@ -73,6 +82,7 @@ def inertia(
 ) -> tuple[float, float, float, float, float, float]:
     """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao."""
     g = 1.0 / case.pitch_diameter
+    si, ci, is_beyond = inner_line(si, ci, so, co)
     axis = rotation_axis(control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     orbit = orbital_speed(terms, case.inner_speed, case.outer_speed)
@@ -83,13 +93,81 @@ def inertia(
     if case.gyroscopic:
         rotation = rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)
         mg, mg_i, mg_o = gyroscopic_moment(BALL_INERTIA, orbit, rotation, axis)
+    if is_beyond:  # then ai follows ao
+        return fc, 0.0, fc_o + fc_i, mg, 0.0, mg_o + mg_i
     return fc, fc_i, fc_o, mg, mg_i, mg_o
+
+
+@kernel
+def inertia_force(case: recarray, control: int, si: float, ci: float, so: float, co: float) -> tuple[float, float]:
+    """f: the inertia force on the ball and the friction that carries its gyroscopic moment."""
+    fc, _, _, mg, _, _ = inertia(case, control, si, ci, so, co)
+    share_i, share_o = 0.0, 0.0
+    if case.gyroscopic:
+        share_i, share_o = moment_shares(case.shares, control == INNER)
+    return mg * (share_o * co - share_i * ci), mg * (share_i * si - share_o * so) + fc
+
+
+@kernel
+def put_in_groove(case: recarray, ball: recarray, so: float, co: float, load: float) -> None:
+    """Put a ball on the outer groove, in this direction and under this load."""
+    length, approach = case.outer_coefficient - 0.5, (load / case.outer_stiffness) ** (2.0 / 3.0)
+    ball.u1 = length * (so - case.sin_free) + approach * so
+    ball.u2 = length * (co - case.cos_free) + approach * co
+
+
+@kernel
+def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+    """Put a ball where its inertia throws it: into a corner between its grooves, or to the outer groove's bottom.
+
+    In a corner both contact lines have their free length: two circles meet, outward or inward of the line between the
+    grooves' centres, and Qi ni - Qo no + f = 0 gives the loads. The ball lies in the corner where both press. Where
+    friction lets neither press, Newton's method starts from the outward one and the centrifugal force alone.
+    """
+    s, c = case.sin_free, case.cos_free
+    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    p1, p2 = (li + lo) * s + a1, (li + lo) * c + a2
+    if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
+        size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)
+        fc, _, _, _, _, _ = inertia(case, ball.control, p1 / size, (p2 - lo) / size, 0.0, 1.0)
+        put_in_groove(case, ball, 0.0, 1.0, fc)
+        close_chain(ball, a1, a2)
+        return
+    square = p1 * p1 + p2 * p2
+    distance = sqrt(square)
+    along = min(0.5 * (square + lo * lo - li * li) / distance, lo)
+    across = sqrt(lo * lo - along * along)
+    d1, d2 = p1 / distance, p2 / distance
+    outward = 1.0 if d1 >= 0.0 else -1.0
+    so, co, si, ci, qi, qo = 0.0, 1.0, 0.0, 1.0, 0.0, 0.0
+    for attempt in range(3):
+        side = -outward if attempt == 1 else outward
+        so, co = (along * d1 - side * across * d2) / lo, (along * d2 + side * across * d1) / lo
+        si, ci = (p1 - lo * so) / li, (p2 - lo * co) / li
+        f1, f2 = inertia_force(case, ball.control, si, ci, so, co)
+        if attempt == 2:
+            f1, f2 = 0.0, inertia(case, ball.control, si, ci, so, co)[0]
+        sine = so * ci - co * si
+        sine = max(sine, STRAIGHT) if sine > 0.0 else min(sine, -STRAIGHT)
+        qi, qo = (f1 * co - f2 * so) / sine, (f1 * ci - f2 * si) / sine
+        if qi > 0.0 and qo > 0.0:
+            break
+    qi, qo = abs(qi), abs(qo)
+    put_in_groove(case, ball, so, co, qo)
+    inner = (qi / case.inner_stiffness) ** (2.0 / 3.0)
+    ball.v1, ball.v2 = li * (si - s) + inner * si, li * (ci - c) + inner * ci
+
+
+@kernel
+def close_chain(ball: recarray, a1: float, a2: float) -> None:
+    """Let the inner link be what ring and outer link leave."""
+    ball.v1, ball.v2 = a1 - ball.u1, a2 - ball.u2
 
 
 @kernel
 def moving_ball(
     case: recarray, ball: recarray, a1: float, a2: float, floor: float
-) -> tuple[float, float, float, float, float]:
+) -> tuple[float, float, float, float]:
     """Evaluate one ball where it is, and eliminate its own unknowns into its record.
 
     Args:
@@ -97,12 +175,12 @@ def moving_ball(
         floor: least stiffness of the ball [force/length].
 
     Returns:
-        (r1, r2, largest contact load, Fc, |Mg|/D).
+        (imbalance, largest contact load, Fc, |Mg|/D); the imbalance counts what the chain's gap keeps from acting.
     """
-    u1, u2 = ball.u1, ball.u2
     s, c = case.sin_free, case.cos_free
-    delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-    delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+    delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, ball.v1, ball.v2)
+    gap1, gap2 = a1 - ball.u1 - ball.v1, a2 - ball.u2 - ball.v2
     ki, ki_slope = groove_stiffness(case, INNER_SIDE, si, ci)
     ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
@@ -150,24 +228,30 @@ def moving_ball(
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
 
     inverse = 1.0 / (rx11 * rx22 - rx12 * rx21)
-    y1, y2 = (rx22 * r1 - rx12 * r2) * inverse, (rx11 * r2 - rx21 * r1) * inverse
+    # What the links' gap would change if it were closed at the inner link counts as imbalance.
+    p1, p2 = r1 + ra11 * gap1 + ra12 * gap2, r2 + ra21 * gap1 + ra22 * gap2
+    y1, y2 = (rx22 * p1 - rx12 * p2) * inverse, (rx11 * p2 - rx21 * p1) * inverse
     y11, y12 = (rx22 * ra11 - rx12 * ra21) * inverse, (rx22 * ra12 - rx12 * ra22) * inverse
     y21, y22 = (rx11 * ra21 - rx21 * ra11) * inverse, (rx11 * ra22 - rx21 * ra12) * inverse
 
     k11, k12 = ha11 - hx11 * y11 - hx12 * y21, ha12 - hx11 * y12 - hx12 * y22
     lever = case.tilt_lever
-    c1 = h1 - hx11 * y1 - hx12 * y2
+    c1 = h1 + ha11 * gap1 + ha12 * gap2 - hx11 * y1 - hx12 * y2
+    c2 = h2 + ha21 * gap1 + ha22 * gap2 - hx21 * y1 - hx22 * y2
     ball.force[0], ball.force[1], ball.force[2] = h1, h2, h3
-    ball.condensed[0], ball.condensed[1] = c1, h2 - hx21 * y1 - hx22 * y2
-    ball.condensed[2] = lever * c1 + fi * ti - mx1 * y1 - mx2 * y2
+    ball.condensed[0], ball.condensed[1] = c1, c2
+    ball.condensed[2] = lever * c1 + fi * ti + ma1 * gap1 + ma2 * gap2 - mx1 * y1 - mx2 * y2
     ball.stiffness[0, 0], ball.stiffness[0, 1] = k11, k12
     ball.stiffness[1, 0] = ha21 - hx21 * y11 - hx22 * y21
     ball.stiffness[1, 1] = ha22 - hx21 * y12 - hx22 * y22
     ball.stiffness[2, 0] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21
     ball.stiffness[2, 1] = lever * k12 + ma2 - mx1 * y12 - mx2 * y22
     ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
+    ball.is_idle = qi <= IDLE * fc
     ball.outer_sine, ball.outer_cosine, ball.outer_inverse, ball.outer_approach = so, co, inverse_o, delta_o
-    return r1, r2, max(qi, qo), fc, abs(mg)
+    ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = si, ci, inverse_i, delta_i
+    open_force = max(qi_slope, qi * inverse_i) * max(abs(gap1), abs(gap2))
+    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), fc, abs(mg)
 
 
 @kernel
@@ -186,6 +270,4 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> float:
     ball.stiffness[0, 0], ball.stiffness[0, 1] = k11 + turn * n1 * n2, k12 - turn * n1 * n1
     ball.stiffness[1, 0], ball.stiffness[1, 1] = k12 + turn * n2 * n2, k22 - turn * n2 * n1
     ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * ball.stiffness[0, 0], lever * ball.stiffness[0, 1]
-    # the ball follows its grooves: it has no step of its own
-    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     return load

@@ -32,7 +32,8 @@ _FIELDS = np.dtype(
         ("sin_free", np.float64),
         ("cos_free", np.float64),
         ("tilt_lever", np.float64),
-        ("inner_stiffness", np.float64),  # at the free angle, or at zero
+        ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
+        ("inner_stiffness", np.float64),  # there
         ("outer_stiffness", np.float64),
         ("series_stiffness", np.float64),
         ("first_azimuth", np.float64),
@@ -203,6 +204,7 @@ class CaseMaker:
 
     def _fill_stiffness(self, cases: NDArray, pitch: Any, inner_f: Any, outer_f: Any, cos_free: Any) -> None:
         cosine = 1.0 if self.scene.hertz_angle is HertzAngle.ZERO else cos_free
+        cases["hertz_cosine"] = cosine
         # One evaluation where the bearing does not vary, which is most often.
         parts = np.broadcast_arrays(pitch, inner_f, outer_f, cosine)
         geometry = np.array([np.atleast_1d(part) for part in parts], float)

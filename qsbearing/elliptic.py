@@ -35,7 +35,7 @@ def complete_integral(kc: float, a: float, b: float) -> float:
         weight += product / weight
         mean_before = arithmetic
         arithmetic += geometric
-        if abs(mean_before - geometric) <= _MEANS_AGREE * mean_before:
+        if not abs(mean_before - geometric) > _MEANS_AGREE * mean_before:  # so put, it also ends what is not a number
             return 0.5 * pi * (b + a * arithmetic) / (arithmetic * (arithmetic + weight))
         geometric = 2.0 * sqrt(product)
         product = geometric * arithmetic

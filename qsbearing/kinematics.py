@@ -22,6 +22,18 @@ from qsbearing.compiled import kernel
 
 
 @kernel
+def inner_line(si: float, ci: float, so: float, co: float) -> tuple[float, float, bool]:
+    """The inner contact line as rolling sees it: (sin ai, cos ai, whether it was brought back to a right angle).
+
+    Rolling needs contact lines less than a right angle apart; at two right angles the speeds have no bound. A ball
+    that has lost the inner raceway may see its groove from further round: the right angle, ao +- 90 degrees, is kept.
+    """
+    if si * so + ci * co >= 0.0:
+        return si, ci, False
+    return (co, -so, True) if si * co - ci * so >= 0.0 else (-co, so, True)
+
+
+@kernel
 def rolling_terms(
     g: float, si: float, ci: float, so: float, co: float, axis: tuple[float, ...]
 ) -> tuple[float, float, float, float, float, float, float, float, float, float]:

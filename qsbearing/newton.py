@@ -1,6 +1,13 @@
-"""Newton's method on ring and balls together, with exact derivatives.
+"""Newton's method on ring and balls together, with exact derivatives, from lengths that need not yet add up.
 
-Each ball's two unknowns are eliminated where the ball is evaluated (a 2 x 2 block), which leaves a system of the ring's
+A ball is a joint between two nearly rigid links, the contact lines: X from the outer groove's centre to the ball's, V
+from the ball's to the inner groove's, and A = X + V closes the chain. Held closed at every step, the chain turns an
+error of angle, s, into an error of length s^2/2, which at a turn of a few degrees is more than the whole approach of
+the contacts: loads jump by powers of ten. So each link keeps a length and an angle of its own, and the gap A - X - V is
+one more residual, which the linear system closes while angles and loads settle (as in mixed methods for cables). It is
+closed outright as soon as it is small against the approach, so that the last steps are plain Newton on ring and balls.
+
+Each ball's unknowns are eliminated where the ball is evaluated (a 2 x 2 block), which leaves a system of the ring's
 free channels; the balls' steps follow from the ring's. Nothing is nested and nothing is differenced.
 """
 
@@ -10,21 +17,30 @@ from math import inf
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import moving_ball
+from qsbearing.ball import close_chain, moving_ball, throw
 from qsbearing.compiled import kernel
+from qsbearing.contact import direction
 from qsbearing.linear import solve_in_place
 from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
 
-# A step may turn no contact line by much more than this (radians, roughly): beyond, the tangents say little.
-LARGEST_TURN = 0.6
-# The largest approach may grow by this part unchecked: below, shortening the step costs more than it saves.
-GROWTH_UNCHECKED = 0.3
+# A step may turn no contact line further (radians): beyond, the tangents say little.
+LARGEST_TURN = 0.5
+# A step may take at most this part of a contact's approach: geometry loses it, not a tangent.
+LARGEST_RELIEF = 0.9
+# Loads follow the tangent down to this part of the approach lost, where 1.5 times it is still well short of all load.
+LINEAR_RELIEF = 0.3
+# After so many iterations a gap has had its time: the chain is held closed.
+PATIENCE = 20
+# A gap in the chain below this part of the approach is closed outright.
+SMALL_GAP = 0.1
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
+# A ball with little load beside the others' takes one step more until its own imbalance is this part of its own load.
+OWN_TOLERANCE = 1e-9
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
-# From a fair start five to ten do; past this the safety net is cheaper.
-MOST = 30
+# From a fair start five to ten do; past this another start is cheaper.
+MOST = 40
 
 
 @kernel
@@ -47,21 +63,23 @@ def any_held(case: recarray) -> bool:
 
 
 @kernel
-def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float]:
-    """Evaluate all balls where they are: (largest imbalance, largest force).
+def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float, float]:
+    """Evaluate all balls where they are: (largest imbalance, largest force, largest imbalance of a ball over its load).
 
     Leaves the condensed system in the ring. The largest force is over applied and inertial ones, and over contact
     loads where a displacement is prescribed, since then they are the reaction.
     """
     start_sums(case, ring)
-    worst, total = 0.0, 0.0
+    worst, worst_own, total = 0.0, 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        r1, r2, load, fc, friction = moving_ball(case, ball, a1, a2, ring.floor)
-        worst = max(worst, abs(r1), abs(r2))
-        total += r1 + r2
+        imbalance, load, fc, friction = moving_ball(case, ball, a1, a2, ring.floor)
+        worst = max(worst, imbalance)
+        if imbalance > worst_own * load:
+            worst_own = imbalance / load if load > 0.0 else inf
+        total += imbalance
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
         add_ball(ring, ball)
@@ -75,14 +93,14 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     scale = max(applied_load(case), inertial)
     if any_held(case):
         scale = max(scale, contact)
-    return worst, scale
+    return worst, scale, worst_own
 
 
 @kernel
-def newton_step(case: recarray, ring: recarray, balls: ndarray) -> float:
-    """Solve the condensed system for the steps of ring and balls.
+def ring_step(case: recarray, ring: recarray, balls: ndarray) -> float:
+    """Solve the condensed system for the ring's step.
 
-    Returns the largest displacement of any centre by the step; negative where the system is singular.
+    Returns the largest displacement of any inner groove centre by it; negative where the system is singular.
     """
     if not solve_in_place(ring.matrix, ring.right, ring.channels):
         return -1.0
@@ -94,45 +112,112 @@ def newton_step(case: recarray, ring: recarray, balls: ndarray) -> float:
     for n in range(ring.balls):
         ball = balls[n]
         da1, da2 = inner_groove_centre(case, ring.step, ball.cosine, ball.sine)
-        ball.du1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
-        ball.du2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
-        largest = max(largest, abs(ball.du1), abs(ball.du2), abs(da1), abs(da2))
+        largest = max(largest, abs(da1), abs(da2))
     return largest
 
 
 @kernel
-def growth(ring: recarray, balls: ndarray) -> float:
-    """By how much the step would raise the largest approach of the outer contacts, relative to it."""
-    before, after = 0.0, 0.0
+def ball_steps(case: recarray, ring: recarray, balls: ndarray) -> float:
+    """The balls' steps that follow from the ring's.
+
+    Returns the largest turn of a contact line [rad] among the balls that the ring's balance needs.
+    """
+    largest = 0.0
     for n in range(ring.balls):
         ball = balls[n]
-        before = max(before, ball.outer_approach)
-        after = max(after, ball.outer_approach + ball.outer_sine * ball.du1 + ball.outer_cosine * ball.du2)
-    return after / before - 1.0 if before > 0.0 else 0.0
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        da1, da2 = inner_groove_centre(case, ring.step, ball.cosine, ball.sine)
+        ball.du1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
+        ball.du2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
+        ball.dv1 = a1 + da1 - ball.u1 - ball.v1 - ball.du1
+        ball.dv2 = a2 + da2 - ball.u2 - ball.v2 - ball.du2
+        outer = abs(ball.outer_cosine * ball.du1 - ball.outer_sine * ball.du2) * ball.outer_inverse
+        inner = abs(ball.inner_cosine * ball.dv1 - ball.inner_sine * ball.dv2) * ball.inner_inverse
+        ball.turn = max(outer, inner)
+        if not ball.is_idle:
+            largest = max(largest, ball.turn)
+    return largest
 
 
 @kernel
-def move(ring: recarray, balls: ndarray, fraction: float) -> None:
+def link_change(n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float) -> tuple[float, float]:
+    """How a step d changes a link: its load grows as the tangent says, its line turns by the angle the step means.
+
+    Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach.
+    """
+    longer = n1 * d1 + n2 * d2
+    half_turn = 0.5 * inverse * (n2 * d1 - n1 * d2)
+    if approach > 0.0:
+        if longer > -LINEAR_RELIEF * approach:
+            longer = approach * ((1.0 + 1.5 * longer / approach) ** (2.0 / 3.0) - 1.0)
+        else:
+            longer = max(longer, -LARGEST_RELIEF * approach)
+    # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
+    across = 2.0 * half_turn / (1.0 + half_turn * half_turn)
+    along = -half_turn * across
+    distance = 1.0 / inverse + longer if inverse > 0.0 else 0.0
+    return longer * n1 + distance * (along * n1 + across * n2), longer * n2 + distance * (along * n2 - across * n1)
+
+
+@kernel
+def settle_inner_link(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+    """Close the chain where that is safe: where the gap is small against the approach, or the contact out of touch.
+
+    A contact that geometry brings into touch starts with no more approach than its ball has at the outer raceway.
+    """
+    s, c, length = case.sin_free, case.cos_free, case.inner_coefficient - 0.5
+    w1, w2 = a1 - ball.u1, a2 - ball.u2
+    approach, n1, n2, inverse = direction(length, s, c, w1, w2)
+    gap = max(abs(w1 - ball.v1), abs(w2 - ball.v2))
+    if approach <= 0.0 or gap < SMALL_GAP * ball.inner_approach:
+        ball.v1, ball.v2 = w1, w2
+    elif ball.inner_approach <= 0.0:
+        # n less its free direction, from W less its free length: no difference of near-equal numbers
+        first = min(approach, ball.outer_approach)
+        ball.v1 = length * inverse * (w1 - s * approach) + first * n1
+        ball.v2 = length * inverse * (w2 - c * approach) + first * n2
+
+
+@kernel
+def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_patient: bool) -> None:
     """Take the fraction of the step.
 
-    A ball moves in polar coordinates about the outer groove's centre: along its contact line by the step's part
-    along it, and round the centre by the angle of the rest. A straight step across the line would leave the groove by
-    its square, which at a turn of a few degrees is more than the whole approach.
+    An idle ball that is asked to turn far does not hold up the ring: it is put anew where it would be thrown, or if
+    its grooves leave it no room for that, turned as far as tangents hold.
     """
+    s, c = case.sin_free, case.cos_free
     for i in range(5):
         ring.displacement[i] += fraction * ring.step[i]
     for n in range(ring.balls):
         ball = balls[n]
-        so, co, inverse = ball.outer_sine, ball.outer_cosine, ball.outer_inverse
-        d1, d2 = fraction * ball.du1, fraction * ball.du2
-        longer = so * d1 + co * d2
-        half_turn = 0.5 * inverse * (co * d1 - so * d2)
-        # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
-        across = 2.0 * half_turn / (1.0 + half_turn * half_turn)
-        along = -half_turn * across
-        distance = 1.0 / inverse + longer if inverse > 0.0 else 0.0
-        ball.u1 += longer * so + distance * (along * so + across * co)
-        ball.u2 += longer * co + distance * (along * co - across * so)
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        part = fraction
+        if ball.is_idle and ball.turn > LARGEST_TURN:
+            room, _, _, _ = direction(case.inner_coefficient + case.outer_coefficient - 1.0, s, c, a1, a2)
+            if room <= 0.0:
+                throw(case, ball, a1, a2)
+                continue
+            part = min(fraction, LARGEST_TURN / ball.turn)
+        so, co, si, ci = ball.outer_sine, ball.outer_cosine, ball.inner_sine, ball.inner_cosine
+        m1, m2 = link_change(so, co, ball.outer_inverse, ball.outer_approach, part * ball.du1, part * ball.du2)
+        ball.u1 += m1
+        ball.u2 += m2
+        m1, m2 = link_change(si, ci, ball.inner_inverse, ball.inner_approach, part * ball.dv1, part * ball.dv2)
+        ball.v1 += m1
+        ball.v2 += m2
+        if is_patient:
+            settle_inner_link(case, ball, a1, a2)
+        else:
+            close_chain(ball, a1, a2)
+
+
+@kernel
+def close_chains(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Let every ball's inner link be what ring and outer link leave."""
+    for n in range(ring.balls):
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        close_chain(ball, a1, a2)
 
 
 @kernel
@@ -140,31 +225,33 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     """Iterate in place from where ring and balls are: (converged, iterations, relative residual).
 
     No step is refused: from a fair start this converges in five to ten iterations, often through a larger imbalance,
-    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far, and where it
-    would raise the largest approach, since loads grow with its power 1.5: the load that the tangent promises is
-    reached by a smaller approach. Where all this does not converge, the safety net takes over.
+    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far.
     """
-    length = case.inner_coefficient + case.outer_coefficient - 1.0
-    iterations = 0
-    before = -1.0
+    iterations, before, is_last = 0, -1.0, False
     while True:
-        worst, scale = pass_over_balls(case, ring, balls)
-        if worst <= tolerance * scale:
-            return True, iterations, worst / scale if scale > 0.0 else 0.0
-        # The limit of rounding: no step helps any more, and what stands is good.
-        if 0.0 <= before <= STALLED * scale and worst >= 0.5 * before:
-            return worst <= STALLED * scale, iterations, worst / scale
-        if iterations == MOST:
-            return False, iterations, worst / scale if scale > 0.0 else 1.0
-        largest = newton_step(case, ring, balls)
-        if not 0.0 <= largest < FARTHEST:  # nothing resists, or not a number
+        worst, scale, worst_own = pass_over_balls(case, ring, balls)
+        if not scale < inf:
             return False, iterations, 1.0
-        fraction = 1.0 if largest <= LARGEST_TURN * length else LARGEST_TURN * length / largest
-        x = growth(ring, balls)
-        if x > GROWTH_UNCHECKED:
-            fraction = min(fraction, ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0) / x)
-        before = worst
-        move(ring, balls, fraction)
+        ring.scale = scale
+        residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
+        if is_last:
+            return residual <= max(STALLED, tolerance), iterations, residual
+        if residual <= tolerance:
+            if worst_own <= max(OWN_TOLERANCE, tolerance):
+                return True, iterations, residual
+            is_last = True
+        # The limit of rounding: no step helps any more, and what stands is good.
+        elif 0.0 <= before <= STALLED and residual >= 0.5 * before:
+            return residual <= STALLED, iterations, residual
+        elif iterations == MOST:
+            return False, iterations, residual
+        largest = ring_step(case, ring, balls)
+        turn = ball_steps(case, ring, balls)
+        if not (0.0 <= largest < FARTHEST and turn < inf):  # nothing resists, or not a number
+            return False, iterations, 1.0
+        fraction = 1.0 if turn <= LARGEST_TURN else LARGEST_TURN / turn
+        before = residual
+        move(case, ring, balls, fraction, iterations < PATIENCE)
         iterations += 1
         for i in range(5):
             if not abs(ring.displacement[i]) < FARTHEST:

@@ -14,6 +14,7 @@ from qsbearing.solver import (
     NO_CONSISTENT_CONTROL,
     NO_EQUILIBRIUM,
     OPEN_SIDE,
+    OVER_SHOULDER,
     RUNAWAY,
     UNLOADED_RING,
 )
@@ -74,6 +75,7 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
         return (
             "No equilibrium under this raceway control: it wants the gyroscopic moment carried by friction at an "
             "inner contact that carries too little load or none. Outer or per-ball control has no such demand."
+            + _where_it_ends(solution, k)
         )
     if notes & OPEN_SIDE:
         return (
@@ -83,8 +85,20 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
                 " Balls would have to press on the open side of the groove, at contact angles below zero. (A bearing "
                 "with shoulders on both sides: kind = deep_groove.)"
             )
+            + _where_it_ends(solution, k)
+        )
+    if notes & OVER_SHOULDER:
+        return (
+            "No equilibrium: a loaded inner contact lies at more than 90 degrees, over the shoulder of any groove: the "
+            "inner ring cannot hold the balls against what throws or pulls them outward." + _where_it_ends(solution, k)
         )
     return "No equilibrium."
+
+
+def _where_it_ends(solution: Solution, k: int) -> str:
+    """Up to which speed there was a balance, where it was followed up from rest."""
+    reached = solution._reached[k]
+    return "" if reached >= 1.0 else f" It is so already at {100.0 * reached:.3g} % of the speed."
 
 
 def _unsupported(case: NDArray) -> str:

@@ -39,6 +39,11 @@ def rotation_axis(control: int, g: float, si: float, ci: float, so: float, co: f
 def outer_controls(
     inner_load: float, outer_load: float, inner_spin_constant: float, outer_spin_constant: float, cos_difference: float
 ) -> bool:
-    """Jones's criterion; a spin constant is a E/Q^(1/3), with a the semi-major axis and E its elliptic integral."""
+    """Jones's criterion; a spin constant is a E/Q^(1/3), with a the semi-major axis and E its elliptic integral.
+
+    The outer raceway controls a ball that has left the inner one, from whatever side that is then seen.
+    """
+    if inner_load <= 0.0:
+        return True
     inner = inner_load ** (4.0 / 3.0) * inner_spin_constant
     return outer_load ** (4.0 / 3.0) * outer_spin_constant * cos_difference > inner

@@ -6,39 +6,52 @@ from math import atan2, nan, pi
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
+from qsbearing.ball import (
+    close_chain,
+    groove_stiffness,
+    inertia,
+    is_moving,
+    moving_ball,
+    raceway_ellipse,
+    resting_ball,
+    series_stiffness,
+)
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load, direction
 from qsbearing.effects.gyroscopic_moment import moment_shares
-from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.raceway_control import INNER, rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
-from qsbearing.solver import CONVERGED
+from qsbearing.solver import CONVERGED, FLOOR
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
 CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
 
 
 @kernel
-def floats_free(case: recarray, inner_approach: float) -> bool:
-    """Whether a ball at rest touches neither raceway, so that it has no defined place."""
-    return not is_moving(case) and inner_approach <= 0.0
-
-
-@kernel
 def read_ball(
     case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: float, what: int
 ) -> float:
-    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE."""
+    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE.
+
+    A ball at rest that touches neither raceway has no defined place, and so no angle.
+    """
     s, c = case.sin_free, case.cos_free
     delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
     delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
     if what >= CENTRIFUGAL_FORCE:
         return read_motion(case, control, si, ci, so, co, what)
     delta, n1, n2 = (delta_i, si, ci) if side < 0 else (delta_o, so, co)
-    stiffness, _ = groove_stiffness(case, side, n1, n2)
-    load, _ = contact_load(stiffness, delta)
-    free = floats_free(case, delta_i)
+    if is_moving(case):
+        free = False
+        load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
+    else:
+        # One load for both contacts, from the ring alone: exact also where the approach is lost in the ball's place.
+        length = case.inner_coefficient + case.outer_coefficient - 1.0
+        chain, n1, n2, _ = direction(length, s, c, a1, a2)
+        free = chain <= 0.0
+        load, _ = contact_load(series_stiffness(case, n1, n2)[0], chain)
+        delta = (load / groove_stiffness(case, side, n1, n2)[0]) ** (2.0 / 3.0)
     if what == LOAD:
         return 0.0 if free else load
     if free and (what == ANGLE or what == APPROACH):
@@ -56,7 +69,7 @@ def read_ball(
         return friction / load if load > 0.0 else nan
     if free or load <= 0.0:
         return 0.0
-    cosine = n2 if case.actual_angle else c
+    cosine = n2 if case.actual_angle else case.hertz_cosine
     a, b, _, _ = raceway_ellipse(case, side, cosine)
     size = load ** (1.0 / 3.0)
     if what == SEMI_MAJOR_AXIS:
@@ -74,6 +87,7 @@ def read_motion(case: recarray, control: int, si: float, ci: float, so: float, c
     if what == GYROSCOPIC_MOMENT:
         return inertia(case, control, si, ci, so, co)[3]
     g = 1.0 / case.pitch_diameter
+    si, ci, _ = inner_line(si, ci, so, co)
     axis = rotation_axis(control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     if what == ORBITAL_SPEED:
@@ -140,7 +154,8 @@ def stiffness_of_cases(
             a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
             if is_moving(case):
                 ball.u1, ball.u2, ball.control = position[k, j, 0], position[k, j, 1], control[k, j]
-                moving_ball(case, ball, a1, a2, 0.0)
+                close_chain(ball, a1, a2)
+                moving_ball(case, ball, a1, a2, FLOOR * case.series_stiffness)
             else:
                 resting_ball(case, ball, a1, a2)
             add_ball(ring, ball)

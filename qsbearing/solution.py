@@ -10,7 +10,16 @@ import numpy as np
 
 from qsbearing import readings
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.solver import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
+from qsbearing.solver import (
+    CONVERGED,
+    FRICTION_WITHOUT_LOAD,
+    NO_CONSISTENT_CONTROL,
+    NO_EQUILIBRIUM,
+    NOT_CONVERGED,
+    OPEN_SIDE,
+    OVER_SHOULDER,
+    RUNAWAY,
+)
 from qsbearing.state import working_memory
 
 if TYPE_CHECKING:
@@ -33,6 +42,28 @@ class Status(StrEnum):
     """Nothing in the bearing supports the load; `outcome.message` says which channel or which hypothesis fails."""
     NOT_CONVERGED = "not_converged"
     """No balance was found; that is no proof that there is none."""
+
+
+class Reason(StrEnum):
+    """Why a case has no equilibrium."""
+
+    UNSUPPORTED = "unsupported"
+    """Nothing supports the load: the ring moves without end, and the energy falls without bound."""
+    OPEN_SIDE = "open_side"
+    """Balls would have to press on the open side of the inner groove, at angles below zero."""
+    OVER_SHOULDER = "over_shoulder"
+    """Balls would have to press beyond 90 degrees, where no groove is."""
+    FRICTION_WITHOUT_LOAD = "friction_without_load"
+    """The raceway-control hypothesis puts friction where too little load or none carries it."""
+
+
+_REASONS = {
+    RUNAWAY: Reason.UNSUPPORTED,
+    FRICTION_WITHOUT_LOAD: Reason.FRICTION_WITHOUT_LOAD,
+    OPEN_SIDE: Reason.OPEN_SIDE,
+    OVER_SHOULDER: Reason.OVER_SHOULDER,
+}
+"""Several may hold; the first of these is told."""
 
 
 STATUS_OF_CODE = {
@@ -116,6 +147,7 @@ class Solution:
         notes: NDArray,
         iterations: NDArray,
         residual: NDArray,
+        reached: NDArray,
         seconds: float,
     ) -> None:
         self.scene: Scene = maker.scene
@@ -130,6 +162,7 @@ class Solution:
         self._notes = notes
         self._iterations = iterations
         self._residual = residual
+        self._reached = reached
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.inner = RacewayContacts(self, INNER_SIDE)
@@ -183,6 +216,22 @@ class Solution:
         return self._shaped(words[self._codes])
 
     @property
+    def reason(self) -> Any:
+        """`Reason` why there is no equilibrium, as a word; empty where there is one; shape (*cases)."""
+        words = np.full(self._notes.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        for bit, reason in reversed(_REASONS.items()):
+            words[(self._codes == NO_EQUILIBRIUM) & ((self._notes & bit) != 0)] = reason
+        return str(words[0]) if not self.shape else self._shaped(words)
+
+    @property
+    def control_is_consistent(self) -> Any:
+        """Whether every ball's raceway control is the one that Jones's criterion then calls for; shape (*cases).
+
+        Asked only under per-ball control; True elsewhere.
+        """
+        return self._shaped((self._notes & NO_CONSISTENT_CONTROL) == 0)
+
+    @property
     def iterations(self) -> Any:
         """Newton iterations spent, safety nets included; shape (*cases)."""
         return self._shaped(self._iterations)
@@ -191,6 +240,14 @@ class Solution:
     def residual(self) -> Any:
         """Largest imbalance of any ball or of the ring over the largest applied or inertial force; shape (*cases)."""
         return self._shaped(self._residual)
+
+    @property
+    def speed_reached(self) -> Any:
+        """The part of the speed that the verdict is for; shape (*cases).
+
+        1 but where a balance followed up in speed was found to have ended below it: then the part that shows it.
+        """
+        return self._shaped(self._reached)
 
     @cached_property
     def displacement(self) -> NDArray:

@@ -1,8 +1,9 @@
 """One case from start to verdict: which solve it needs, and what happens where that does not converge.
 
-At rest the convex problem is the whole problem. At speed Newton's method runs from a closed-form start; where it does
-not converge, two nets follow: descent with the inertia forces frozen and brought up to date in turn, Newton tried
-after each; and continuation in speed from rest.
+At rest the convex problem is the whole problem. At speed Newton's method runs from a closed-form start; where that does
+not converge, from the bearing at rest, and where the full speed is too far from there, by continuation in speed. On
+that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its groove,
+or friction would have to exceed the load that makes it.
 """
 
 from __future__ import annotations
@@ -11,31 +12,36 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
+from qsbearing.ball import close_chain, groove_stiffness, inertia, is_moving, moving_ball, raceway_ellipse, resting_ball
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.contact import contact_load, direction
-from qsbearing.descent import descend, freeze
+from qsbearing.descent import descend
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.newton import any_held, newton
+from qsbearing.newton import STALLED, any_held, close_chains, newton
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL, outer_controls
-from qsbearing.ring import add_force, find_equals, inner_groove_centre, place_balls
+from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
 
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 
 # What a verdict may be about; bits.
-OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY = 1, 2, 4, 8, 16
+OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY, OVER_SHOULDER = 1, 2, 4, 8, 16, 32
 
-# How a solve at speed is tried, in this order: from the start given, from the closed form, in so many rounds of frozen
-# inertia forces, by continuation from rest.
-WARM, GUESS, FROZEN, CONTINUATION = 0, 1, 2, 27
-# Controls change at once in the first half of so many rounds, then one by one.
-CONTROL_CHANGES_MOST = 30
+# Where a solve at speed starts, in this order: from the start given, from closed forms, from rest.
+WARM, GUESS, REST, CONTINUATION = 0, 1, 2, 3
+# The part of the speed below which continuation takes no smaller step.
+LEAST_STRIDE = 1e-4
+# A ball's control may change so often: there and back. What is contradicted then is contradicted both ways.
+CONTROL_CHANGES = 2
+# Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest.
+THRUST_REACH = 5.0
+# How well the balance at rest must be known for Newton to start from it.
+REST_TOLERANCE = 1e-3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
-# Angles this far below zero are rounding, not contact on the open side.
-OPEN_SIDE_SINE = -1e-9
+# Angles this far outside are rounding, not contact on the open side or over the shoulder.
+ANGLE_ROUNDING = 1e-9
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
 
@@ -50,25 +56,22 @@ def is_unloaded(case: recarray) -> bool:
 
 
 @kernel
-def radial_to_axial(case: recarray) -> float:
-    """How strongly radial loads and moments stand against the axial load; large where there is none."""
+def is_thrust_like(case: recarray) -> bool:
+    """Whether the axial load shapes the balls' balance at speed more than radial loads and moments do."""
+    if case.is_held[0] or case.prescribed[0] <= 0.0:
+        return False
     side = 0.0
     for i in range(1, 5):
         if not case.is_held[i]:
-            value = case.prescribed[i] / (0.5 * case.pitch_diameter if i >= 3 else 1.0)
+            value = case.prescribed[i] / channel_scale(case, i)
             side += value * value
-        elif case.prescribed[i] != 0.0:
-            return 1e9
-    if case.is_held[0] or case.prescribed[0] <= 0.0:
-        return 1e9
-    return sqrt(side) / case.prescribed[0]
+    return sqrt(side) < THRUST_REACH * case.prescribed[0]
 
 
 @kernel
 def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
-    ring.at_rest = True
     converged, iterations, residual = descend(case, ring, balls, tolerance)
     for i in range(5):
         if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
@@ -77,19 +80,24 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
 
 
 @inlined
-def first_guess(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """Place ring and balls for Newton's first iteration; returns the iterations it took to find the place."""
-    if radial_to_axial(case) < 1.0:
-        x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
-        for i in range(5):
-            ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
-        ring.displacement[0] = x
-        for n in range(ring.balls):
-            balls[n].u1, balls[n].u2 = u1, u2
-        return 0
-    _, iterations, _ = settle_at_rest(case, ring, balls, 1e-3)
-    seat_balls(case, ring, balls)
-    return iterations
+def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Place ring and balls for Newton's first iteration, by closed forms alone.
+
+    Under thrust every ball starts in the balance of thrust at speed, whatever else moves its inner groove: Newton
+    closes the chain. Otherwise balls start as they would sit at rest.
+    """
+    if not is_thrust_like(case):
+        ring_at_rest(case, ring.displacement)
+        seat_balls(case, ring, balls)
+        return
+    x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
+    for i in range(5):
+        ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
+    ring.displacement[0] = x
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.u1, ball.u2 = u1, u2
+        ball.v1, ball.v2 = x - u1, -u2
 
 
 @kernel
@@ -130,78 +138,86 @@ def restore_solved(ring: recarray, balls: ndarray) -> None:
         ball.u1, ball.u2, ball.control = ball.solved1, ball.solved2, ball.solved_control
 
 
+@kernel
+def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
+    """Turn the rings at this part of their speeds."""
+    case.inner_speed, case.outer_speed = part * inner, part * outer
+
+
 @inlined
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[bool, int, float, bool]:
-    """Equilibrium at speed: (converged, iterations, relative residual, raceway controls consistent).
+) -> tuple[bool, int, float, int]:
+    """Equilibrium at speed: (converged, iterations, relative residual, notes); `ring.reached` is the speed it is for.
 
     One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
-    converged turn may change the controls that Jones's criterion contradicts and go on from where it stands; all at
-    once at first, and if that goes round in circles, one at a time. Controls that have no solution are no choice: the
-    last balance found stands, and is not consistent.
+    converged turn may change the controls that Jones's criterion contradicts and go on from where it stands. Controls
+    that have no solution are no choice: the last balance found stands, and is not consistent.
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else GUESS
-    total, changes, residual, solved_residual = 0, 0, 1.0, 1.0
-    reached, stride, target = 0.0, 0.25, 1.0
+    total, solved_residual = 0, -1.0
+    reached, stride = 0.0, 1.0
     while True:
-        # Controls may change so many times, all at once below zero, then only the first that is contradicted.
-        may_change = changes + 1 < CONTROL_CHANGES_MOST
-        only = min(0, changes + 1 - CONTROL_CHANGES_MOST // 2)
-        if attempt == GUESS:
-            total += first_guess(case, ring, balls)
-        elif attempt == FROZEN or (attempt == CONTINUATION and reached == 0.0 and stride == 0.25):
-            _, iterations, _ = settle_at_rest(case, ring, balls, 1e-8)
-            total += iterations
-            if ring.ran_away:
-                return False, total, residual, False
-            seat_balls(case, ring, balls)
-            keep(ring, balls)
-        if FROZEN <= attempt < CONTINUATION:
+        part = 1.0
+        if attempt == WARM:
+            close_chains(case, ring, balls)
+        elif attempt == GUESS:
+            first_guess(case, ring, balls)
+        else:
+            if attempt == REST:
+                _, iterations, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
+                total += iterations
+                if ring.ran_away:
+                    return False, total, 1.0, RUNAWAY
+                keep(ring, balls)
+                attempt, reached, stride = CONTINUATION, 0.0, 1.0
+            part = min(1.0, reached + stride)
+            set_speed(case, part, inner, outer)
             restore(ring, balls)
-            turn = attempt - FROZEN
-            if case.control == PER_BALL and turn >= 12:  # first with the controls as they are
-                contradicted_controls(case, ring, balls, may_change, only)
-            freeze(case, ring, balls, 1.0 if turn < 3 else 0.5 if turn < 10 else 0.2)
-            ring.at_rest = False
-            _, iterations, _ = descend(case, ring, balls, 1e-8)
-            total += iterations
-            keep(ring, balls)
-        if attempt == CONTINUATION:
-            target = min(1.0, reached + stride)
-            case.inner_speed, case.outer_speed = target * inner, target * outer
+            if reached == 0.0:
+                seat_balls(case, ring, balls)
+            close_chains(case, ring, balls)
         converged, iterations, residual = newton(case, ring, balls, tolerance)
         total += iterations
+        ring.reached = part
         if attempt == CONTINUATION:
-            case.inner_speed, case.outer_speed = inner, outer
+            against = 0
             if converged:
-                reached, stride = target, 1.5 * stride
+                against = objections(case, ring, balls, False)
                 keep(ring, balls)
-                if reached < 1.0:
-                    continue
+                reached, stride = part, 1.5 * stride
             else:
-                restore(ring, balls)
                 stride *= 0.4
-                if stride >= 1e-4:
-                    continue
-                if changes == 0:
-                    return False, total, residual, False
+                if stride < LEAST_STRIDE:
+                    restore(ring, balls)
+                    if reached > 0.0:
+                        set_speed(case, reached, inner, outer)
+                        ring.reached = reached
+                    else:
+                        seat_balls(case, ring, balls)
+                    against = objections(case, ring, balls, True)
+            set_speed(case, 1.0, inner, outer)
+            is_over = against != 0 or stride < LEAST_STRIDE
+            if is_over and solved_residual >= 0.0:
                 restore_solved(ring, balls)
-                return True, total, solved_residual, False
-        if not converged:
+                ring.reached = 1.0
+                return True, total, solved_residual, NO_CONSISTENT_CONTROL
+            if is_over:
+                return False, total, residual, against
+            if not converged or reached < 1.0:
+                continue
+        elif not converged:
             attempt += 1
             continue
         if case.control != PER_BALL:
-            return True, total, residual, True
-        changes += 1
+            return True, total, residual, 0
         keep_solved(ring, balls)
         solved_residual = residual
-        wrong = contradicted_controls(case, ring, balls, may_change, only)
-        if wrong == 0 or not may_change:
-            return True, total, residual, wrong == 0
+        wrong, changed = contradicted_controls(case, ring, balls)
+        if changed == 0:
+            return True, total, residual, 0 if wrong == 0 else NO_CONSISTENT_CONTROL
         attempt = WARM
-        reached, stride = 0.0, 0.25
 
 
 @kernel
@@ -212,11 +228,12 @@ def spin_constant(case: recarray, side: float, cosine: float) -> float:
 
 
 @kernel
-def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change: bool, only: int) -> int:
-    """How many balls' controls contradict Jones's criterion; changes them (all, or the one counted `only`) if asked."""
+def contradicted_controls(case: recarray, ring: recarray, balls: ndarray) -> tuple[int, int]:
+    """How many balls' controls contradict Jones's criterion, and how many of them could still be changed, and were."""
     s, c = case.sin_free, case.cos_free
-    inner_constant, outer_constant = spin_constant(case, INNER_SIDE, c), spin_constant(case, OUTER_SIDE, c)
-    wrong = 0
+    inner_constant = spin_constant(case, INNER_SIDE, case.hertz_cosine)
+    outer_constant = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
+    wrong, changed = 0, 0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
@@ -228,44 +245,44 @@ def contradicted_controls(case: recarray, ring: recarray, balls: ndarray, change
         qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
         if control != ball.control:
-            if change and (only < 0 or only == wrong):
-                ball.control = control
             wrong += 1
-    return wrong
+            if ball.changes < CONTROL_CHANGES:
+                ball.control = control
+                ball.changes += 1
+                changed += 1
+    return wrong, changed
 
 
 @kernel
-def inner_contact(case: recarray, ring: recarray, ball: recarray) -> tuple[float, float, float]:
-    """A ball's inner contact: (sine of its angle, its load, the friction force that the hypothesis puts there)."""
-    s, c = case.sin_free, case.cos_free
-    a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-    delta, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-    load, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta)
-    if not case.gyroscopic or not is_moving(case):
-        return si, load, 0.0
-    _, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-    share, _ = moment_shares(case.shares, ball.control == INNER)
-    return si, load, abs(share * inertia(case, ball.control, si, ci, so, co)[3])
+def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) -> int:
+    """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
 
-
-@kernel
-def objections(case: recarray, ring: recarray, balls: ndarray, converged: bool) -> int:
-    """What forbids an equilibrium, as bits; 0 where nothing does.
-
-    A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing. Friction at an
-    inner contact without load does not exist, and no contact carries more friction than load: where Newton has lost a
-    solution on the way up in speed at such a place, the hypothesis that puts friction there (inner control, shares on
-    the inner raceway) has come to its end.
+    A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing; beyond a right
+    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist, and no contact
+    carries more friction than load: where the balance was lost on the way up in speed (`is_lost`) at such a place, the
+    hypothesis that puts friction there has come to its end. Friction below the solver's accuracy is none.
     """
     found = 0
-    if not converged and ring.ran_away:
-        return RUNAWAY
+    s, c = case.sin_free, case.cos_free
     for n in range(ring.balls):
-        sine, load, friction = inner_contact(case, ring, balls[n])
-        if converged and case.one_sided and load > 0.0 and sine < OPEN_SIDE_SINE:
-            found |= OPEN_SIDE
-        if case.control == INNER and friction > 0.0 and (load == 0.0 or (friction > load and not converged)):
-            found |= FRICTION_WITHOUT_LOAD
+        ball = balls[n]
+        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
+        delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
+        inner, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta_i)
+        outer, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], delta_o)
+        if inner > 0.0:
+            if case.one_sided and si < -ANGLE_ROUNDING:
+                found |= OPEN_SIDE
+            if ci < -ANGLE_ROUNDING:
+                found |= OVER_SHOULDER
+        if case.gyroscopic and is_moving(case):
+            share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+            moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
+            for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
+                is_felt = load == 0.0 and friction > STALLED * ring.scale
+                if is_felt or (is_lost and friction > load):
+                    found |= FRICTION_WITHOUT_LOAD
     return found
 
 
@@ -276,35 +293,37 @@ def solve_case(
     """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
     ring.floor = FLOOR * case.series_stiffness
     ring.ran_away = False
+    ring.reached = 1.0
     for i in range(5):
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
     notes = 0
     if is_moving(case):
         for n in range(ring.balls):
+            balls[n].changes = 0
             if case.control != PER_BALL:
                 balls[n].control = case.control
             elif not is_warm:
                 balls[n].control = OUTER
-        converged, iterations, residual, consistent = solve_moving(case, ring, balls, tolerance, is_warm)
-        if converged and not consistent:
-            notes |= NO_CONSISTENT_CONTROL
+        converged, iterations, residual, notes = solve_moving(case, ring, balls, tolerance, is_warm)
     else:
         for n in range(ring.balls):
             balls[n].control = INNER if case.control == INNER else OUTER
         converged, iterations, residual = False, 0, 1.0
         if is_warm:
-            ring.at_rest = True
             converged, iterations, residual = descend(case, ring, balls, tolerance)
         if not converged:
             converged, more, residual = settle_at_rest(case, ring, balls, tolerance)
             iterations += more
+            if ring.ran_away and not converged:
+                notes = RUNAWAY
         seat_balls(case, ring, balls)
     if is_unloaded(case):
         notes |= UNLOADED_RING
-    against = objections(case, ring, balls, converged)
-    if against != 0:
-        return NO_EQUILIBRIUM, notes | against, iterations, residual
+    if converged:
+        notes |= objections(case, ring, balls, False)
+    if notes & (OPEN_SIDE | OVER_SHOULDER | FRICTION_WITHOUT_LOAD | RUNAWAY):
+        return NO_EQUILIBRIUM, notes, iterations, residual
     return CONVERGED if converged else NOT_CONVERGED, notes, iterations, residual
 
 
@@ -320,7 +339,8 @@ def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> 
             cosine, sine = balls[j].azimuth_cosine, balls[j].azimuth_sine
             a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
             if is_moving(case):
-                moving_ball(case, ball, a1, a2, 0.0)
+                close_chain(ball, a1, a2)
+                moving_ball(case, ball, a1, a2, ring.floor)
             else:
                 resting_ball(case, ball, a1, a2)
             add_force(ball, cosine, sine, reaction)
@@ -344,11 +364,13 @@ def solve_cases(
     notes: ndarray,
     iterations: ndarray,
     residual: ndarray,
+    reached: ndarray,
 ) -> None:
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
     displacement (case, 5) and position (case, ball, 2) hold the start if is_warm, and the result in the case's units;
-    load (case, 5) the ring's loads, reactions of held channels included. rings (1) and balls are working memory.
+    load (case, 5) the ring's loads, reactions of held channels included; reached the part of the speed that all this is
+    for: below 1 where the balance ends on the way up. rings (1) and balls are working memory.
     """
     ring = rings[0]
     for k in range(cases.size):
@@ -365,6 +387,7 @@ def solve_cases(
             else:
                 ball.u1, ball.u2 = 0.0, 0.0
         status[k], notes[k], iterations[k], residual[k] = solve_case(case, ring, balls, tolerance, is_warm)
+        reached[k] = ring.reached
         for i in range(5):
             displacement[k, i] = ring.displacement[i]
         for j in range(position.shape[1]):

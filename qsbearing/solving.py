@@ -69,7 +69,7 @@ def solve(
     maker = CaseMaker(scene)
     count = maker.count
     ring, position, control = _state(start, maker)
-    load, residual = np.empty((count, 5)), np.empty(count)
+    load, residual, reached = np.empty((count, 5)), np.empty(count), np.empty(count)
     codes, notes = np.empty(count, np.int8), np.empty(count, np.int8)
     iterations = np.empty(count, np.int32)
     cases: NDArray | None = None
@@ -91,6 +91,7 @@ def solve(
             notes[part],
             iterations[part],
             residual[part],
+            reached[part],
         )
         return records
 
@@ -99,7 +100,7 @@ def solve(
     else:
         _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
     seconds = time.perf_counter() - began
-    return Solution(maker, cases, ring, position, control, load, codes, notes, iterations, residual, seconds)
+    return Solution(maker, cases, ring, position, control, load, codes, notes, iterations, residual, reached, seconds)
 
 
 def _in_threads(solve_stretch: Any, count: int, workers: int) -> None:

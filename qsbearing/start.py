@@ -14,7 +14,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness
+from qsbearing.ball import close_chain, groove_stiffness, inertia, is_moving, series_stiffness, throw
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
 from qsbearing.hertz import OUTER_SIDE
@@ -56,7 +56,11 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
     if not case.is_held[0] and (thrust != 0.0 or radial > 0.0):
         # Without thrust the balls seat where the axial forces cancel, at angle zero.
         displacement[0] = resting_thrust(case, thrust) if thrust != 0.0 else -length * case.sin_free
-    gap = length * (1.0 - case.cos_free) if thrust == 0.0 and not case.is_held[0] else 0.0
+    # How far the ring must go sideways until balls touch, at the axial place that it has.
+    axial = length * case.sin_free + displacement[0]
+    gap = sqrt(max(length * length - axial * axial, 0.0)) - length * case.cos_free
+    if (thrust != 0.0 and not case.is_held[0]) or (case.centrifugal and is_moving(case)):
+        gap = 0.0
     if radial > 0.0:
         # Stribeck's largest ball load, 4.37 Fr/Z, if little else holds the ring.
         size = gap + (4.37 * radial / (case.ball_count * case.series_stiffness)) ** (2.0 / 3.0)
@@ -79,20 +83,15 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
             outer, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
             series, _ = series_stiffness(case, n1, n2)
             reach = approach * (series / outer) ** (2.0 / 3.0)
+        elif is_moving(case):
+            throw(case, ball, a1, a2)
+            continue
         else:
             reach = 0.5 * approach  # midway in the gap, for want of a place of its own
-            if is_moving(case):
-                # thrown outward: in the groove's bottom, pressed by its own centrifugal force
-                fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
-                depth = (fc / case.outer_stiffness) ** (2.0 / 3.0)
-                u1, u2 = -outer_length * s, outer_length * (1.0 - c) + depth
-                inner, _, _, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
-                if inner < 0.0:
-                    ball.u1, ball.u2 = u1, u2
-                    continue
         # n less its free direction, from A less its free length: no difference of near-equal numbers
         ball.u1 = outer_length * inverse * (a1 - s * approach) + reach * n1
         ball.u2 = outer_length * inverse * (a2 - c * approach) + reach * n2
+        close_chain(ball, a1, a2)
 
 
 @kernel

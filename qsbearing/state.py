@@ -25,14 +25,19 @@ _BALL = np.dtype(
         ("sine", np.float64),
         ("weight", np.float64),  # how many equal balls it stands for
         ("control", np.int64),  # its raceway control
+        ("changes", np.int64),  # how often that has changed
         ("factor", np.float64, (5,)),  # through which each channel solved feels its force, weight included
         ("lever", np.float64, (5,)),  # through which each channel solved moves its inner groove centre
-        ("u1", np.float64),  # displacement of its centre, axial and radial, from touching at the free angle
-        ("u2", np.float64),
-        ("du1", np.float64),  # and its step
+        ("u1", np.float64),  # outer link: its centre from the outer groove's, axial and radial, less touching at the
+        ("u2", np.float64),  # free angle
+        ("v1", np.float64),  # inner link: the inner groove's centre from its own, likewise
+        ("v2", np.float64),
+        ("du1", np.float64),  # the links' steps
         ("du2", np.float64),
-        ("from1", np.float64),  # where the step began
-        ("from2", np.float64),
+        ("dv1", np.float64),
+        ("dv2", np.float64),
+        ("turn", np.float64),  # the larger turn of its contact lines by the step
+        ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
         ("kept1", np.float64),  # where to come back to
         ("kept2", np.float64),
         ("solved1", np.float64),  # where it was, and its control, when the case was last in balance
@@ -47,13 +52,14 @@ _BALL = np.dtype(
         ("y12", np.float64),
         ("y21", np.float64),
         ("y22", np.float64),
-        ("outer_sine", np.float64),  # outer contact line
+        ("outer_sine", np.float64),  # outer link: direction, 1/length, approach
         ("outer_cosine", np.float64),
-        ("outer_inverse", np.float64),  # 1/|X|
+        ("outer_inverse", np.float64),
         ("outer_approach", np.float64),
-        ("frozen", np.float64, (5,)),  # inertia force on the ball (2) and what its friction does to the ring (3)
-        ("r1", np.float64),  # imbalance under the frozen force
-        ("r2", np.float64),
+        ("inner_sine", np.float64),  # inner link
+        ("inner_cosine", np.float64),
+        ("inner_inverse", np.float64),
+        ("inner_approach", np.float64),
     ],
     align=True,
 )
@@ -75,8 +81,9 @@ _RING = np.dtype(
         ("right", np.float64, (5,)),
         ("matrix", np.float64, (5, 5)),
         ("floor", np.float64),  # least stiffness of anything
+        ("scale", np.float64),  # the largest force
+        ("reached", np.float64),  # the part of the speed that ring and balls stand for
         ("ran_away", np.bool_),  # at rest nothing stopped it
-        ("at_rest", np.bool_),  # which convex problem: at rest, or under frozen inertia forces
         ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
         ("azimuth_first", np.float64),
     ],

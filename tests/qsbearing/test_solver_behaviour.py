@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe
 
 import qsbearing as qs
+from qsbearing.case import CaseMaker
 from qsbearing.compiled import COMPILED
 from qsbearing.outcome import warnings
 
@@ -622,3 +623,84 @@ def test_what_is_not_a_number_is_never_converged(speed: float) -> None:
         found = qs.solve(scene, start=start)
         assert found.converged
         assert found.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)
+
+
+def test_an_idle_ball_that_friction_lifts_into_the_other_corner() -> None:
+    """Rings turning against each other: the balls hardly orbit but spin fast, and friction outweighs what throws them.
+
+    An idle ball then lies on the inward side between its grooves: inner angle below the free one, outer above.
+    """
+    scene = turning(
+        300.0,
+        replace(B218, kind=qs.BearingKind.DEEP_GROOVE),
+        outer_rpm=-238.0,
+        axial_load=500.0,
+        radial_load_z=250.0,
+        moment_y=0.0,
+        moment_z=0.0,
+        first_ball_azimuth=1.0,
+    )
+    solution = qs.solve(scene)
+    assert solution.converged
+    assert solution.iterations <= 20
+    idle = solution.outer.load < 0.1
+    assert idle.any() and not idle.all()
+    assert (solution.inner.angle[idle] < 40 * qs.deg).any()
+    assert (solution.outer.angle[solution.inner.angle < 30 * qs.deg] > 38 * qs.deg)[
+        idle[solution.inner.angle < 30 * qs.deg]
+    ].all()
+
+
+STEEP = replace(B218, free_contact_angle=65 * qs.deg, ball_count=14)
+"""A bearing for thrust: at αo = 0 its inner groove is out of the balls' reach below 90 degrees (2 cos 65° < 1)."""
+
+
+def test_balls_thrown_over_the_inner_shoulder() -> None:
+    """Light thrust at high speed: no balance has inner contacts below 90 degrees, and the verdict says so."""
+    slow, fast = (qs.solve(turning(rpm, STEEP, axial_load=100.0)) for rpm in (200.0, 20_000.0))
+    assert slow.converged
+    assert slow.inner.angle.max() < 90 * qs.deg
+    assert fast.status is qs.Status.NO_EQUILIBRIUM
+    assert "over the shoulder" in qs.outcome.message(fast)
+
+
+def test_the_speed_at_which_a_balance_has_ended() -> None:
+    """Where the way up in speed ends early, the part of the speed that is told has no equilibrium, a slow turn has."""
+    scene = turning(20_000.0, STEEP, control=INNER, axial_load=2000.0, radial_load_y=300.0, **UPRIGHT)
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    part = float(solution.speed_reached)
+    assert 0.0 < part < 1.0
+    slow, there = (qs.solve(with_operation(scene, speed=factor * scene.operation.speed)) for factor in (0.02, part))
+    assert slow.converged
+    assert slow.speed_reached == 1.0
+    assert there.status is qs.Status.NO_EQUILIBRIUM
+
+
+@pytest.mark.parametrize("control", [OUTER, INNER])
+def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) -> None:
+    """A ball that has lost the inner ring: its speeds stay bounded, whatever way the groove lies.
+
+    With contact lines at most a right angle apart the orbit is between -g and 1 + g of the ring's turning (g = D/dm):
+    (1 - g cos ai)/(1 + cos(ai - ao)) under outer control, (cos(ai - ao) - g cos ao)/(1 + cos(ai - ao)) under inner.
+    """
+    maker = CaseMaker(turning(10_000.0, axial_load=1.0))
+    g = B218.ball_diameter / B218.pitch_diameter
+    solution = qs.solve(turning(10_000.0, control=control, axial_load=1e3))
+    solution._codes[:] = 0
+    case = maker.make()[0]
+    inner_length, outer_length = (f - 0.5 for f in (case["inner_coefficient"], case["outer_coefficient"]))
+    free = np.array([case["sin_free"], case["cos_free"]])
+    for outer_angle in np.radians([-30.0, 0.0, 30.0]):
+        for inner_angle in np.radians(np.linspace(-180.0, 180.0, 73)):
+            outer_line, inner_line = (np.array([np.sin(angle), np.cos(angle)]) for angle in (outer_angle, inner_angle))
+            solution._position[0] = outer_length * (outer_line - free)
+            solution._ring[0, :] = 0.0
+            moved = solution._position[0, 0] + inner_length * 0.9 * inner_line - inner_length * free
+            solution._ring[0, 0] = moved[0]
+            solution._ring[0, 1] = moved[1]
+            for name in ("orbital_speed", "gyroscopic_moment", "centrifugal_force"):
+                vars(solution).pop(name, None)
+            orbit = solution.orbital_speed[0]
+            assert -g <= orbit / (10_000 * qs.rpm) <= 1.0 + g
+            assert np.isfinite(solution.gyroscopic_moment[0])
