@@ -16,34 +16,36 @@ open side, unique balance (proof)
     The equations as they stand, with shoulders on both sides, have a balance, checked as any other, and in it a loaded
     inner contact has a negative angle. At rest with constant Hertz stiffness the energy is convex, so the loads of its
     least are unique and no other balance keeps to the supported side.
-open side, a balance (evidence)
-    The same at speed, or with stiffness that turns with the angle. That there is no other balance is not proved.
-friction without load, a balance (evidence)
-    The equations as they stand, which let any contact carry its share of the gyroscopic moment, have a balance, checked
-    as any other, and in it a contact without load carries some.
-friction above the load (evidence)
-    The scene is followed up in speed, both rings in proportion: where the last balance is found, some contact needs
-    more friction than its load. That the branch ends there is seen; that there is no other is not proved.
+open side, over the shoulder, friction without load: a balance (evidence)
+    The equations as they stand, which know no open side and no shoulders and let any contact carry its share of the
+    gyroscopic moment, have a balance, checked as any other, that breaks one of these restrictions. That there is no
+    other balance is not proved.
+the same, followed up in speed (evidence)
+    So it is at a part of the speed, on the way up from rest: the balance is checked at that part. Beyond it the balance
+    that comes from rest is none of a bearing. `friction above the load` is such a state, too, where a contact needs
+    more friction than its load and the way up was lost.
 """
 
 from __future__ import annotations
 
 import copy
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 import qsbearing as qs
-from qsbearing import outcome
 from qsbearing.operation import CHANNELS
 from tests.campaign.checks import findings, tilt_lever
 from tests.campaign.envelope import Group
 
 PROOFS = ("unsupported direction", "null motion", "open side, unique balance")
-EVIDENCE = ("open side, a balance", "friction without load, a balance", "friction above the load")
+EVIDENCE = tuple(
+    f"{restriction}, {where}"
+    for restriction in ("open side", "over the shoulder", "friction without load", "friction above the load")
+    for where in ("a balance", "followed up in speed")
+)
 NONE = "none"
 
 ROUNDING = 1e-12
@@ -52,11 +54,16 @@ ROUNDING = 1e-12
 LEAST_REMAINDER = 1e-9
 """Of the load: a remainder smaller than this might be rounding of the cone's vectors."""
 
-STATES, ROUNDS = 12, 2
-"""Speeds at which a scene is followed up in one go, and how often the last gap is divided so."""
+RESTRICTIONS = {
+    "open_side": "open side",
+    "over_shoulder": "over the shoulder",
+    "friction_without_load": "friction without load",
+    "friction_above_load": "friction above the load",
+}
+"""What the equations as they stand do not know, and a bearing does; the last only where the way up in speed is lost."""
 
-RESTRICTIONS = ("open_side", "friction_without_load")
-"""What the equations as they stand do not know, and a bearing does."""
+UNASKED = ("misreported", "control_unsaid")
+"""What is not asked of a state on the way: its own residual's word, and whether controls have settled."""
 
 
 @dataclass(frozen=True)
@@ -71,17 +78,6 @@ class Certificate:
     @property
     def is_proof(self) -> bool:
         return self.kind in PROOFS
-
-
-def stated_reason(solution: qs.Solution, index: int) -> str:
-    """The solver's own word."""
-    notes = int(solution._notes[index])
-    names = {
-        "runaway": outcome.RUNAWAY,
-        "open side": outcome.OPEN_SIDE,
-        "friction without load": outcome.FRICTION_WITHOUT_LOAD,
-    }
-    return " and ".join(name for name, bit in names.items() if notes & bit) or "unsaid"
 
 
 # One case -------------------------------------------------------------------------------------------------------------
@@ -175,17 +171,16 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
     for place, k in enumerate(index):
         if certificates[place].kind != NONE:
             continue
-        if broken["open_side"][k]:
-            is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_at_rest(group, int(k))
-            certificates[place] = Certificate("open side, unique balance" if is_unique else "open side, a balance")
-        elif broken["friction_without_load"][k]:
-            certificates[place] = Certificate("friction without load, a balance")
-    left = [place for place, found in enumerate(certificates) if found.kind == NONE]
-    if left and "gyroscopic_moment" in group.effects:
-        outgrown = friction_outgrows_load(group.part(index[left]))
-        for place, found in zip(left, outgrown, strict=True):
-            if found:
-                certificates[place] = Certificate("friction above the load")
+        is_whole = float(solution.speed_reached[k]) == 1.0
+        is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_at_rest(group, int(k))
+        for name, words in RESTRICTIONS.items():
+            if not broken[name][k] or (name == "friction_above_load" and is_whole):
+                continue
+            where = "a balance" if is_whole else "followed up in speed"
+            if name == "open_side" and is_unique:
+                where = "unique balance"
+            certificates[place] = Certificate(f"{words}, {where}")
+            break
     return certificates
 
 
@@ -215,44 +210,15 @@ def as_left(solution: qs.Solution) -> qs.Solution:
 
 
 def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArray]:
-    """By restriction: whether each case was left in a sound balance of the equations as they stand that breaks it."""
-    found = findings(group.scene(), as_left(solution))
+    """By restriction: whether each case was left in a sound balance of the equations as they stand that breaks it.
+
+    Sound at the part of the speed at which it was left. What a solution says of reactions is not asked of such a state.
+    """
+    scene = group.scene()
+    part = np.asarray(solution.speed_reached, float)
+    operation = scene.operation
+    speeds = {name: part * np.asarray(getattr(operation, name), float) for name in ("speed", "outer_speed")}
+    found = findings(replace(scene, operation=replace(operation, **speeds)), as_left(solution), reactions=False)
     failed = found.failed()
-    sound = ~np.any([bad for name, bad in failed.items() if name not in RESTRICTIONS], axis=0)
+    sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)
     return {name: sound & getattr(found, name) for name in RESTRICTIONS}
-
-
-def friction_outgrows_load(group: Group) -> NDArray:
-    """Whether, followed up in speed, each scene's last balance asks some contact for more friction than its load."""
-    low, high = np.zeros(group.size), np.ones(group.size)
-    most = np.zeros(group.size)
-    for _ in range(ROUNDS):
-        states = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, STATES + 1)[1:]
-        worst = np.array([_friction_along(group.part(k), states[k]) for k in range(group.size)])
-        for k in range(group.size):
-            good = np.flatnonzero(np.isfinite(worst[k]))
-            # The first state without a balance bounds the branch that comes from rest.
-            first_bad = int(np.flatnonzero(~np.isfinite(worst[k]))[0]) if good.size < STATES else STATES
-            if first_bad > 0:
-                low[k], most[k] = states[k, first_bad - 1], max(most[k], worst[k, first_bad - 1])
-            if first_bad < STATES:
-                high[k] = states[k, first_bad]
-    return most > 1.0
-
-
-def _friction_along(one: Group, factors: NDArray) -> NDArray:
-    """The largest friction required at any contact at so many fractions of a scene's speed; NaN: no balance."""
-    scene = replace_speeds(replace(one, kind=qs.BearingKind.DEEP_GROOVE), factors)
-    solution = qs.solve(scene, threads=1)
-    demands = [side.required_friction for side in (solution.inner, solution.outer)]
-    most = np.maximum.reduce([np.nan_to_num(demand, nan=0.0) for demand in demands if demand is not None])
-    return np.where(solution.converged, most.max(axis=-1), np.nan)
-
-
-def replace_speeds(one: Group, factors: NDArray) -> qs.Scene:
-    """One scene at several fractions of its speeds."""
-    scene = one.scene()
-    speeds: dict[str, Any] = {
-        name: factors * float(np.asarray(getattr(scene.operation, name) or 0.0)) for name in ("speed", "outer_speed")
-    }
-    return replace(scene, operation=replace(scene.operation, **speeds))

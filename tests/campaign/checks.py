@@ -22,7 +22,6 @@ from scipy.special import elliprd, elliprf, elliprg
 
 import qsbearing as qs
 from qsbearing.operation import CHANNELS
-from qsbearing.outcome import NO_CONSISTENT_CONTROL
 
 BALANCE = 1e-10
 """Largest imbalance over the largest applied or inertial force: what a converged case promises."""
@@ -36,7 +35,7 @@ HERTZ = 1e-9
 """Of the ellipticity equation and of loads: K is known to 1e-13, and Newton's stop on k leaves its square."""
 
 ANGLE_ROUNDING = 1e-9
-"""Sines this far below zero are rounding, not contact on the open side."""
+"""Sines this far below zero are rounding, not contact on the open side; cosines likewise, over the shoulder."""
 
 
 @dataclass(frozen=True)
@@ -59,9 +58,11 @@ class Findings:
     """Whether a contact without load is asked for friction."""
     open_side: NDArray
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
-    turned_over: NDArray
-    """Whether some loaded contact lies beyond 90 degrees, where no groove reaches: counted, not a failure, for the
-    model says that it looks at no shoulders."""
+    over_shoulder: NDArray
+    """Whether some loaded inner contact lies beyond 90 degrees, over the shoulder of any groove."""
+    friction_above_load: NDArray
+    """Whether some contact needs more friction than its load: counted, not a failure, for the model takes friction to
+    be there and reports what it demands."""
     not_finite: NDArray
     """Whether a number is missing that a solved case has."""
     control: NDArray
@@ -71,7 +72,7 @@ class Findings:
     misreported: NDArray
     """Whether the residual that the solution itself reports is above 1e-10 or not a number."""
 
-    NOTED = ("turned_over", "control")
+    NOTED = ("friction_above_load", "control")
 
     def failed(self) -> dict[str, NDArray]:
         """By the name of each promise: which cases break it."""
@@ -111,8 +112,13 @@ def _column(value: Any) -> NDArray:
     return np.asarray(value, float)[..., None]
 
 
-def findings(scene: qs.Scene, solution: qs.Solution) -> Findings:
-    """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN."""
+def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) -> Findings:
+    """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
+
+    Args:
+        scene: the solution's, or one that differs from it in speed alone.
+        reactions: whether the loads of held channels are to be the balls' sums.
+    """
     bearing = scene.bearing
     diameter = _column(bearing.ball_diameter)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
@@ -122,7 +128,7 @@ def findings(scene: qs.Scene, solution: qs.Solution) -> Findings:
         throw, moment = inertia_loads(scene, solution, inner, outer)
         for side in (inner, outer):
             side.friction = side.share * moment / diameter
-        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi)
+        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
@@ -138,10 +144,13 @@ def findings(scene: qs.Scene, solution: qs.Solution) -> Findings:
         ),
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
         & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
-        turned_over=_any((side.loaded & (side.cosine < 0.0) for side in (inner, outer)), there),
+        over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
+        friction_above_load=_any(
+            (np.abs(side.friction) > np.maximum(side.load, small) for side in (inner, outer)), there
+        ),
         not_finite=_not_finite(scene, solution, there),
         control=control,
-        control_unsaid=control & ((solution._notes & NO_CONSISTENT_CONTROL) == 0),
+        control_unsaid=control & solution.control_is_consistent,
         misreported=~(solution.residual <= BALANCE),
     )
 
@@ -164,13 +173,17 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     bearing = scene.bearing
     g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
     by_inner = solution.raceway_control == "inner"
+    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is brought back.
+    apart = np.mod(inner.angle - outer.angle + np.pi, 2.0 * np.pi) - np.pi
+    rolled = outer.angle + np.clip(apart, -0.5 * np.pi, 0.5 * np.pi)
+    inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
-    p = np.where(by_inner, inner.sine, outer.sine)
-    q = np.where(by_inner, inner.cosine - g, outer.cosine + g)
+    p = np.where(by_inner, inner_sine, outer.sine)
+    q = np.where(by_inner, inner_cosine - g, outer.cosine + g)
     length = np.hypot(p, q)
     sin_beta, cos_beta = p / length, q / length
     u = (outer.cosine * cos_beta + outer.sine * sin_beta) / (1.0 + g * outer.cosine)
-    v = (inner.cosine * cos_beta + inner.sine * sin_beta) / (1.0 - g * inner.cosine)
+    v = (inner_cosine * cos_beta + inner_sine * sin_beta) / (1.0 - g * inner_cosine)
     wi = _column(scene.operation.speed)
     wo = _column(0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed)
     orbit = (u * wi + v * wo) / (u + v)
@@ -229,6 +242,7 @@ def _imbalance(
     throw: NDArray,
     moment: NDArray,
     psi: NDArray,
+    reactions: bool,
 ) -> tuple[NDArray, NDArray]:
     i, o = inner, outer
     axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
@@ -244,7 +258,10 @@ def _imbalance(
         arm = half_pitch if channel.is_rotation else 1.0
         carried = solution.load[:, c]
         given = getattr(scene.operation, channel.load)
-        if getattr(scene.operation, channel.displacement) is None:
+        if getattr(scene.operation, channel.displacement) is not None:
+            if not reactions:
+                continue
+        else:
             wanted = np.asarray(0.0 if given is None else given, float)
             carried = np.where(np.abs(carried - wanted) <= 4 * EPS * np.abs(wanted), wanted, np.nan)
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
@@ -348,7 +365,9 @@ def _contradicted(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     decided = np.abs(held_back - spin[0]) > 1e-9 * np.maximum(spin[0], spin[1])
     outer_speed = 0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed
     is_moving = (np.asarray(scene.operation.speed) != 0.0) | (np.asarray(outer_speed) != 0.0)
-    wrong = decided & ((held_back > spin[0]) != (solution.raceway_control == "outer")) & there
+    # The outer raceway controls a ball that has left the inner one, from whatever side that is seen.
+    wanted_outer = np.where(inner.loaded, held_back > spin[0], True)
+    wrong = (decided | ~inner.loaded) & (wanted_outer != (solution.raceway_control == "outer")) & there
     return wrong.any(axis=-1) & is_moving
 
 

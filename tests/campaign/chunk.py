@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from tests.campaign.certificates import NONE, certify, stated_reason
+from tests.campaign.certificates import NONE, certify
 from tests.campaign.checks import BALANCE, findings
 from tests.campaign.envelope import GROUP, Group, chunk_groups
 
@@ -78,7 +78,7 @@ class Tally:
             if iterations > self.worst["iterations"] and status == "converged":
                 text = f"Campaign scene {self.name(index)}: {iterations} iterations, the most of its chunk."
                 self.worst = {"iterations": iterations, "index": index, "toml": group.toml(k, text)}
-        self.noted["turned over"] += int((found.turned_over & converged).sum())
+        self.noted["friction above load"] += int((found.friction_above_load & converged).sum())
         self.noted["inconsistent control"] += int((found.control & converged).sum())
         self.noted["above 1e-10 by rounding alone"] += int(
             (converged & (found.imbalance > BALANCE) & ~failed["imbalance"]).sum()
@@ -90,7 +90,7 @@ class Tally:
         refused = np.flatnonzero(solution.status == "no_equilibrium")
         if refused.size:
             for k, certificate in zip(refused, certify(group, solution, refused), strict=True):
-                reason = stated_reason(solution, int(k))
+                reason = str(solution.reason[k]).replace("_", " ") or "unsaid"
                 self.reasons[reason][certificate.kind] += 1
                 if certificate.kind == NONE:
                     what = f"no equilibrium by reason of {reason}, but no certificate of it is found"
