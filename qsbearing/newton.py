@@ -212,12 +212,16 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
 
 
 @kernel
-def close_chains(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Let every ball's inner link be what ring and outer link leave."""
+def close_chains(case: recarray, ring: recarray, balls: ndarray) -> bool:
+    """Let every ball's inner link be what ring and outer link leave; whether any was not."""
+    was_open = False
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+        before1, before2 = ball.v1, ball.v2
         close_chain(ball, a1, a2)
+        was_open = was_open or ball.v1 != before1 or ball.v2 != before2
+    return was_open
 
 
 @kernel
@@ -234,16 +238,19 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
             return False, iterations, 1.0
         ring.scale = scale
         residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
-        if is_last:
-            return residual <= max(STALLED, tolerance), iterations, residual
-        if residual <= tolerance:
-            if worst_own <= max(OWN_TOLERANCE, tolerance):
+        # The limit of rounding: no step helps any more, and what stands is good.
+        is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
+        if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
+            if close_chains(case, ring, balls):
+                if iterations >= MOST:
+                    return False, iterations, residual
+                iterations += 1  # what hardly acted while open may act once closed
+                before, is_last = -1.0, False
+                continue
+            if is_last or is_stalled or worst_own <= max(OWN_TOLERANCE, tolerance):
                 return True, iterations, residual
             is_last = True
-        # The limit of rounding: no step helps any more, and what stands is good.
-        elif 0.0 <= before <= STALLED and residual >= 0.5 * before:
-            return residual <= STALLED, iterations, residual
-        elif iterations == MOST:
+        elif is_last or iterations >= MOST:
             return False, iterations, residual
         largest = ring_step(case, ring, balls)
         turn = ball_steps(case, ring, balls)
