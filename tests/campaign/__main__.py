@@ -32,7 +32,7 @@ def main(count: int, seed: int, out: Path | None, threads: int, resume: bool, re
         return
     folder = out or Path(tempfile.gettempdir()) / f"qsbearing-campaign-{seed}"
     columns = (
-        BarColumn(),
+        BarColumn(bar_width=20),
         MofNCompleteColumn(),
         TimeElapsedColumn(),
         TimeRemainingColumn(),
@@ -42,8 +42,7 @@ def main(count: int, seed: int, out: Path | None, threads: int, resume: bool, re
         task = bar.add_task("", total=count)
 
         def show(scenes: int, classes: dict[str, int]) -> None:
-            found = ", ".join(f"{number} {name.replace('_', ' ')}" for name, number in classes.items())
-            bar.update(task, completed=scenes, description=found)
+            bar.update(task, completed=scenes, description=f"{classes.get('failed', 0)} failed")
 
         try:
             summary = run_campaign(count, seed, folder, workers=threads, resume=resume, progress=show)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import resource
+import signal
 import time
 import traceback
 from collections.abc import Iterator
@@ -40,6 +41,7 @@ def work(connection: Connection, seed: int) -> None:
 
     from tests.campaign.chunk import run_chunk
 
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupted campaign is ended by its employer
     np.seterr(all="ignore")  # what is not a number is found by the checks
     run_chunk(seed, 0, 1)  # the kernel is compiled, or loaded
     connection.send(("ready", memory_MB()))
@@ -102,8 +104,8 @@ def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = P
         worker.connection.send(worker.task)
         worker.deadline = time.monotonic() + patience
 
-    for _ in range(min(workers, len(tasks))):
-        hire(None)
+    if tasks:
+        hire(None)  # the others once it is ready: the kernel is compiled once
     try:
         while left:
             for connection in wait([worker.connection for worker in staff], timeout=1.0):
@@ -119,6 +121,8 @@ def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = P
                     raise RuntimeError(f"in chunk {worker.task}:\n{content}")
                 elif word == "ready":
                     next_task(worker)
+                    if len(staff) < min(workers, len(tasks)):
+                        hire(None)
                 else:
                     left -= 1
                     worker.task = None
