@@ -13,7 +13,14 @@ import pytest
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
 from tests.campaign.campaign import run_campaign
-from tests.campaign.certificates import as_left, null_motion, pushes, supports_nothing, unsupported_direction
+from tests.campaign.certificates import (
+    as_left,
+    null_motion,
+    pushes,
+    restrictions_broken,
+    supports_nothing,
+    unsupported_direction,
+)
 from tests.campaign.checks import findings
 from tests.campaign.chunk import run_chunk
 from tests.campaign.envelope import HELD, Group, chunk_groups
@@ -233,6 +240,9 @@ def test_no_certificate_for_what_has_an_equilibrium() -> None:
         for k in np.flatnonzero(good):
             assert unsupported_direction(group.part(int(k)).scene()) is None
             assert null_motion(group.part(int(k)).scene()) is None
+        broken = restrictions_broken(group, solution)
+        for name in ("open_side", "over_shoulder", "friction_without_load"):
+            assert not (broken[name] & good).any(), name
 
 
 # Keeping count ------------------------------------------------------------------------------------------------------

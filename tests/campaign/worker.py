@@ -13,7 +13,7 @@ import resource
 import signal
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from typing import Any
@@ -23,6 +23,9 @@ START_UP = 300.0
 
 PATIENCE = 120.0
 """Seconds for a group; one takes milliseconds, and up to seconds where many scenes fail and are followed up."""
+
+
+RunChunk = Callable[..., dict[str, Any]]
 
 
 @dataclass
@@ -35,11 +38,12 @@ class Task:
     hung: set[int] = field(default_factory=set)
 
 
-def work(connection: Connection, seed: int) -> None:
+def work(connection: Connection, seed: int, run_chunk: RunChunk | None) -> None:
     """The life of a worker: tasks in, heartbeats and summaries out."""
     import numpy as np
 
-    from tests.campaign.chunk import run_chunk
+    if run_chunk is None:
+        from tests.campaign.chunk import run_chunk
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupted campaign is ended by its employer
     np.seterr(all="ignore")  # what is not a number is found by the checks
@@ -80,8 +84,14 @@ class Worker:
     at: tuple[int, int] = (-1, -1)
 
 
-def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = PATIENCE) -> Iterator[dict[str, Any]]:
+def solve_chunks(
+    tasks: list[Task], seed: int, workers: int, patience: float = PATIENCE, run_chunk: RunChunk | None = None
+) -> Iterator[dict[str, Any]]:
     """Summaries of all tasks, in the order in which they are done.
+
+    Args:
+        patience: seconds of silence after which a worker counts as not coming back.
+        run_chunk: what a worker does with a chunk; None: `tests.campaign.chunk.run_chunk`.
 
     Raises:
         RuntimeError: the campaign's own code failed in a worker, or no worker starts.
@@ -93,7 +103,7 @@ def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = P
 
     def hire(task: Task | None) -> None:
         ours, theirs = context.Pipe()
-        process = context.Process(target=work, args=(theirs, seed), daemon=True)
+        process = context.Process(target=work, args=(theirs, seed, run_chunk), daemon=True)
         process.start()
         theirs.close()
         staff.append(Worker(process, ours, time.monotonic() + START_UP, task))
@@ -101,6 +111,7 @@ def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = P
     def next_task(worker: Worker) -> None:
         if worker.task is None:
             worker.task = waiting.pop() if waiting else None
+        worker.at = (0, -1)
         worker.connection.send(worker.task)
         worker.deadline = time.monotonic() + patience
 
@@ -108,7 +119,7 @@ def solve_chunks(tasks: list[Task], seed: int, workers: int, patience: float = P
         hire(None)  # the others once it is ready: the kernel is compiled once
     try:
         while left:
-            for connection in wait([worker.connection for worker in staff], timeout=1.0):
+            for connection in wait([worker.connection for worker in staff], timeout=min(1.0, 0.25 * patience)):
                 worker = next(worker for worker in staff if worker.connection is connection)
                 try:
                     word, content = worker.connection.recv()
