@@ -1,0 +1,383 @@
+"""Whether a solution that calls itself converged is one: recomputed in plain numpy from its public arrays.
+
+Nothing of the kernel is used. From angles, approaches and loads as the user reads them follow
+
+* the motion and the inertia loads of every ball, by the kinematics of Jones and Harris in vectors (cos beta, sin beta);
+* every ball's two balances (19.9), (19.10) and the ring's five channels (19.13)-(19.15), held ones included;
+* that the two contacts' lengths close between the groove centres where the ring's displacement puts them;
+* Hertz: each ellipse satisfies the ellipticity equation in Carlson's integrals, and each load is K delta^1.5.
+
+Arrays have shape (case, ball) unless said otherwise. A ball that is not there, or has no place, has neither load nor
+part in anything.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import elliprd, elliprf, elliprg
+
+import qsbearing as qs
+from qsbearing.operation import CHANNELS
+
+BALANCE = 1e-10
+"""Largest imbalance over the largest applied or inertial force: what a converged case promises."""
+
+EPS = float(np.finfo(float).eps)
+
+CLOSURE = 64 * EPS
+"""Of lengths that must add up, over the largest of them: a few roundings each of a sine, a product and a sum."""
+
+HERTZ = 1e-9
+"""Of the ellipticity equation and of loads: K is known to 1e-13, and Newton's stop on k leaves its square."""
+
+ANGLE_ROUNDING = 1e-9
+"""Sines this far below zero are rounding, not contact on the open side; cosines likewise, over the shoulder."""
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What the checks found of each case; every array has shape (case,)."""
+
+    imbalance: NDArray
+    """Largest of all balls and channels over the largest applied or inertial force (contact load, if a channel is
+    held)."""
+    expressible: NDArray
+    """The imbalance that rounding can make, on the same scale: of each load, and of each ball's place, which moves far
+    more than its contacts yield where the load is light."""
+    closure: NDArray
+    """Largest gap between the two contact lengths and the groove centres, over the largest length."""
+    hertz: NDArray
+    """Largest relative error of any ellipse's shape and of any load."""
+    tension: NDArray
+    """Whether some load is negative, or not exactly where the approach is positive."""
+    friction_without_load: NDArray
+    """Whether a contact without load is asked for friction."""
+    open_side: NDArray
+    """Whether an angular-contact bearing carries load at an inner angle below zero."""
+    over_shoulder: NDArray
+    """Whether some loaded inner contact lies beyond 90 degrees, over the shoulder of any groove."""
+    friction_above_load: NDArray
+    """Whether some contact needs more friction than its load: counted, not a failure, for the model takes friction to
+    be there and reports what it demands."""
+    not_finite: NDArray
+    """Whether a number is missing that a solved case has."""
+    control: NDArray
+    """Whether per-ball control contradicts Jones's criterion."""
+    control_unsaid: NDArray
+    """Whether it does so without a word."""
+    misreported: NDArray
+    """Whether the residual that the solution itself reports is above 1e-10 or not a number."""
+
+    NOTED = ("friction_above_load", "control")
+
+    def failed(self) -> dict[str, NDArray]:
+        """By the name of each promise: which cases break it."""
+        with np.errstate(invalid="ignore"):
+            return {
+                "imbalance": ~(self.imbalance <= np.maximum(BALANCE, self.expressible)),
+                "closure": ~(self.closure <= CLOSURE),
+                "hertz": ~(self.hertz <= HERTZ),
+                **{
+                    field.name: getattr(self, field.name)
+                    for field in fields(self)
+                    if getattr(self, field.name).dtype == bool and field.name not in self.NOTED
+                },
+            }
+
+
+class Contacts:
+    """One raceway of a solution with its gaps filled: what is not there carries nothing."""
+
+    def __init__(self, scene: qs.Scene, solution: qs.Solution, race: str) -> None:
+        public = getattr(solution, race)
+        self.load = np.nan_to_num(public.load, nan=0.0)
+        self.loaded = self.load > 0.0
+        self.placed = np.isfinite(public.angle)
+        self.angle = np.nan_to_num(public.angle, nan=0.0)
+        self.approach = np.nan_to_num(public.approach, nan=-1.0)
+        self.sine, self.cosine = np.sin(self.angle), np.cos(self.angle)
+        self.semi_major, self.semi_minor = public.semi_major_axis, public.semi_minor_axis
+        bearing = scene.bearing
+        self.groove = _column(getattr(bearing, f"{race}_groove_radius"))
+        self.length = self.groove - 0.5 * _column(bearing.ball_diameter)
+        self.share = np.zeros_like(self.load)
+        self.friction = np.zeros_like(self.load)
+
+
+def _column(value: Any) -> NDArray:
+    return np.asarray(value, float)[..., None]
+
+
+def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) -> Findings:
+    """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
+
+    Args:
+        scene: the solution's, or one that differs from it in speed alone.
+        reactions: whether the loads of held channels are to be the balls' sums.
+    """
+    bearing = scene.bearing
+    diameter = _column(bearing.ball_diameter)
+    inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
+    there = np.isfinite(solution.azimuth)
+    psi = np.where(there, solution.azimuth, 0.0)
+    with np.errstate(all="ignore"):
+        throw, moment = inertia_loads(scene, solution, inner, outer)
+        for side in (inner, outer):
+            side.friction = side.share * moment / diameter
+        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions)
+        hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
+        closure = _closure(scene, solution, inner, outer, psi)
+        control = _contradicted(scene, solution, inner, outer, there)
+        small = BALANCE * _force_scale(scene, inner, outer, throw, moment)[:, None]
+    return Findings(
+        imbalance=imbalance,
+        expressible=expressible,
+        closure=closure,
+        hertz=hertz,
+        tension=_tension(solution),
+        friction_without_load=_any(
+            (~side.loaded & (np.abs(side.friction) > small) & there for side in (inner, outer)), there
+        ),
+        open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
+        & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
+        over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
+        friction_above_load=_any(
+            (np.abs(side.friction) > np.maximum(side.load, small) for side in (inner, outer)), there
+        ),
+        not_finite=_not_finite(scene, solution, there),
+        control=control,
+        control_unsaid=control & solution.control_is_consistent,
+        misreported=~(solution.residual <= BALANCE),
+    )
+
+
+def _any(which: Any, there: NDArray) -> NDArray:
+    found = np.zeros(there.shape, bool)
+    for one in which:
+        found |= one
+    return (found & there).any(axis=-1)
+
+
+# Motion ---------------------------------------------------------------------------------------------------------------
+
+
+def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts) -> tuple[NDArray, NDArray]:
+    """(Fc, Mg), of the effects that the scene names; fills in the shares of the moment."""
+    zero = np.zeros_like(inner.load)
+    if solution.raceway_control is None:
+        return zero, zero
+    bearing = scene.bearing
+    g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
+    by_inner = solution.raceway_control == "inner"
+    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is brought back.
+    apart = np.mod(inner.angle - outer.angle + np.pi, 2.0 * np.pi) - np.pi
+    rolled = outer.angle + np.clip(apart, -0.5 * np.pi, 0.5 * np.pi)
+    inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
+    # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
+    p = np.where(by_inner, inner_sine, outer.sine)
+    q = np.where(by_inner, inner_cosine - g, outer.cosine + g)
+    length = np.hypot(p, q)
+    sin_beta, cos_beta = p / length, q / length
+    u = (outer.cosine * cos_beta + outer.sine * sin_beta) / (1.0 + g * outer.cosine)
+    v = (inner_cosine * cos_beta + inner_sine * sin_beta) / (1.0 - g * inner_cosine)
+    wi = _column(scene.operation.speed)
+    wo = _column(0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed)
+    orbit = (u * wi + v * wo) / (u + v)
+    rotation = -(wi - wo) / (g * (u + v))
+    throw, moment = zero, zero
+    if scene.centrifugal_force is not None:
+        throw = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
+    if scene.gyroscopic_moment is not None:
+        moment = _column(bearing.ball_inertia) * rotation * orbit * sin_beta
+        own = 1.0 if scene.gyroscopic_moment.moment_shares is qs.MomentShares.HARRIS else 2.0
+        inner.share = np.where(by_inner, own, 0.0)
+        outer.share = 2.0 - inner.share
+    still = (wi == 0.0) & (wo == 0.0)
+    there = inner.placed & outer.placed
+    return np.where(there & ~still, throw, 0.0), np.where(there & ~still, moment, 0.0)
+
+
+# Balance --------------------------------------------------------------------------------------------------------------
+
+
+def tilt_lever(scene: qs.Scene) -> NDArray:
+    """The radius at which axial forces make moments."""
+    if scene.tilt_lever is qs.TiltLever.PITCH_CIRCLE:
+        return 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
+    return np.asarray(scene.bearing.inner_groove_centre_radius, float)
+
+
+def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, throw: NDArray, moment: NDArray) -> NDArray:
+    """The largest applied or inertial force of each case; with a held channel contact loads too, being the reaction.
+
+    Never less than what a contact would carry if it were pressed by the rounding of a ball diameter: below, nothing
+    can be told from zero.
+    """
+    cases = inner.load.shape[0]
+    half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
+    scale = np.maximum(throw, np.abs(moment) / _column(scene.bearing.ball_diameter)).max(axis=-1)
+    is_any_held = False
+    for channel in CHANNELS:
+        load = getattr(scene.operation, channel.load)
+        if getattr(scene.operation, channel.displacement) is not None:
+            is_any_held = True
+        elif load is not None:
+            force = np.abs(load) / (half_pitch if channel.is_rotation else 1.0)
+            scale = np.maximum(scale, np.broadcast_to(force, cases))
+    if is_any_held:
+        scale = np.maximum(scale, np.maximum(inner.load, outer.load).max(axis=-1))
+    least = EPS**1.5 * np.asarray(scene.bearing.effective_modulus * np.asarray(scene.bearing.ball_diameter) ** 2)
+    return np.maximum(scale, least)
+
+
+def _imbalance(
+    scene: qs.Scene,
+    solution: qs.Solution,
+    inner: Contacts,
+    outer: Contacts,
+    throw: NDArray,
+    moment: NDArray,
+    psi: NDArray,
+    reactions: bool,
+) -> tuple[NDArray, NDArray]:
+    i, o = inner, outer
+    axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
+    radial = i.load * i.cosine - o.load * o.cosine + i.friction * i.sine - o.friction * o.sine + throw
+    worst = np.maximum(np.abs(axial), np.abs(radial)).max(axis=-1)
+    push, lift = i.load * i.sine - i.friction * i.cosine, i.load * i.cosine + i.friction * i.sine
+    lever = tilt_lever(scene)[..., None]
+    turn = lever * push + i.groove * i.friction
+    cosine, sine = np.cos(psi), np.sin(psi)
+    sums = [push, lift * cosine, lift * sine, turn * sine, -turn * cosine]
+    half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
+    for c, channel in enumerate(CHANNELS):
+        arm = half_pitch if channel.is_rotation else 1.0
+        carried = solution.load[:, c]
+        given = getattr(scene.operation, channel.load)
+        if getattr(scene.operation, channel.displacement) is not None:
+            if not reactions:
+                continue
+        else:
+            wanted = np.asarray(0.0 if given is None else given, float)
+            carried = np.where(np.abs(carried - wanted) <= 4 * EPS * np.abs(wanted), wanted, np.nan)
+        worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
+    scale = _force_scale(scene, inner, outer, throw, moment)
+    moved = np.abs(solution.displacement[:, :3]).sum(axis=-1, keepdims=True)
+    moved = moved + lever * np.abs(solution.displacement[:, 3:]).sum(axis=-1, keepdims=True)
+    rounding = np.zeros(scale.shape)
+    for side in (i, o):
+        steepness = np.where(side.loaded, 1.5 * moved / np.abs(side.approach), 0.0)
+        rounding += 4 * EPS * (side.load * (1.0 + steepness)).sum(axis=-1)
+    return worst / scale, rounding / scale
+
+
+def _tension(solution: qs.Solution) -> NDArray:
+    found = np.zeros(solution.shape, bool)
+    for contacts in (solution.inner, solution.outer):
+        with np.errstate(invalid="ignore"):
+            pressed = contacts.approach > 0.0
+            found |= ((contacts.load < 0.0) | ((contacts.load > 0.0) != pressed)).any(axis=-1)
+    return found
+
+
+# Geometry and Hertz ---------------------------------------------------------------------------------------------------
+
+
+def _closure(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, psi: NDArray) -> NDArray:
+    d = [solution.displacement[:, c, None] for c in range(5)]
+    cosine, sine = np.cos(psi), np.sin(psi)
+    span = _column(scene.bearing.groove_centre_distance)
+    lever = tilt_lever(scene)[..., None]
+    free = _column(scene.bearing.free_contact_angle)
+    tilt = lever * (d[3] * sine - d[4] * cosine)
+    a1 = span * np.sin(free) + d[0] + tilt
+    a2 = span * np.cos(free) + d[1] * cosine + d[2] * sine
+    li, lo = inner.length + inner.approach, outer.length + outer.approach
+    gap = np.maximum(np.abs(li * inner.sine + lo * outer.sine - a1), np.abs(li * inner.cosine + lo * outer.cosine - a2))
+    # The groove radii themselves are rounded: their small difference from the ball's carries that along.
+    parts = (d[0], d[1], d[2], lever * d[3], lever * d[4])
+    size = np.maximum(inner.groove + outer.groove, np.max(np.abs(np.broadcast_arrays(*parts)), axis=0))
+    placed = inner.placed & outer.placed
+    return np.where(placed, gap / size, 0.0).max(axis=-1)
+
+
+def _curvatures(scene: qs.Scene, contacts: Contacts, side: float) -> tuple[NDArray, NDArray]:
+    """In the rolling direction and across [1/m]."""
+    bearing = scene.bearing
+    diameter = _column(bearing.ball_diameter)
+    gamma = diameter / _column(bearing.pitch_diameter)
+    cosine: Any = contacts.cosine
+    if scene.hertz_angle is qs.HertzAngle.FREE:
+        cosine = np.cos(_column(bearing.free_contact_angle))
+    elif scene.hertz_angle is qs.HertzAngle.ZERO:
+        cosine = 1.0
+    rolling = 2.0 / (diameter * (1.0 + side * gamma * cosine))
+    across = 2.0 / diameter - 1.0 / contacts.groove
+    return np.broadcast_arrays(rolling, across, contacts.load)[:2]  # type: ignore[return-value]
+
+
+def _hertz(scene: qs.Scene, contacts: Contacts, side: float) -> NDArray:
+    """Largest relative error of shape and load of a raceway's loaded contacts; shape (case,)."""
+    where = contacts.loaded
+    if not where.any():
+        return np.zeros(where.shape[0])
+    rolling, across = (array[where] for array in _curvatures(scene, contacts, side))
+    load, approach = contacts.load[where], contacts.approach[where]
+    k = contacts.semi_major[where] / contacts.semi_minor[where]
+    ratio = np.maximum(rolling, across) / np.minimum(rolling, across)
+    total = rolling + across
+    if scene.hertz_form is qs.HertzForm.EXACT:
+        kc2 = 1.0 / k**2
+        first, second = elliprf(0.0, kc2, 1.0), 2.0 * elliprg(0.0, kc2, 1.0)
+        # int sin^2/Delta and int cos^2/Delta: larger over smaller curvature is k^2 B/D.
+        ours = k**2 * (elliprd(0.0, k**2, 1.0) * k) / elliprd(0.0, kc2, 1.0)
+        error = np.abs(ours / ratio - 1.0)
+    elif scene.hertz_form is qs.HertzForm.BREWE_HAMROCK_1977:
+        first, second = 1.5277 + 0.6023 * np.log(ratio), 1.0003 + 0.5968 / ratio
+        error = np.abs(k / (1.0339 * ratio**0.636) - 1.0)
+    else:
+        first, second = np.pi / 2 + (np.pi / 2 - 1) * np.log(ratio), 1.0 + (np.pi / 2 - 1) / ratio
+        error = np.abs(k / ratio ** (2.0 / np.pi) - 1.0)
+    modulus = np.broadcast_to(_column(scene.bearing.effective_modulus), where.shape)[where]
+    stiffness = np.pi * k * modulus * np.sqrt(second / (4.5 * total * first**3))
+    axis = np.cbrt(6.0 * k**2 * second * load / (np.pi * total * modulus))
+    error = np.maximum(error, np.abs(load / (stiffness * approach**1.5) - 1.0))
+    error = np.maximum(error, np.abs(contacts.semi_major[where] / axis - 1.0))
+    worst = np.zeros(where.shape)
+    worst[where] = error
+    return worst.max(axis=-1)
+
+
+def _contradicted(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, there: NDArray) -> NDArray:
+    """Jones: the outer raceway controls where Qo ao Eo cos(ai - ao) > Qi ai Ei; near equality either will do."""
+    if scene.raceway_control is not qs.RacewayControl.PER_BALL:
+        return np.zeros(there.shape[0], bool)
+    spin = []
+    for side in (inner, outer):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            kc2 = np.where(side.loaded, (side.semi_minor / side.semi_major) ** 2, 1.0)
+        spin.append(side.load * np.nan_to_num(side.semi_major) * 2.0 * elliprg(0.0, kc2, 1.0))
+    held_back = spin[1] * np.cos(inner.angle - outer.angle)
+    decided = np.abs(held_back - spin[0]) > 1e-9 * np.maximum(spin[0], spin[1])
+    outer_speed = 0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed
+    is_moving = (np.asarray(scene.operation.speed) != 0.0) | (np.asarray(outer_speed) != 0.0)
+    # The outer raceway controls a ball that has left the inner one, from whatever side that is seen.
+    wanted_outer = np.where(inner.loaded, held_back > spin[0], True)
+    wrong = (decided | ~inner.loaded) & (wanted_outer != (solution.raceway_control == "outer")) & there
+    return wrong.any(axis=-1) & is_moving
+
+
+def _not_finite(scene: qs.Scene, solution: qs.Solution, there: NDArray) -> NDArray:
+    bad = ~np.isfinite(solution.displacement).all(axis=-1) | ~np.isfinite(solution.load).all(axis=-1)
+    arrays = [getattr(side, name) for side in (solution.inner, solution.outer) for name in (
+        "load", "semi_major_axis", "semi_minor_axis", "max_pressure"
+    )]  # fmt: skip
+    named = (solution.centrifugal_force, solution.gyroscopic_moment, solution.orbital_speed, solution.rotation_speed)
+    arrays += [array for array in named if array is not None]
+    for array in arrays:
+        bad |= (~np.isfinite(array) & there).any(axis=-1)
+    return bad
