@@ -130,7 +130,7 @@ class BallBearing:
         """Ri = dm/2 + (fi - 1/2) D cos alpha0: of the circle of inner groove centres [m]."""
         return 0.5 * np.asarray(self.pitch_diameter, float) + (
             np.asarray(self.inner_groove_radius, float) - 0.5 * np.asarray(self.ball_diameter, float)
-        ) * np.cos(self.free_contact_angle)
+        ) * np.cos(np.asarray(self.free_contact_angle, float))
 
     @property
     def ball_mass(self) -> NDArray:
@@ -186,6 +186,8 @@ def clearance_faults(diametral_clearance: ArrayLike, groove_centre_distance: NDA
 
 def material_faults(field: str, material: Material) -> list[Fault]:
     """Faults of a material's numbers."""
+    if not isinstance(material, Material):
+        return [Fault(field, "is not a material", value=material, cause="qs.STEEL, qs.SILICON_NITRIDE or qs.Material")]
     return [
         *within(f"{field}.elastic_modulus", material.elastic_modulus, MODULUS, 1e9, 2e12),
         *within(f"{field}.poisson_ratio", material.poisson_ratio, RATIO, 0.0, 0.499),

@@ -97,6 +97,11 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     return values
 
 
+def _plain(value: Any) -> Any:
+    """A number of another kind (a fraction, a decimal) as a float; anything else as it is."""
+    return value if value is None or isinstance(value, float | int) or np.shape(value) else float(value)
+
+
 def _arrays_among(values: dict[str, Any]) -> dict[str, NDArray]:
     """The values that vary over cases; a plain number is told at once, which is most of them."""
     return {
@@ -115,7 +120,7 @@ class CaseMaker:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self._values = case_arrays(scene)
+        self._values = {name: _plain(value) for name, value in case_arrays(scene).items()}
         self._arrays = _arrays_among(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""

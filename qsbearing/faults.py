@@ -57,11 +57,19 @@ class Fault:
         unit = f" {self.quantity.unit}" if self.quantity and self.quantity.unit != "-" else ""
         text = f"{self.field}"
         if self.value is not None:
-            text += f" = {self.value:g}{unit}" if isinstance(self.value, float | int) else f" = {self.value!r}"
+            text += f" = {_shown(self.value)}{unit}" if isinstance(self.value, float | int) else f" = {self.value!r}"
         text += f": {self.problem}"
         if self.allowed is not None:
             text += f" (allowed: {self.allowed[0]:g} to {self.allowed[1]:g}{unit})"
         return text + (f". {self.cause}" if self.cause else "")
+
+
+def _shown(value: float) -> str:
+    """A number to six digits; an integer that no float holds by its size."""
+    try:
+        return f"{value:g}"
+    except OverflowError:
+        return f"<an integer of {int(value).bit_length()} bits>"
 
 
 class SceneError(ValueError):
@@ -81,11 +89,13 @@ def raise_if_any(faults: list[Fault]) -> None:
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[np.ndarray | None, list[Fault]]:
     """The value as a float array, or the fault that says why it is none: not a number, NaN, infinite."""
     try:
-        if value is None or isinstance(value, str | bytes | bool):
+        if value is None or isinstance(value, str | bytes | bool) or np.iscomplexobj(value):
             raise TypeError
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         return None, [Fault(field, "is not a number", value=value, quantity=quantity)]
+    except OverflowError:
+        return None, [Fault(field, "is an integer beyond any float", quantity=quantity)]
     if array.size == 0:
         return None, [Fault(field, "is an empty array", quantity=quantity)]
     finite = np.isfinite(array)

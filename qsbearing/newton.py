@@ -87,7 +87,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         worst = max(worst, imbalance)
         rounding = max(rounding, noise)
         if imbalance > worst_own * load:
-            worst_own = imbalance / load if load > 0.0 else inf
+            worst_own = imbalance / load if load > 0.0 else 1.0
         total += imbalance
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)

@@ -107,7 +107,7 @@ def _unstated_tilts(operation: Operation) -> list[Fault]:
             continue
         try:
             present = bool(np.any(np.asarray(value, float) != 0.0))
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             continue  # reported as not a number
         if present:
             faults.append(

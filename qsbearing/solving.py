@@ -129,6 +129,8 @@ def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
     count, balls = maker.count, maker.ball_axis
     if start is None:
         return np.empty((count, 5)), np.empty((count, balls, 2)), np.zeros((count, balls), np.int8)
+    if not isinstance(start, Solution):
+        raise TypeError(f"start = {start!r}: must be a Solution")
     if start._maker.ball_axis != balls or start._maker.count not in (1, count):
         raise ValueError(
             f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
