@@ -1,0 +1,219 @@
+"""The cost record: everything measured and fitted, from which tables, figures and advice are made.
+
+Order of convergence. The pressure ends like a square root at the contact's edge, so bilinear hats carry it to the power
+3/2 of the element size h in the norm of the energy, and the contact's energy to h^3. Approach and semi-axes are that
+energy's derivatives: the approach by the load, the second moments of the pressure (a and b) by the two curvatures. Its
+error repeats with every element that the edge passes, and a derivative of what repeats over h loses one power: h^2 for
+the contact's edge at one place; the mean over all places in an element has lost the repeating part, and keeps h^3.
+The shear below the surface is no such derivative: for it this is a comparison only.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from fem_check import linear_solver, records_store
+from fem_check.agreement import Level
+from fem_check.cost import closed_forms, fits, fresh_process, machine, rungs, shapes, timing
+from fem_check.cost.rungs import JUDGED, Rung
+from fem_check.elastic_body import Progress
+from fem_check.records_store import RecordError
+from fem_check.references import axis_ratio
+
+FOLDER = records_store.FOLDER / "cost"
+SOLVERS = {
+    "cholmod": "CHOLMOD (scikit-sparse)",
+    "rslab": "rslab",
+    "pardiso": "PARDISO (pypardiso)",
+    "scipy": "SuperLU (scipy)",
+}
+MEASURED, NOT_INSTALLED = "measured", "not installed"
+THEORY = {"one_position": 2.0, "mean_of_positions": 3.0}
+"""Orders, see above."""
+LARGE = 1e4
+"""Unknowns from which on times and memory are fitted: below, it is the start of everything that takes the time."""
+FIELDS = ("level", "machine", "contact", "solvers", "rungs", "shapes", "closed_forms", "orders", "scaling")
+
+
+def measure(level: Level, progress: Progress) -> dict[str, Any]:
+    """Measure a level; nothing is written."""
+    start = time.perf_counter()
+    usable, main = linear_solver.available(), linear_solver.chosen()
+    found = machine.machine()
+    problem = rungs.problem()
+    progress("closed forms", 0.0)
+    forms = closed_forms.measure(problem)
+    wanted = shapes.wanted(level, main)
+    shaped = []
+    for done, shape in enumerate(wanted):
+        progress(f"{shape.elements} elements, a/b = {shape.ellipticity:g}", 0.2 * done / len(wanted))
+        shaped.append(fresh_process.call(shapes.solve, shape))
+    ladder = rungs.ladder(level, main, [name for name in usable if name != main])
+    answers = timing.interleaved(
+        rungs.solve, ladder, level, lambda stage, part: progress(stage, 0.2 + 0.8 * part), _in_words
+    )
+    entries = [_entry(rung, runs) for rung, runs in zip(ladder, answers, strict=True)]
+    return {
+        "made_by": f"fem-check cost --level {level}",
+        "level": str(level),
+        "seconds": round(time.perf_counter() - start, 1),
+        "machine": found,
+        "contact": {
+            "name": problem.name,
+            "load_N": problem.load,
+            "ellipticity": 1.0 / axis_ratio(problem.curvature_x / problem.curvature_y),
+        },
+        "main_solver": main,
+        "solvers": {
+            name: {"words": SOLVERS[name], "status": MEASURED if name in usable else NOT_INSTALLED}
+            for name in linear_solver.known()
+        },
+        "families": {family.name: family.words for family in rungs.FAMILIES},
+        "rungs": entries,
+        "shapes": shaped,
+        "closed_forms": forms,
+        "orders": orders(shaped, entries),
+        "scaling": scaling(entries),
+    }
+
+
+def _in_words(rung: Rung) -> str:
+    return f"{rung.elements} elements, {rung.family}, {rung.far_field}, {rung.solver}"
+
+
+def _entry(rung: Rung, runs: list[dict[str, Any]] | str) -> dict[str, Any]:
+    """A rung as the record keeps it; what was not measured is None, and `status` says why."""
+    named = rung.describe()
+    if isinstance(runs, str):
+        return (
+            {**named, "status": runs}
+            | dict.fromkeys(
+                ("dofs", "element_size", "error", "worst_error", "seconds", "contact_seconds", "cpu_seconds")
+            )
+            | dict.fromkeys(("peak_memory_MB", "base_memory_MB"))
+        )
+    first = runs[0]
+    timed = ("seconds", "contact_seconds", "cpu_seconds", "peak_memory_MB", "base_memory_MB")
+    kept = {name: value for name, value in first.items() if name not in timed}
+    spreads = {name: timing.spread([run[name] for run in runs]) for name in timed}
+    return {**named, "status": MEASURED, **_shortened(kept), **spreads}
+
+
+def _shortened(value: Any) -> Any:
+    """Floats to four digits: more would be noise in a file that people compare."""
+    if isinstance(value, dict):
+        return {name: _shortened(part) for name, part in value.items()}
+    return float(f"{value:.4g}") if isinstance(value, float) else value
+
+
+def selected(entries: list[dict[str, Any]], **wanted: Any) -> list[dict[str, Any]]:
+    """The measured rungs with the given properties, coarse to fine."""
+    chosen = [
+        entry
+        for entry in entries
+        if entry["status"] == MEASURED and all(entry[name] == value for name, value in wanted.items())
+    ]
+    return sorted(chosen, key=lambda entry: (entry["far_field"], entry["dofs"]))
+
+
+def mesh_ladder(entries: list[dict[str, Any]], solver: str) -> list[dict[str, Any]]:
+    """The rungs of all checks' own kind: 20-node hexahedra, exact far field."""
+    return selected(entries, family=rungs.SERENDIPITY.name, far_field="exact", solver=solver)
+
+
+def orders(shaped: list[dict[str, Any]], entries: list[dict[str, Any]]) -> dict[str, Any]:
+    """Observed orders of convergence of the worst over all shapes, for one place of the edge and for the mean of 8."""
+    sizes = {entry["elements_per_semi_axis"]: entry["element_size"] for entry in entries if entry["element_size"]}
+    counts = sorted({entry["elements_per_semi_axis"] for entry in shaped} & set(sizes))
+    series: dict[str, Any] = {"element_size": [sizes[count] for count in counts], "theory": THEORY}
+    for key, places in (("one_position", "1"), ("mean_of_positions", str(max(shapes.COUNTS)))):
+        series[key] = {}
+        for name in JUDGED:
+            worst = [envelope(shaped, count, places, (name,)) for count in counts]
+            series[key][name] = {"error": worst, **fits.power_law(series["element_size"], worst)}
+    return series
+
+
+def envelope(shaped: list[dict[str, Any]], elements: int, places: str, names: tuple[str, ...] = JUDGED) -> float:
+    """Largest error of a mesh over all shapes and the named quantities, with so many places of the edge."""
+    return max(
+        entry["worst_error"][places][name]
+        for entry in shaped
+        if entry["elements_per_semi_axis"] == elements
+        for name in names
+    )
+
+
+def scaling(entries: list[dict[str, Any]]) -> dict[str, Any]:
+    """Time and memory against unknowns, a power law for each linear solver.
+
+    Memory is what the contact adds to the process that solves it.
+    """
+    found = {}
+    for solver in dict.fromkeys(entry["solver"] for entry in entries):
+        ladder = mesh_ladder(entries, solver)
+        large = [entry for entry in ladder if entry["dofs"] >= LARGE]
+        used = large if len(large) >= 3 else ladder
+        dofs = [entry["dofs"] for entry in used]
+        found[solver] = {
+            "from_dofs": min(dofs, default=None),
+            "to_dofs": max(dofs, default=None),
+            "time": fits.power_law(dofs, [entry["seconds"]["median"] for entry in used]),
+            "memory": fits.power_law(dofs, [added_memory(entry) for entry in used]),
+        }
+    return found
+
+
+def added_memory(entry: dict[str, Any]) -> float:
+    """Peak memory above the process's own at the start [MB]."""
+    return float(entry["peak_memory_MB"]["median"] - entry["base_memory_MB"]["median"])
+
+
+# --- files -----------------------------------------------------------------------------------------------------------
+
+
+def write(record: dict[str, Any], folder: Path = FOLDER) -> Path:
+    """Keep a record, whole or not at all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / f"{record['level']}.json"
+    replace(path, (json.dumps(record, indent=1, allow_nan=False) + "\n").encode())
+    return path
+
+
+def replace(path: Path, content: bytes) -> None:
+    """Put a file in place in one step."""
+    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(temporary).chmod(0o644)
+        Path(temporary).replace(path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def read(folder: Path = FOLDER) -> dict[str, Any] | None:
+    """The release level's record where there is one, else the quick level's; None for neither.
+
+    Raises:
+        RecordError: a file that is no cost record.
+    """
+    for level in (Level.RELEASE, Level.QUICK):
+        path = folder / f"{level}.json"
+        if not path.is_file():
+            continue
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+            missing = [field for field in FIELDS if field not in found]
+        except (ValueError, OSError, TypeError) as problem:
+            raise RecordError(f"{path} is no cost record ({problem}); run `fem-check cost` again") from problem
+        if missing:
+            raise RecordError(f"{path} lacks {', '.join(missing)}; run `fem-check cost` again")
+        return dict(found)
+    return None
