@@ -11,8 +11,6 @@ The shear below the surface is no such derivative: for it this is a comparison o
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 import time
 from pathlib import Path
 from typing import Any
@@ -172,30 +170,6 @@ def scaling(entries: list[dict[str, Any]]) -> dict[str, Any]:
 def added_memory(entry: dict[str, Any]) -> float:
     """Peak memory above the process's own at the start [MB]."""
     return float(entry["peak_memory_MB"]["median"] - entry["base_memory_MB"]["median"])
-
-
-# --- files -----------------------------------------------------------------------------------------------------------
-
-
-def write(record: dict[str, Any], folder: Path = FOLDER) -> Path:
-    """Keep a record, whole or not at all."""
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / f"{record['level']}.json"
-    replace(path, (json.dumps(record, indent=1, allow_nan=False) + "\n").encode())
-    return path
-
-
-def replace(path: Path, content: bytes) -> None:
-    """Put a file in place in one step."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        Path(temporary).chmod(0o644)
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
 
 
 def read(folder: Path = FOLDER) -> dict[str, Any] | None:

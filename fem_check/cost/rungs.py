@@ -107,13 +107,31 @@ def _bodies(rung: Rung, problem: ContactProblem) -> Bodies:
     family = family_named(rung.family)
     if not rung.box_size:
         return half_space_contact.bodies(problem, rung.elements, support=support, family=family)
-    # The proportions that the boxes of the repository are made for.
-    ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 1)
+    ellipticity = _box_ellipticity(problem)
     recipe = meshing.clamped_box(rung.elements, rung.box_size, ellipticity)
     mesh = half_space_contact.stretched(meshing.load(recipe), ellipticity, 1.0, 1.0)
     hats = elastic_body.hats_of(mesh)
     body = elastic_body.condense(mesh, hats, problem.race.poisson_ratio, support, family=family)
     return Bodies(body, body, hats, recipe)
+
+
+def make_meshes(level: Level) -> None:
+    """Make every mesh of a level that is not here yet, so that no rung pays for it.
+
+    Raises:
+        MeshError: one is missing and cannot be made.
+    """
+    counts = {*MESHES[level], *(count for some in FAMILY_MESHES[level].values() for count in some)}
+    ellipticity = _box_ellipticity(problem())
+    recipes = [meshing.half_space(count) for count in sorted(counts)]
+    recipes += [meshing.clamped_box(count, size, ellipticity) for count in BOX_MESHES[level] for size in BOX_SIZES]
+    for recipe in recipes:
+        meshing.locate(recipe)
+
+
+def _box_ellipticity(problem: ContactProblem) -> float:
+    """The proportions that the boxes of the repository are made for."""
+    return round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 1)
 
 
 def errors(problem: ContactProblem, measured: Measured) -> dict[str, Any]:
