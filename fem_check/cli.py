@@ -207,7 +207,7 @@ def cost(level: str, out: Path | None, as_json: bool) -> None:
     _load_checks()
     from fem_check import meshing, runner
     from fem_check.agreement import Level
-    from fem_check.cost import fresh_process, output, record, rungs, tables
+    from fem_check.cost import campaign, fresh_process, output, record, rungs, tables
     from fem_check.meshing import MeshError
 
     folder = out or record.FOLDER
@@ -217,8 +217,8 @@ def cost(level: str, out: Path | None, as_json: bool) -> None:
         runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
         rungs.make_meshes(Level(level))
         with progress_bar(as_json) as reporter:
-            found = record.measure(Level(level), reporter("cost"))
-        written = output.write(found, folder, with_figures=out is not None)
+            found = campaign.measure(Level(level), reporter("cost"))
+        written = output.write(found, out) if out else output.keep(found, folder)
     except (MeshError, runner.BadInputError, fresh_process.ProcessError, ValueError) as problem:
         refuse(str(problem))
     except OSError as problem:

@@ -13,6 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 
 from fem_check.cost import machine
@@ -36,7 +37,8 @@ def png(figure: Figure) -> bytes:
 
 def _panels(record: Record, title: str, height: float = 4.6, sharey: bool = True) -> tuple[Figure, list[Axes]]:
     figure, axes = plt.subplots(1, 2, figsize=(10.0, height), sharey=sharey, layout="constrained")
-    figure.suptitle(title, fontsize=11)
+    if title:
+        figure.suptitle(title, fontsize=11)
     contact = record["contact"]
     foot = f"{contact['name']}, Q = {contact['load_N']:g} N, a/b = {contact['ellipticity']:.2f}; " + machine.in_a_line(
         record["machine"], record["solvers"][record["main_solver"]]["words"]
@@ -45,10 +47,19 @@ def _panels(record: Record, title: str, height: float = 4.6, sharey: bool = True
     return figure, list(axes)
 
 
-def _legend(figure: Figure, axes: Axes, columns: int) -> None:
-    """Above the panels: the points reach into every corner of them."""
+def _legend(figure: Figure, axes: Axes, title: str) -> None:
+    """Above the panels, under the title: the points reach into every corner of them."""
     handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=columns, fontsize=7.5)
+    figure.legend(
+        handles,
+        labels,
+        loc="outside upper center",
+        ncols=3,
+        fontsize=7.5,
+        title=title,
+        title_fontsize=11,
+        frameon=False,
+    )
 
 
 def _grid(axes: Axes) -> None:
@@ -58,7 +69,7 @@ def _grid(axes: Axes) -> None:
 
 def _bars(spreads: list[dict[str, Any]]) -> np.ndarray:
     """Distances from the medians to the smallest and the largest, shape (2, point)."""
-    return np.array([[s["median"] - s["min"] for s in spreads], [s["max"] - s["median"] for s in spreads]])
+    return np.array([[s["median"] - s["low"] for s in spreads], [s["high"] - s["median"] for s in spreads]])
 
 
 def _against_cost(
@@ -70,16 +81,14 @@ def _against_cost(
         axes.errorbar([s["median"] for s in spreads], errors, xerr=_bars(spreads), label=label, **style)
 
 
-def _number(axes: Axes, entries: list[dict[str, Any]], x: list[float], y: list[float]) -> None:
-    """Elements per semi-axis beside the points."""
+def _number(axes: Axes, entries: list[dict[str, Any]], x: list[float], y: list[float], apart: float) -> None:
+    """Elements per semi-axis below the points, where the labels stand far enough apart (a factor along x)."""
+    last = 0.0
     for entry, where_x, where_y in zip(entries, x, y, strict=True):
-        axes.annotate(
-            str(entry["elements_per_semi_axis"]),
-            (where_x, where_y),
-            (-3, -11),
-            textcoords="offset points",
-            fontsize=7.5,
-        )
+        if where_x > apart * last:
+            label = str(entry["elements_per_semi_axis"])
+            axes.annotate(label, (where_x, where_y), (-3, -11), textcoords="offset points", fontsize=7.5)
+            last = where_x
 
 
 def _label_cost(pair: list[Axes]) -> None:
@@ -88,20 +97,23 @@ def _label_cost(pair: list[Axes]) -> None:
         _grid(axes)
     pair[0].set(xlabel="time of the contact, s", ylabel="worst error of δ, a, b, p0, τmax, %")
     pair[1].set(xlabel="peak memory of the process, MB")
-    _plain_ticks(pair[1])
+    for axis in (pair[0].xaxis, pair[1].xaxis, pair[0].yaxis):
+        _plain_ticks(axis)
 
 
-def _plain_ticks(axes: Axes) -> None:
-    """Memory spans one decade: name its numbers, since powers of ten would leave one tick."""
-    low, high = axes.get_xlim()
-    ticks = [t for t in (150, 200, 300, 500, 700, 1000, 1500, 2000, 3000, 5000) if low <= t <= high]
-    axes.set_xticks(ticks, [str(t) for t in ticks])
-    axes.minorticks_off()
+def _plain_ticks(axis: Axis) -> None:
+    """1, 2 and 5 of each decade where there are few, else 1, written out: one tick alone would not tell the scale."""
+    low, high = axis.get_view_interval()
+    mantissas = (1.0, 2.0, 5.0) if high < 200.0 * low else (1.0,)
+    decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
+    ticks = [m * 10.0**decade for decade in decades for m in mantissas if low <= m * 10.0**decade <= high]
+    axis.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
+    axis.set_ticks([], minor=True)
 
 
 def families(record: Record) -> Figure:
     """Element families: error against time and memory."""
-    figure, pair = _panels(record, "Element families, exact far field; numbers: elements per semi-axis")
+    figure, pair = _panels(record, "")
     for place, (name, words) in enumerate(record["families"].items()):
         entries = selected(record["rungs"], family=name, far_field="exact", solver=record["main_solver"])
         if not entries:
@@ -117,15 +129,15 @@ def families(record: Record) -> Figure:
         }
         _against_cost(pair, entries, errors, words, style)
         if place == 0:
-            _number(pair[0], entries, [entry["seconds"]["median"] for entry in entries], errors)
+            _number(pair[0], entries, [entry["seconds"]["median"] for entry in entries], errors, 1.2)
     _label_cost(pair)
-    _legend(figure, pair[0], 3)
+    _legend(figure, pair[0], "Element families, exact far field; numbers: elements per semi-axis")
     return figure
 
 
 def far_field(record: Record) -> Figure:
     """Far field and places of the edge: error against time and memory."""
-    figure, pair = _panels(record, "Far field and places of the contact's edge, 20-node hexahedra")
+    figure, pair = _panels(record, "")
     ladder = mesh_ladder(record["rungs"], record["main_solver"])
     x = [entry["seconds"]["median"] for entry in ladder]
     mean = [100.0 * entry["worst_error"] for entry in ladder]
@@ -145,7 +157,7 @@ def far_field(record: Record) -> Figure:
         "exact far field, mean of 8 places",
         common | {"marker": "o", "color": "C0", "linewidth": 2.2},
     )
-    _number(pair[0], ladder, x, mean)
+    _number(pair[0], ladder, x, mean, 1.2)
     clamped = [e for e in selected(record["rungs"], solver=record["main_solver"]) if e["far_field"] != "exact"]
     names = list(dict.fromkeys(entry["far_field"] for entry in clamped))
     names.sort(key=lambda name: -max(e["worst_error"] for e in clamped if e["far_field"] == name))
@@ -154,7 +166,7 @@ def far_field(record: Record) -> Figure:
         errors = [100.0 * entry["worst_error"] for entry in entries]
         _against_cost(pair, entries, errors, name, common | {"marker": MARKS[place + 1], "color": f"C{place + 1}"})
     _label_cost(pair)
-    _legend(figure, pair[0], 3)
+    _legend(figure, pair[0], "Far field and places of the contact's edge, 20-node hexahedra")
     return figure
 
 
@@ -186,9 +198,7 @@ def convergence(record: Record) -> Figure:
         axes.loglog(size, 1.6 * top * (size / size[0]) ** order, "k--", linewidth=1.4, label=f"theory: order {order:g}")
         axes.set(xlabel="element size over semi-axis", title=words)
         axes.title.set_fontsize(9)
-        ticks = [t for t in (0.05, 0.1, 0.2, 0.3) if size.min() * 0.9 <= t <= size.max() * 1.1]
-        axes.set_xticks(ticks, [f"{t:g}" for t in ticks])
-        axes.minorticks_off()
+        _plain_ticks(axes.xaxis)
         axes.legend(fontsize=7.5, loc="lower right")
         _grid(axes)
     low, high = pair[0].get_ylim()
@@ -227,7 +237,11 @@ def scaling(record: Record) -> Figure:
                 axes.plot(line, fit["factor"] * line ** fit["exponent"], color=f"C{place}", linewidth=1.0)
     for axes in pair:
         axes.set(xscale="log", yscale="log", xlabel="unknowns")
-        axes.legend(fontsize=7.5, title=f"not installed: {', '.join(missing)}" if missing else None, title_fontsize=7)
+        title = f"not installed: {', '.join(missing)}" if missing else None
+        axes.legend(fontsize=7.5, title=title, title_fontsize=7, loc="upper left")
+        axes.set_ylim(top=3.0 * axes.get_ylim()[1])  # room for the legend
+        _plain_ticks(axes.xaxis)
+        _plain_ticks(axes.yaxis)
         _grid(axes)
     pair[0].set_ylabel("time of the contact, s")
     pair[1].set_ylabel("memory added to the process, MB")
@@ -290,7 +304,7 @@ def combined(record: Record) -> Figure:
             elinewidth=0.8,
             label="finite elements, mean of 8 places",
         )
-        _number(axes, ladder, x, mean)
+        _number(axes, ladder, x, mean, 1.8)
         axes.set(xscale="log", yscale="log", xlabel="time of a contact, s", title=words)
         axes.title.set_fontsize(9)
         axes.set_xticks(10.0 ** np.arange(-8, 3))

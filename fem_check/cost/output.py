@@ -22,14 +22,26 @@ def try_folder(folder: Path) -> None:
         pass
 
 
-def write(record: dict[str, Any], folder: Path, with_figures: bool) -> list[Path]:
-    """Write a record, and its tables as CSV and its figures too if wanted."""
-    contents = {f"{record['level']}.json": (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()}
-    if with_figures:
-        from fem_check.cost import figures
+def keep(record: dict[str, Any], folder: Path) -> list[Path]:
+    """Keep a record where advice and report look for it, in the file of its level."""
+    return _put({f"{record['level']}.json": _text(record)}, folder)
 
-        contents |= {f"{part}.csv": tables.text_csv(record[part]).encode() for part in tables.CSV_PARTS}
-        contents |= {f"cost-{name}.png": figures.png(draw(record)) for name, (draw, _) in figures.FIGURES.items()}
+
+def write(record: dict[str, Any], folder: Path) -> list[Path]:
+    """Write a record, its tables as CSV and its figures; the names let `qsbearing cost` share the folder."""
+    from fem_check.cost import figures
+
+    contents = {"fem_cost.json": _text(record)}
+    contents |= {f"fem_{part}.csv": tables.text_csv(record[part]).encode() for part in tables.CSV_PARTS}
+    contents |= {f"fem_{name}.png": figures.png(draw(record)) for name, (draw, _) in figures.FIGURES.items()}
+    return _put(contents, folder)
+
+
+def _text(record: dict[str, Any]) -> bytes:
+    return (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()
+
+
+def _put(contents: dict[str, bytes], folder: Path) -> list[Path]:
     for name, content in contents.items():
         replace(folder / name, content)
     return [folder / name for name in contents]

@@ -1,4 +1,4 @@
-"""The cost record: everything measured and fitted, from which tables, figures and advice are made.
+"""The cost record: what is in it, what is fitted to it; tables, figures and advice are made from it.
 
 Order of convergence. The pressure ends like a square root at the contact's edge, so bilinear hats carry it to the power
 3/2 of the element size h in the norm of the energy, and the contact's energy to h^3. Approach and semi-axes are that
@@ -11,17 +11,14 @@ The shear below the surface is no such derivative: for it this is a comparison o
 from __future__ import annotations
 
 import json
-import time
 from pathlib import Path
 from typing import Any
 
-from fem_check import linear_solver, records_store
+from fem_check import records_store
 from fem_check.agreement import Level
-from fem_check.cost import closed_forms, fits, fresh_process, machine, rungs, shapes, timing
-from fem_check.cost.rungs import JUDGED, Rung
-from fem_check.elastic_body import Progress
+from fem_check.cost import fits, rungs, shapes
+from fem_check.cost.rungs import JUDGED
 from fem_check.records_store import RecordError
-from fem_check.references import axis_ratio
 
 FOLDER = records_store.FOLDER / "cost"
 SOLVERS = {
@@ -30,83 +27,17 @@ SOLVERS = {
     "pardiso": "PARDISO (pypardiso)",
     "scipy": "SuperLU (scipy)",
 }
+REFERENCE = 4
+"""Elements per semi-axis of the mesh whose time the others' are held against."""
 MEASURED, NOT_INSTALLED = "measured", "not installed"
 THEORY = {"one_position": 2.0, "mean_of_positions": 3.0}
 """Orders, see above."""
 LARGE = 1e4
 """Unknowns from which on times and memory are fitted: below, it is the start of everything that takes the time."""
-FIELDS = ("level", "machine", "contact", "solvers", "rungs", "shapes", "closed_forms", "orders", "scaling")
-
-
-def measure(level: Level, progress: Progress) -> dict[str, Any]:
-    """Measure a level; nothing is written."""
-    start = time.perf_counter()
-    usable, main = linear_solver.available(), linear_solver.chosen()
-    found = machine.machine()
-    problem = rungs.problem()
-    progress("closed forms", 0.0)
-    forms = closed_forms.measure(problem)
-    wanted = shapes.wanted(level, main)
-    shaped = []
-    for done, shape in enumerate(wanted):
-        progress(f"{shape.elements} elements, a/b = {shape.ellipticity:g}", 0.2 * done / len(wanted))
-        shaped.append(fresh_process.call(shapes.solve, shape))
-    ladder = rungs.ladder(level, main, [name for name in usable if name != main])
-    answers = timing.interleaved(
-        rungs.solve, ladder, level, lambda stage, part: progress(stage, 0.2 + 0.8 * part), _in_words
-    )
-    entries = [_entry(rung, runs) for rung, runs in zip(ladder, answers, strict=True)]
-    return {
-        "made_by": f"fem-check cost --level {level}",
-        "level": str(level),
-        "seconds": round(time.perf_counter() - start, 1),
-        "machine": found,
-        "contact": {
-            "name": problem.name,
-            "load_N": problem.load,
-            "ellipticity": 1.0 / axis_ratio(problem.curvature_x / problem.curvature_y),
-        },
-        "main_solver": main,
-        "solvers": {
-            name: {"words": SOLVERS[name], "status": MEASURED if name in usable else NOT_INSTALLED}
-            for name in linear_solver.known()
-        },
-        "families": {family.name: family.words for family in rungs.FAMILIES},
-        "rungs": entries,
-        "shapes": shaped,
-        "closed_forms": forms,
-        "orders": orders(shaped, entries),
-        "scaling": scaling(entries),
-    }
-
-
-def _in_words(rung: Rung) -> str:
-    return f"{rung.elements} elements, {rung.family}, {rung.far_field}, {rung.solver}"
-
-
-def _entry(rung: Rung, runs: list[dict[str, Any]] | str) -> dict[str, Any]:
-    """A rung as the record keeps it; what was not measured is None, and `status` says why."""
-    named = rung.describe()
-    if isinstance(runs, str):
-        return (
-            {**named, "status": runs}
-            | dict.fromkeys(
-                ("dofs", "element_size", "error", "worst_error", "seconds", "contact_seconds", "cpu_seconds")
-            )
-            | dict.fromkeys(("peak_memory_MB", "base_memory_MB"))
-        )
-    first = runs[0]
-    timed = ("seconds", "contact_seconds", "cpu_seconds", "peak_memory_MB", "base_memory_MB")
-    kept = {name: value for name, value in first.items() if name not in timed}
-    spreads = {name: timing.spread([run[name] for run in runs]) for name in timed}
-    return {**named, "status": MEASURED, **_shortened(kept), **spreads}
-
-
-def _shortened(value: Any) -> Any:
-    """Floats to four digits: more would be noise in a file that people compare."""
-    if isinstance(value, dict):
-        return {name: _shortened(part) for name, part in value.items()}
-    return float(f"{value:.4g}") if isinstance(value, float) else value
+TIMED = ("seconds", "contact_seconds", "cpu_seconds", "peak_memory_MB", "base_memory_MB")
+GIVEN = ("dofs", "element_size", "error", "worst_error", "worst_single_position", *TIMED, "seconds_over_reference")
+"""What a rung has where it was measured, and None where not."""
+FIELDS = ("level", "machine", "contact", "solvers", "rungs", "shapes", "closed_forms", "orders", "scaling", "trials")
 
 
 def selected(entries: list[dict[str, Any]], **wanted: Any) -> list[dict[str, Any]]:

@@ -12,9 +12,10 @@ from rich.box import SIMPLE
 from rich.table import Table as RichTable
 
 from fem_check.cost.advice import SEQUENCES
-from fem_check.cost.record import MEASURED, NOT_INSTALLED, envelope, mesh_ladder, selected
+from fem_check.cost.record import MEASURED, NOT_INSTALLED, REFERENCE, envelope, mesh_ladder, selected
 from fem_check.cost.rungs import JUDGED
 from fem_check.cost.shapes import COUNTS
+from fem_check.cost.timing import CONFIDENCE
 
 Record = dict[str, Any]
 SHORT_NAMES = {
@@ -42,19 +43,33 @@ def percent(value: float | None, signed: bool = False) -> str:
     return f"{100.0 * value:{'+' if signed else ''}.2g}"
 
 
+UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9))
+
+
+def _unit(seconds: float) -> tuple[str, float]:
+    return next((unit for unit in UNITS if seconds >= unit[1]), UNITS[-1])
+
+
 def duration(seconds: float) -> str:
     """Three digits in a unit that suits them."""
-    for unit, factor in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
-        if seconds >= factor:
-            return f"{seconds / factor:.3g} {unit}"
-    return f"{seconds / 1e-9:.3g} ns"
+    unit, factor = _unit(seconds)
+    return f"{seconds / factor:.3g} {unit}"
 
 
 def span(spread: dict[str, Any] | None) -> str:
-    """Median, smallest and largest of times."""
+    """Median, smallest and largest of times, in one unit."""
     if spread is None:
         return ""
-    return f"{duration(spread['median'])} ({duration(spread['min'])} to {duration(spread['max'])})"
+    unit, factor = _unit(spread["median"])
+    median, low, high = (f"{spread[name] / factor:.3g}" for name in ("median", "low", "high"))
+    return f"{median} ({low} to {high}) {unit}"
+
+
+def ratio(spread: dict[str, Any] | None) -> str:
+    """A ratio, and between what it comes out again."""
+    if spread is None:
+        return ""
+    return f"{spread['median']:.3g} ({spread['low']:.2g} to {spread['high']:.2g})"
 
 
 def megabytes(spread: dict[str, Any] | None) -> str:
@@ -72,18 +87,19 @@ def with_interval(fit: dict[str, Any]) -> str:
 def _cost_of(entry: dict[str, Any]) -> tuple[str, ...]:
     """Unknowns, errors, time and memory of a rung; the reason alone where it was not measured."""
     if entry["status"] != MEASURED:
-        return ("", entry["status"], *[""] * (len(JUDGED) + 2))
+        return ("", entry["status"], *[""] * (len(JUDGED) + 3))
     return (
         str(entry["dofs"]),
         *(percent(entry["error"][name], signed=True) for name in JUDGED),
         percent(entry["worst_single_position"]),
         span(entry["seconds"]),
+        ratio(entry["seconds_over_reference"]),
         megabytes(entry["peak_memory_MB"]),
     )
 
 
 ERRORS = tuple(f"{short} %" for short in SHORT_NAMES.values())
-COST = ("unknowns", *ERRORS, "one place, worst %", "time", "MB")
+COST = ("unknowns", *ERRORS, "one place %", "time", f"over {REFERENCE} elements", "MB")
 
 
 def meshes(record: Record) -> Table:
@@ -182,7 +198,39 @@ def closed_forms(record: Record) -> Table:
     return Table("Closed forms, a contact", ("form", *ERRORS[:4], "compiled, in a batch", "one call from Python"), rows)
 
 
-TABLES = (closed_forms, meshes, places, orders, families, far_fields, solvers)
+def trials(record: Record) -> Table:
+    """The advice put to the test."""
+    headings = (
+        "contact",
+        "asked",
+        "elements, places",
+        "off Hertz by",
+        "expected",
+        "took",
+        "ratio",
+        "MB expected, taken",
+    )
+    rows: list[tuple[str, ...]] = []
+    for each in record["trials"]:
+        if each["status"] != MEASURED:
+            rows.append((each["contact"], f"{each['asked']:g}", each["status"], *[""] * (len(headings) - 3)))
+            continue
+        rows.append(
+            (
+                f"{each['contact']}, a/b = {each['ellipticity']:.1f}",
+                f"{each['asked']:g}",
+                f"{each['elements_per_semi_axis']}, {each['places']}",
+                f"{each['deviation']:.2g}",
+                duration(each["expected_seconds"]),
+                duration(each["seconds"]),
+                f"{each['seconds_over_expected']:.2f}",
+                f"{each['expected_memory_MB']:.0f}, {each['peak_memory_MB']:.0f}",
+            )
+        )
+    return Table("The advice on contacts that its table was not made from", headings, rows)
+
+
+TABLES = (closed_forms, meshes, places, orders, families, far_fields, solvers, trials)
 """Every table, in the order of the report."""
 
 
@@ -190,7 +238,7 @@ def rich_table(table: Table) -> RichTable:
     """For the terminal."""
     made = RichTable(title=table.title, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
     for place, heading in enumerate(table.headings):
-        made.add_column(heading, justify="right" if place else "left", overflow="fold")
+        made.add_column(heading, justify="right" if place else "left", overflow="fold", no_wrap=bool(place))
     for row in table.rows:
         made.add_row(*row)
     return made
@@ -259,7 +307,7 @@ def summary(record: Record) -> str:
     return "\n".join(lines)
 
 
-CSV_PARTS = ("rungs", "shapes", "closed_forms")
+CSV_PARTS = ("rungs", "shapes", "closed_forms", "trials")
 """Parts of the record that are lists of like rows."""
 
 
@@ -273,7 +321,11 @@ def remarks(record: Record) -> list[str]:
         "repeats taken in turn, each in a process of its own, with the smallest and the largest beside; memory is that "
         "process's peak.",
         "A mesh's error is that of the mean over 8 places of the contact's edge in an element; the worst of the "
-        "single places stands beside it.",
+        f"single places stands beside it. Beside each time stands its ratio to that of {REFERENCE} elements per "
+        "semi-axis, taken round by round, and between what that ratio comes out again "
+        f"({100.0 * CONFIDENCE:g} % each).",
+        "The block is divided in depth as 20-node hexahedra need it. Elements of first order need more layers, and "
+        "level off without them.",
     ]
     for coarse, fine in pairwise(ladder):
         if fine["worst_error"] > coarse["worst_error"]:

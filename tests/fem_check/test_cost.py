@@ -15,7 +15,20 @@ from fem_check.agreement import Level
 from fem_check.checks.other_contacts import slender_problem
 from fem_check.cli import cli
 from fem_check.contact_problem import ElasticConstants
-from fem_check.cost import advice, figures, fits, fresh_process, output, record, rungs, shapes, tables, timing
+from fem_check.cost import (
+    advice,
+    campaign,
+    figures,
+    fits,
+    fresh_process,
+    output,
+    record,
+    rungs,
+    shapes,
+    tables,
+    timing,
+    trial,
+)
 from fem_check.elastic_body import Field, stiffness
 from fem_check.element_family import FAMILIES, SERENDIPITY
 from fem_check.references import hertz
@@ -44,6 +57,15 @@ def test_every_family_carries_constant_strain_and_rigid_motion(family):
     assert np.abs(force[inside]).max() < 1e-10 * np.abs(force).max()
     turned = np.cross(np.array([0.3, -0.2, 0.5]), field.nodes.T).ravel()
     assert np.abs(matrix @ turned).max() < 1e-10 * np.abs(force).max()
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
+def test_no_family_gives_way_without_energy(family):
+    # Too few quadrature points leave motions that cost nothing; only the six rigid ones may.
+    cube = MeshHex().refined(1)
+    cube = MeshHex(cube.p, cube.t, _boundaries={"contact": cube.facets_satisfying(lambda x: x[2] == 0.0)}, sort_t=False)
+    energies = np.linalg.eigvalsh(stiffness(Field(family.body(cube), family), 0.3).toarray())
+    assert np.sum(energies < 1e-10 * energies[-1]) == 6
 
 
 def test_tetrahedra_fill_the_brick_and_fit_together():
@@ -96,6 +118,29 @@ def test_the_interval_holds_what_it_says():
         fit = fits.power_law(x, x**1.5 * np.exp(generator.normal(0.0, 0.2, len(x))))
         inside += abs(fit["exponent"] - 1.5) <= fit["uncertainty"]
     assert inside / 400 == pytest.approx(0.95, abs=0.033)
+
+
+def test_ratios_come_out_again_within_their_bounds():
+    # Runs on a machine whose speed drifts by a third from round to round, every series scattering by 8 % besides.
+    generator = np.random.default_rng(5)
+
+    def run() -> list[list[float]]:
+        drift = np.exp(generator.normal(0.0, 0.3, 3))
+        return [list(size * drift * np.exp(generator.normal(0.0, 0.08, 3))) for size in np.logspace(-1, 1, 40)]
+
+    missed, widths = 0, []
+    for _ in range(50):
+        first, again = timing.ratios(run(), 7), timing.ratios(run(), 7)
+        assert first[7] == {"median": 1.0, "low": 1.0, "high": 1.0}
+        for one, other in zip(first, again, strict=True):
+            assert one["low"] <= one["median"] <= one["high"]
+            missed += not one["low"] <= other["median"] <= one["high"]
+            widths.append(one["high"] / one["low"])
+    # 2000 ratios at 99.9 %: two misses are expected; more than eight would be one chance in a thousand.
+    assert missed <= 8
+    # Bounds that held anything would say nothing: with the drift left in, they would be seven times apart.
+    assert 1.5 < np.median(widths) < 3.0
+    assert timing.ratios([[1.0, 2.0], []], 0)[1] is None
 
 
 # --- processes of their own -------------------------------------------------------------------------------------------
@@ -151,12 +196,13 @@ def test_a_clamped_block_takes_back_nearly_half_of_the_approach():
 def small(tmp_path_factory):
     """`fem-check cost --out` for real, on few and coarse rungs; scipy's solver not installed."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(rungs.MESHES, Level.QUICK, (3, 4))
+        patch.setitem(rungs.MESHES, Level.QUICK, (3, 4, 5))
         patch.setitem(rungs.FAMILY_MESHES, Level.QUICK, {"hex8": (3,)})
         patch.setitem(rungs.CLAMPED_BLOCK_MESHES, Level.QUICK, (3,))
         patch.setitem(rungs.BOX_MESHES, Level.QUICK, ())
-        patch.setitem(shapes.ELLIPTICITIES, Level.QUICK, (1.0, 10.0))
+        patch.setitem(shapes.ELLIPTICITIES, Level.QUICK, (1.0, 20.0))
         patch.setattr(timing, "REPEATS", 2)
+        patch.setitem(trial.COUNT, Level.QUICK, 1)
         patch.setattr(linear_solver, "available", lambda: ["rslab"])
         patch.setenv(linear_solver.ENVIRONMENT, "rslab")
         folder = tmp_path_factory.mktemp("cost")
@@ -167,26 +213,27 @@ def small(tmp_path_factory):
 
 def test_cost_writes_one_record_with_tables_and_figures(small):
     result, folder = small
-    kept = json.loads((folder / "quick.json").read_text())
+    kept = json.loads((folder / "fem_cost.json").read_text())
     assert json.loads(result.stdout) == kept
-    assert kept == record.read(folder)
-    names = {path.name for path in folder.iterdir()}
-    assert {f"cost-{name}.png" for name in figures.FIGURES} <= names
-    assert {f"{part}.csv" for part in tables.CSV_PARTS} <= names
-    assert not [name for name in names if name.endswith(".part")]
-    lines = (folder / "rungs.csv").read_text().splitlines()
+    assert set(record.FIELDS) <= set(kept)
+    assert {path.name for path in folder.iterdir()} == {
+        "fem_cost.json",
+        *(f"fem_{name}.png" for name in figures.FIGURES),
+        *(f"fem_{part}.csv" for part in tables.CSV_PARTS),
+    }
+    lines = (folder / "fem_rungs.csv").read_text().splitlines()
     assert len(lines) == 1 + len(kept["rungs"])
     assert "seconds.median" in lines[0]
     for entry in kept["rungs"]:
         if entry["status"] == record.MEASURED:
-            assert entry["seconds"]["min"] <= entry["seconds"]["median"] <= entry["seconds"]["max"]
+            assert entry["seconds"]["low"] <= entry["seconds"]["median"] <= entry["seconds"]["high"]
             assert entry["seconds"]["runs"] == 2
 
 
 def test_a_rung_that_fails_is_kept_with_its_reason(small):
     # Clamped, the contact is longer than the patch of three elements: no number, and never a zero.
     _, folder = small
-    kept = record.read(folder)
+    kept = json.loads((folder / "fem_cost.json").read_text())
     (failed,) = [entry for entry in kept["rungs"] if entry["far_field"] != "exact"]
     assert "fills the whole patch" in failed["status"]
     assert failed["seconds"] is failed["worst_error"] is failed["peak_memory_MB"] is None
@@ -195,7 +242,7 @@ def test_a_rung_that_fails_is_kept_with_its_reason(small):
 
 def test_what_is_not_installed_is_named_and_never_zero(small):
     _, folder = small
-    kept = record.read(folder)
+    kept = json.loads((folder / "fem_cost.json").read_text())
     assert kept["solvers"]["scipy"]["status"] == "not installed"
     assert [entry for entry in kept["rungs"] if entry["solver"] == "scipy"] == []
     (row,) = [row for row in tables.solvers(kept).rows if row[0] == "SuperLU (scipy)"]
@@ -207,16 +254,16 @@ def test_an_interrupted_measurement_leaves_the_earlier_files(tmp_path, monkeypat
     def stop(function, argument):
         raise KeyboardInterrupt
 
-    (tmp_path / "quick.json").write_text("earlier")
+    (tmp_path / "fem_cost.json").write_text("earlier")
     monkeypatch.setattr(fresh_process, "call", stop)
     result = call("cost", "--out", str(tmp_path))
     assert result.exit_code != 0
-    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"quick.json": "earlier"}
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"fem_cost.json": "earlier"}
 
 
 def test_a_folder_that_takes_no_files_is_refused_first(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
-    monkeypatch.setattr(record, "measure", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(campaign, "measure", lambda *_: pytest.fail("measured"))
     result = call("cost", "--out", str(tmp_path / "file" / "inside"))
     assert result.exit_code == 2
     assert "cannot be written" in result.stderr
@@ -255,6 +302,8 @@ def test_the_kept_record_shows_what_it_should(kept):
         if entry["far_field"] != "exact":
             assert abs(entry["error"]["approach"]) > 10.0 * exact[entry["elements_per_semi_axis"]]
     assert kept["closed_forms"][-1]["worst_error"] < 1e-13
+    assert len(kept["trials"]) == trial.COUNT[Level(kept["level"])]
+    assert all(each["deviation"] <= each["expected_error"] <= each["asked"] for each in kept["trials"])
 
 
 def test_the_errors_kept_are_those_made_here(kept):
