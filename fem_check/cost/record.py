@@ -41,13 +41,14 @@ FIELDS = ("level", "machine", "contact", "solvers", "rungs", "shapes", "closed_f
 
 
 def selected(entries: list[dict[str, Any]], **wanted: Any) -> list[dict[str, Any]]:
-    """The measured rungs with the given properties, coarse to fine."""
+    """The measured rungs with the given properties, coarse to fine; far fields as the ladder has them."""
     chosen = [
         entry
         for entry in entries
         if entry["status"] == MEASURED and all(entry[name] == value for name, value in wanted.items())
     ]
-    return sorted(chosen, key=lambda entry: (entry["far_field"], entry["dofs"]))
+    far_fields = list(dict.fromkeys(entry["far_field"] for entry in entries))
+    return sorted(chosen, key=lambda entry: (far_fields.index(entry["far_field"]), entry["dofs"]))
 
 
 def mesh_ladder(entries: list[dict[str, Any]], solver: str) -> list[dict[str, Any]]:

@@ -61,8 +61,13 @@ def span(spread: dict[str, Any] | None) -> str:
     if spread is None:
         return ""
     unit, factor = _unit(spread["median"])
-    median, low, high = (f"{spread[name] / factor:.3g}" for name in ("median", "low", "high"))
+    median, low, high = (_three(spread[name] / factor) for name in ("median", "low", "high"))
     return f"{median} ({low} to {high}) {unit}"
+
+
+def _three(value: float) -> str:
+    """Three digits, never as a power of ten."""
+    return f"{value:.3g}" if value < 999.5 else f"{value:.0f}"
 
 
 def ratio(spread: dict[str, Any] | None) -> str:
