@@ -197,10 +197,10 @@ def small(tmp_path_factory):
     """`fem-check cost --out` for real, on few and coarse rungs; scipy's solver not installed."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(rungs.MESHES, Level.QUICK, (3, 4, 5))
-        patch.setitem(rungs.FAMILY_MESHES, Level.QUICK, {"hex8": (3,)})
+        patch.setitem(rungs.FAMILY_MESHES, Level.QUICK, {})
         patch.setitem(rungs.CLAMPED_BLOCK_MESHES, Level.QUICK, (3,))
         patch.setitem(rungs.BOX_MESHES, Level.QUICK, ())
-        patch.setitem(shapes.ELLIPTICITIES, Level.QUICK, (1.0, 20.0))
+        patch.setitem(shapes.ELLIPTICITIES, Level.QUICK, (20.0,))
         patch.setattr(timing, "REPEATS", 2)
         patch.setitem(trial.COUNT, Level.QUICK, 1)
         patch.setattr(linear_solver, "available", lambda: ["rslab"])
