@@ -462,6 +462,20 @@ def test_an_accuracy_asked_for_is_met(which, accuracy, tmp_path):
 
 
 @pytest.mark.heavy
+@pytest.mark.parametrize("elements", [8, 10, 12])
+@pytest.mark.parametrize("which", [0, 2, 6])
+def test_the_uncertainty_owns_up_to_the_error(which, elements, tmp_path):
+    bearing, race, load = CONTACTS[which]
+    scene = scene_file(tmp_path, **bearing)
+    result = call(
+        "contact", "--scene", scene, "--race", race, "--load-N", str(load), "--elements", str(elements), "--json"
+    )
+    for row in json.loads(result.stdout)["rows"]:
+        if row["quantity"] in rungs.JUDGED:
+            assert abs(row["deviation_percent"]) <= row["uncertainty_percent"], row["quantity"]
+
+
+@pytest.mark.heavy
 @pytest.mark.parametrize("accuracy", [1e-2, 3e-3, 1e-3, 5e-4, 2e-4])
 @pytest.mark.parametrize("which", range(len(CONTACTS)))
 def test_every_accuracy_is_met_on_every_contact(which, accuracy, tmp_path):
