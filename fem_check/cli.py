@@ -227,6 +227,8 @@ def cost(level: str, out: Path | None, as_json: bool) -> None:
         print(json.dumps(found))
         return
     console = Console()
+    if not console.is_terminal:
+        console = Console(width=tables.WIDTH)
     for make in tables.TABLES:
         console.print(tables.rich_table(make(found)))
     plain = Console(soft_wrap=True, highlight=False, markup=False)

@@ -239,11 +239,15 @@ TABLES = (closed_forms, meshes, places, orders, families, far_fields, solvers, t
 """Every table, in the order of the report."""
 
 
+WIDTH = 150
+"""Characters that the widest table takes, for a file or a pipe; a terminal has its own."""
+
+
 def rich_table(table: Table) -> RichTable:
     """For the terminal."""
     made = RichTable(title=table.title, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
     for place, heading in enumerate(table.headings):
-        made.add_column(heading, justify="right" if place else "left", overflow="fold", no_wrap=bool(place))
+        made.add_column(heading, justify="right" if place else "left", overflow="fold")
     for row in table.rows:
         made.add_row(*row)
     return made
