@@ -1,4 +1,4 @@
-"""`fem-check`: list, run, contact, report. It formats and calls; the checks compute."""
+"""`fem-check`: list, run, contact, cost, report. It formats and calls; the checks compute."""
 
 from __future__ import annotations
 
@@ -110,39 +110,130 @@ def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path 
 @click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
 @click.option("--race", required=True, help="inner or outer")
 @click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
-@click.option("--elements", default=6, show_default=True, type=int, help="Per semi-axis.")
+@click.option("--elements", default=None, type=int, help="Per semi-axis; 6 unless an accuracy is asked for.")
+@click.option(
+    "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
+)
 @click.option("--geometry", type=click.Choice(["parabolic", "true"]), default="parabolic", show_default=True)
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
-def contact(scene: str, race: str, load: float, elements: int, geometry: str, as_json: bool) -> None:
+def contact(
+    scene: str,
+    race: str,
+    load: float,
+    elements: int | None,
+    accuracy: float | None,
+    geometry: str,
+    as_json: bool,
+) -> None:
     """Solve one contact of a scene and hold it against Hertz."""
     _load_checks()
-    from fem_check import memory, meshing, records_store, runner, single_contact
+    from fem_check import contact as contact_solver
+    from fem_check import linear_solver, memory, meshing, records_store, runner, single_contact
     from fem_check.contact import ContactError
+    from fem_check.cost import advice
     from fem_check.meshing import MeshError
     from fem_check.scenes import SceneProblemError, groove_contact
 
     if not 0.0 < load < float("inf"):
         refuse(f"--load-N {load:g}: a contact carries a positive load")
-    if elements < single_contact.LEAST_ELEMENTS:
+    if accuracy is not None and not 0.0 < accuracy < 1.0:
+        refuse(f"--accuracy {accuracy:g}: a relative error, above 0 and below 1 (1e-3 is a tenth of a per cent)")
+    if accuracy is not None and elements is not None:
+        refuse("--accuracy and --elements: an accuracy chooses the elements; name one of the two")
+    if elements is not None and elements < single_contact.LEAST_ELEMENTS:
         refuse(f"--elements {elements}: at least {single_contact.LEAST_ELEMENTS} per semi-axis")
+    console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
-        runner.refuse_too_large(meshing.half_space(elements).dofs, f"--elements {elements}")
+        way = expected = None
+        if accuracy is not None:
+            solver, free = linear_solver.chosen(), memory.available_MB()
+            way = advice.choose(groove.problem(load), accuracy, advice.table(), solver, free)
+        sequence = way.sequence if way else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
+        runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"--elements {sequence[-1]}")
         memory.restart_peak()
+        start, cpu = time.perf_counter(), time.process_time()
+        if way:
+            with progress_bar(as_json) as reporter:
+                expected = advice.expected(way, groove.problem(load), reporter("how quick this machine is"))
+            if not as_json:
+                console.print(advice.announcement(way, expected))
         with progress_bar(as_json) as reporter:
-            start, cpu = time.perf_counter(), time.process_time()
-            findings = single_contact.run(groove, load, elements, geometry, reporter("contact"))
-            seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
-    except (SceneProblemError, MeshError, ContactError, runner.BadInputError, ValueError) as problem:
+            findings = single_contact.run(
+                groove,
+                load,
+                sequence,
+                geometry,
+                reporter("contact"),
+                way.places if way else contact_solver.POSITIONS,
+                accuracy,
+            )
+        seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
+    except (
+        SceneProblemError,
+        MeshError,
+        ContactError,
+        advice.AdviceError,
+        records_store.RecordError,
+        runner.BadInputError,
+        ValueError,
+    ) as problem:
         refuse(str(problem))
     entry = records_store.record(
-        None, "contact", single_contact.level_of(elements), findings, seconds, cpu_seconds, memory.peak_MB()
+        None, "contact", single_contact.level_of(sequence[-1]), findings, seconds, cpu_seconds, memory.peak_MB()
     )
+    if way and expected and accuracy is not None:
+        entry["accuracy"] = advice.outcome(accuracy, way, expected, entry)
     if as_json:
         print(json.dumps(entry))
     else:
         Console().print(agreement_table(entry))
+        if "accuracy" in entry:
+            console.print(advice.conclusion(entry["accuracy"]))
     sys.exit(OUT_OF_TOLERANCE if findings.verdict == "fail" else 0)
+
+
+@cli.command("cost")
+@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=None,
+    help="Folder for record, CSV and figures; without it the record is kept where `contact --accuracy` finds it.",
+)
+@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+def cost(level: str, out: Path | None, as_json: bool) -> None:
+    """Measure what accuracy costs in time and memory: meshes, elements, far fields, linear solvers."""
+    _load_checks()
+    from fem_check import meshing, runner
+    from fem_check.agreement import Level
+    from fem_check.cost import campaign, fresh_process, output, record, rungs, tables
+    from fem_check.meshing import MeshError
+
+    folder = out or record.FOLDER
+    try:
+        output.try_folder(folder)
+        finest = max(rungs.MESHES[Level(level)])
+        runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
+        rungs.make_meshes(Level(level))
+        with progress_bar(as_json) as reporter:
+            found = campaign.measure(Level(level), reporter("cost"))
+        written = output.write(found, out) if out else output.keep(found, folder)
+    except (MeshError, runner.BadInputError, fresh_process.ProcessError, ValueError) as problem:
+        refuse(str(problem))
+    except OSError as problem:
+        refuse(f"{folder} cannot be written: {problem}")
+    if as_json:
+        print(json.dumps(found))
+        return
+    console = Console()
+    if not console.is_terminal:
+        console = Console(width=tables.WIDTH)
+    for make in tables.TABLES:
+        console.print(tables.rich_table(make(found)))
+    plain = Console(soft_wrap=True, highlight=False, markup=False)
+    for line in (*tables.remarks(found), f"wrote {', '.join(path.name for path in written)} in {folder}"):
+        plain.print(line)
 
 
 @cli.command("report")

@@ -1,8 +1,8 @@
 """One elastic body, condensed onto its contact: how it gives way under each hat of pressure.
 
-20-node serendipity hexahedra with 2x2x2 Gauss points. scikit-fem gives mesh, degrees of freedom and shape functions;
-the element matrices are one batched product over each chunk of elements instead of scikit-fem's loop over the 60 x 60
-pairs of shape functions (0.25 s instead of 1.3 s at 16 100 degrees of freedom).
+20-node serendipity hexahedra with 2x2x2 Gauss points, unless another family is asked for. scikit-fem gives mesh,
+degrees of freedom and shape functions; the element matrices are one batched product over each chunk of elements, not
+scikit-fem's loop over the 60 x 60 pairs of shape functions (0.25 s, not 1.3 s, at 16 100 degrees of freedom).
 
 Lengths are in the unit of the mesh and Young's modulus is 1: `contact` scales to the real body.
 """
@@ -15,15 +15,14 @@ from enum import StrEnum
 
 import numpy as np
 import scipy.sparse as sp
-from skfem import CellBasis, ElementHexS2, FacetBasis, MeshHex
+from skfem import CellBasis, FacetBasis, MeshHex, MeshTet
 
 from fem_check import boussinesq, dissection
 from fem_check.contact_problem import Array
+from fem_check.element_family import SERENDIPITY, ElementFamily
 from fem_check.linear_solver import factorise
 from fem_check.pressure_hats import PressureHats
 
-VOLUME_ORDER = 3
-"""Quadrature order in the volume: 2x2x2 points, exact for the stresses that an S2 element carries well."""
 SURFACE_ORDER = 5
 CHUNK = 1000
 """Elements assembled at a time: 60 x 60 numbers each, about 30 MB."""
@@ -54,19 +53,20 @@ class Support(StrEnum):
 
 
 class Field:
-    """20-node displacement field on a mesh: numbering and positions of its nodes."""
+    """Displacement field on a mesh: numbering and positions of its nodes."""
 
-    def __init__(self, mesh: MeshHex) -> None:
+    def __init__(self, mesh: MeshHex | MeshTet, family: ElementFamily = SERENDIPITY) -> None:
         self.mesh = mesh
+        self.family = family
         # One quadrature point: this basis serves for numbering only.
-        basis = CellBasis(mesh, ElementHexS2(), intorder=0)
+        basis = CellBasis(mesh, family.element(), intorder=0)
         self.nodes: Array = basis.doflocs
         self.element_nodes = basis.element_dofs
         self.count = int(basis.N)
 
     def gradients(self, elements: Array) -> tuple[Array, Array, Array]:
         """Gradients (element, shape, 3, point), volumes (element, point), positions (3, element, point)."""
-        basis = CellBasis(self.mesh, ElementHexS2(), intorder=VOLUME_ORDER, elements=elements)
+        basis = CellBasis(self.mesh, self.family.element(), intorder=self.family.volume_order, elements=elements)
         gradients = np.stack([np.asarray(basis.basis[i][0].grad) for i in range(basis.Nbfun)])
         return np.ascontiguousarray(gradients.transpose(2, 0, 1, 3)), basis.dx, np.asarray(basis.global_coordinates())
 
@@ -77,7 +77,7 @@ def lame(poisson_ratio: float) -> tuple[float, float]:
 
 
 def element_matrices(gradients: Array, volumes: Array, poisson_ratio: float) -> Array:
-    """Stiffness of each element, shape (element, 60, 60), node by node x, y, z."""
+    """Stiffness of each element, shape (element, 3 shapes, 3 shapes), node by node x, y, z."""
     first, second = lame(poisson_ratio)
     count, shapes, _, points = gradients.shape
     flat = gradients.reshape(count, 3 * shapes, points)
@@ -139,6 +139,7 @@ def condense(
     slope: Slope | None = None,
     progress: Progress = silent,
     surface_order: int = SURFACE_ORDER,
+    family: ElementFamily = SERENDIPITY,
 ) -> CondensedBody:
     """Condense the body onto its contact.
 
@@ -151,10 +152,14 @@ def condense(
         slope: the contact surface's slopes dz/dx, dz/dy at (x, y), z into the body; None: flat.
         progress: told how far it is.
         surface_order: quadrature order of the contact's facets.
+        family: the elements that the brick is filled with.
     """
-    reference = Field(brick).nodes
-    body = brick if shape is None else MeshHex(shape(brick.p), brick.t, _boundaries=brick.boundaries, sort_t=False)
-    field = Field(body)
+    straight = family.body(brick)
+    reference = Field(straight, family).nodes
+    body = straight
+    if shape is not None:
+        body = type(straight)(shape(straight.p), straight.t, _boundaries=straight.boundaries, sort_t=False)
+    field = Field(body, family)
     matrix = stiffness(field, poisson_ratio, progress)
 
     high = reference.max(axis=1)
@@ -262,7 +267,7 @@ def _contact_loads(field: Field, hats: PressureHats, slope: Slope | None, surfac
     Pressure acts along the inward normal: on the piece of surface over dx dy that is p (-dz/dx, -dz/dy, 1) dx dy.
     """
     facets = field.mesh.boundaries["contact"]
-    basis = FacetBasis(field.mesh, ElementHexS2(), facets=facets, intorder=surface_order)
+    basis = FacetBasis(field.mesh, field.family.element(), facets=facets, intorder=surface_order)
     positions = np.asarray(basis.global_coordinates())
     # scikit-fem's facet measure is of the facet itself; its shadow on the tangent plane carries the pressure.
     shadow = np.abs(np.asarray(basis.normals)[2]) * basis.dx

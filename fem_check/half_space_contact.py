@@ -18,6 +18,7 @@ from fem_check.agreement import Level, Row
 from fem_check.contact import ContactField
 from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.elastic_body import CondensedBody, Progress, Support, silent
+from fem_check.element_family import SERENDIPITY, ElementFamily
 from fem_check.measuring import Measured
 from fem_check.pressure_hats import PressureHats
 from fem_check.references import axis_ratio, hertz
@@ -65,13 +66,18 @@ class Bodies:
 
 @lru_cache(maxsize=96)
 def _block(
-    elements: int, ellipticity: float, stretch: tuple[float, float], poisson_ratio: float, support: Support
+    elements: int,
+    ellipticity: float,
+    stretch: tuple[float, float],
+    poisson_ratio: float,
+    support: Support,
+    family: ElementFamily,
 ) -> tuple[CondensedBody, PressureHats]:
     recipe = meshing.half_space(elements)
     mesh = stretched(meshing.load(recipe), ellipticity * stretch[0], stretch[1], stretch[1])
     # The patch's cells are k times longer than wide: as many samples along them keep the far field exact.
     hats = elastic_body.hats_of(mesh, samples_per_cell=3 if ellipticity < 12.0 else 5)
-    return elastic_body.condense(mesh, hats, poisson_ratio, support, progress=_progress[-1]), hats
+    return elastic_body.condense(mesh, hats, poisson_ratio, support, progress=_progress[-1], family=family), hats
 
 
 # The bodies' cache must not see who watches: the reporter comes by this stack, not as an argument.
@@ -90,14 +96,15 @@ def bodies(
     stretch: tuple[float, float] = (1.0, 1.0),
     support: Support = Support.HALF_SPACE,
     progress: Progress = silent,
+    family: ElementFamily = SERENDIPITY,
 ) -> Bodies:
     """Both half-spaces of a problem, condensed; kept for the next contact of the same proportions."""
     # Rounded so that loads of one bearing share their bodies; the mesh need not know k to more digits.
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     _progress.append(progress)
     try:
-        race, hats = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, support)
-        ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, support)
+        race, hats = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, support, family)
+        ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, support, family)
     finally:
         _progress.pop()
     return Bodies(ball, race, hats, meshing.half_space(elements))
@@ -108,9 +115,11 @@ def forget() -> None:
     _block.cache_clear()
 
 
-def solve_on(problem: ContactProblem, pair: Bodies) -> tuple[ContactField, Measured]:
-    """Solve and read one contact on one pair of bodies."""
-    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, pair.edge_element)
+def solve_on(
+    problem: ContactProblem, pair: Bodies, positions: int = contact.POSITIONS
+) -> tuple[ContactField, Measured]:
+    """Solve and read one contact on one pair of bodies, at so many positions of its edge."""
+    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, pair.edge_element, positions)
     field = contact.solve(problem, pair.hats, contact.total_flexibility(problem, pair.ball, pair.race), unit_lengths)
     return field, measuring.measure(field, pair.ball, pair.race)
 

@@ -98,6 +98,11 @@ def _usable() -> Iterator[str]:
             yield name
 
 
+def known() -> list[str]:
+    """All solvers that can be used where they are installed."""
+    return list(_SOLVERS)
+
+
 def available() -> list[str]:
     """The solvers that load here, best first."""
     return list(_usable())

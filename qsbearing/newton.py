@@ -35,7 +35,7 @@ PATIENCE = 20
 SMALL_GAP = 0.1
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
-# A ball with little load beside the others' takes one step more until its own imbalance is this part of its own load.
+# A ball or a channel with little load beside the others' gets one step more where its imbalance is over this part of it.
 OWN_TOLERANCE = 1e-9
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
@@ -66,7 +66,7 @@ def any_held(case: recarray) -> bool:
 
 @kernel
 def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float, float]:
-    """Evaluate all balls where they are: (largest imbalance, largest force, largest imbalance of a ball over its load).
+    """Evaluate all balls where they are: (largest imbalance, largest force, largest imbalance over its own load).
 
     Leaves the condensed system in the ring. The largest force is over applied and inertial ones, and over contact
     loads where a displacement is prescribed, since then they are the reaction.
@@ -96,6 +96,9 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         lever = channel_scale(case, ring.channel[p])
         ring.matrix[p, p] += ring.floor * lever * lever
         worst = max(worst, abs(ring.imbalance[p]) / lever)
+        own = abs(case.prescribed[ring.channel[p]])
+        if abs(ring.imbalance[p]) > worst_own * own > 0.0:
+            worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
     if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
         worst = inf

@@ -23,7 +23,7 @@ CONTROL_CHANGES = 2
 # Angles this far outside are rounding, not contact on the open side or over the shoulder.
 ANGLE_ROUNDING = 1e-9
 # A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
-NO_LOAD = 1e-3
+NO_LOAD = 1e-6
 
 
 @kernel

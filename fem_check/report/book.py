@@ -7,7 +7,8 @@ import tempfile
 from pathlib import Path
 
 from fem_check import records_store
-from fem_check.report import figures, tables
+from fem_check.cost import record
+from fem_check.report import cost, figures, tables
 from fem_check.report.tables import Entry
 
 PICTURES = "pictures"
@@ -42,6 +43,9 @@ def write(records: Path, out: Path) -> Path:
         if chosen:
             parts.append(f"## {heading}\n")
             parts += [_section(entry, out) for entry in chosen]
+    measured = record.read(records / "cost")
+    if measured is not None:
+        parts += cost.section(measured, out / PICTURES, PICTURES)
     path = out / "REPORT.md"
     handle, temporary = tempfile.mkstemp(dir=out, suffix=".part")
     with os.fdopen(handle, "w") as file:

@@ -7,6 +7,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from fem_check.cost import record as cost_record
+from fem_check.cost import tables as cost_tables
 from tests.benchmarks.record import RECORD
 
 README = Path(__file__).parents[2] / "README.md"
@@ -66,7 +68,11 @@ def alternatives(record: dict[str, Any]) -> str:
 
 def filled(readme: str, record: dict[str, Any]) -> str:
     """The README with its tables made anew."""
-    for name, table in (("timing", timing(record)), ("alternatives", alternatives(record))):
+    made = [("timing", timing(record)), ("alternatives", alternatives(record))]
+    finite_elements = cost_record.read()
+    if finite_elements is not None:
+        made.append(("finite elements", cost_tables.summary(finite_elements)))
+    for name, table in made:
         pattern = rf"(<!-- {name}: made by tests/benchmarks/tables.py -->\n).*?(<!-- end of {name} -->)"
         readme, found = re.subn(pattern, lambda m, t=table: f"{m[1]}{t}\n{m[2]}", readme, flags=re.DOTALL)
         if found != 1:
