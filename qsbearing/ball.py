@@ -253,6 +253,7 @@ def moving_ball(
     ball.is_idle = qi <= IDLE * fc
     ball.outer_sine, ball.outer_cosine, ball.outer_inverse, ball.outer_approach = so, co, inverse_o, delta_o
     ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = si, ci, inverse_i, delta_i
+    ball.gap1, ball.gap2 = gap1, gap2
     open_force = max(qi_slope, qi * inverse_i) * max(abs(gap1), abs(gap2))
     place = abs(ball.u1) + abs(ball.u2) + abs(a1) + abs(a2)
     return max(abs(r1), abs(r2)) + open_force, max(qi, qo), fc, abs(mg), ROUNDING * place * (qi_slope + qo_slope)
@@ -280,6 +281,7 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[
     for row in range(3):
         ball.condensed[row] = ball.force[row] + ball.stiffness[row, 0] * gap1 + ball.stiffness[row, 1] * gap2
     ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = n1, n2, inverse, approach
+    ball.gap1, ball.gap2 = gap1, gap2
     ball.is_idle = load == 0.0
     open_force = max(load_slope, load * inverse) * max(abs(gap1), abs(gap2))
     return open_force, load, ROUNDING * (abs(a1) + abs(a2)) * load_slope

@@ -12,16 +12,16 @@ cancellation that differences of energies suffer, always finds its step.
 
 from __future__ import annotations
 
-from math import inf
-
 from numpy import ndarray, recarray
 
 from qsbearing.ball import resting_ball
 from qsbearing.compiled import kernel
-from qsbearing.newton import STALLED, any_held, applied_load, ring_step
+from qsbearing.newton import STALLED, any_held, applied_load, attainable, ring_step
 from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
 
 MOST = 200
+# An imbalance that stands for what is not a number.
+NOTHING_LIKE = 1e300
 
 
 @kernel
@@ -43,8 +43,8 @@ def pass_at_rest(case: recarray, ring: recarray, balls: ndarray) -> float:
         total += imbalance
         worst = max(worst, imbalance)
         ring.matrix[p, p] += ring.floor * lever * lever  # a channel that nothing resists keeps a step
-    if not total < inf:  # a maximum passes over what is not a number; a sum does not
-        return inf
+    if not total < NOTHING_LIKE:  # a maximum passes over what is not a number; a sum does not
+        return NOTHING_LIKE
     if worst == 0.0:
         return 0.0
     scale = max(applied_load(case), contact if any_held(case) else 0.0)
@@ -111,8 +111,7 @@ def descend(case: recarray, ring: recarray, balls: ndarray, tolerance: float) ->
             return False, iteration, worst
         before = worst
         worst = search_line(case, ring, balls, tolerance, 1.0 if largest <= length else length / largest)
-        limit = max(STALLED, ring.rounding / ring.scale)
-        if worst >= before and before <= limit:  # the limit of rounding: the step is taken back
+        if worst >= before and before <= attainable(ring):  # the limit of rounding: the step is taken back
             move_along(ring, 0.0)
             return True, iteration, before
     return worst <= STALLED, MOST, worst

@@ -44,6 +44,8 @@ REST_TOLERANCE = 1e-3
 HEAVY_APPROACH = 1e-3
 LIGHTER = 10.0
 LEAST_LIGHTER = 1.5
+# The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
+SEEN = 1e-3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -272,6 +274,8 @@ def solve_with_detours(
         if ring.ran_away and not converged:
             notes = RUNAWAY
         seat_balls(case, ring, balls)
+        if not converged and residual <= SEEN:
+            notes |= objections(case, ring, balls, converged)
     if is_unloaded(case):
         notes |= UNLOADED_RING
     if converged:

@@ -35,14 +35,24 @@ PATIENCE = 20
 SMALL_GAP = 0.1
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
-# A ball or a channel with little load beside the others' gets one step more where its imbalance is over this part of it.
-OWN_TOLERANCE = 1e-9
+# Loads so light that the rounding of places makes more than this part of them are not resolved.
+COARSEST = 1e-6
+# A ball or channel with little load beside the others' gets one step more where its imbalance is over this part of it.
+OWN_TOLERANCE = 1e-11
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
 # From a fair start five to ten do; past this another start is cheaper.
 MOST = 40
+
+
+@kernel
+def attainable(ring: recarray) -> float:
+    """The relative residual at which a balance that no step betters still counts as solved."""
+    if ring.scale <= 0.0:
+        return STALLED
+    return min(max(STALLED, ring.rounding / ring.scale), COARSEST)
 
 
 @kernel
@@ -97,7 +107,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         ring.matrix[p, p] += ring.floor * lever * lever
         worst = max(worst, abs(ring.imbalance[p]) / lever)
         own = abs(case.prescribed[ring.channel[p]])
-        if abs(ring.imbalance[p]) > worst_own * own > 0.0:
+        if own > 0.0 and abs(ring.imbalance[p]) > worst_own * own:
             worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
     if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
@@ -138,9 +148,8 @@ def ball_steps(case: recarray, ring: recarray, balls: ndarray) -> float:
     largest = 0.0
     for n in range(ring.balls):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         da1, da2 = inner_groove_centre(case, ring.step, ball.cosine, ball.sine)
-        ball.dv1, ball.dv2 = a1 + da1 - ball.u1 - ball.v1, a2 + da2 - ball.u2 - ball.v2
+        ball.dv1, ball.dv2 = ball.gap1 + da1, ball.gap2 + da2
         outer = 0.0
         if not ring.at_rest:
             ball.du1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
@@ -184,11 +193,13 @@ def settle_link(case: recarray, ball: recarray, a1: float, a2: float, length: fl
 
     A contact that geometry brings into touch starts with the approach `most` at most.
     """
-    s, c = case.sin_free, case.cos_free
     w1, w2 = a1 - ball.u1, a2 - ball.u2
+    if max(abs(w1 - ball.v1), abs(w2 - ball.v2)) < SMALL_GAP * ball.inner_approach:
+        ball.v1, ball.v2 = w1, w2
+        return
+    s, c = case.sin_free, case.cos_free
     approach, n1, n2, inverse = direction(length, s, c, w1, w2)
-    gap = max(abs(w1 - ball.v1), abs(w2 - ball.v2))
-    if approach <= 0.0 or gap < SMALL_GAP * ball.inner_approach:
+    if approach <= 0.0:
         ball.v1, ball.v2 = w1, w2
     elif ball.inner_approach <= 0.0:
         # n less its free direction, from W less its free length: no difference of near-equal numbers
@@ -263,7 +274,7 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
             return False, iterations, 1.0
         residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
         # The limit of rounding: no step helps any more, and what stands is good.
-        limit = max(STALLED, ring.rounding / scale) if scale > 0.0 else STALLED
+        limit = attainable(ring)
         is_stalled = 0.0 <= before <= limit and 0.5 * before <= residual <= limit
         if residual <= tolerance or is_stalled or (is_last and residual <= limit):
             if close_chains(case, ring, balls):

@@ -36,6 +36,8 @@ _BALL = np.dtype(
         ("du2", np.float64),
         ("dv1", np.float64),
         ("dv2", np.float64),
+        ("gap1", np.float64),  # what the links lack of the chain between the grooves' centres
+        ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
         ("kept1", np.float64),  # where to come back to

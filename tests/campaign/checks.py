@@ -70,7 +70,7 @@ class Findings:
     control_unsaid: NDArray
     """Whether it does so without a word."""
     misreported: NDArray
-    """Whether the residual that the solution itself reports is above 1e-10 or not a number."""
+    """Whether the residual that the solution itself reports is above what it may be, or not a number."""
 
     NOTED = ("friction_above_load", "control")
 
@@ -151,7 +151,7 @@ def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) 
         not_finite=_not_finite(scene, solution, there),
         control=control,
         control_unsaid=control & solution.control_is_consistent,
-        misreported=~(solution.residual <= BALANCE),
+        misreported=~(solution.residual <= np.maximum(BALANCE, expressible)),
     )
 
 

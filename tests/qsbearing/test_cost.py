@@ -216,7 +216,7 @@ def test_a_tighter_tolerance_is_no_worse(entry: dict[str, Any]) -> None:
             tolerance.error(solved(scene, start=start, tolerance=tight), entry) for tight in tolerance.TOLERANCES[::2]
         ]
         assert all(after <= before or after < 1e-13 for before, after in itertools.pairwise(errors)), errors
-        assert errors[0] > 1e-5
+        assert errors[0] > 1e-7  # a loose tolerance is felt
         assert errors[-1] < 1e-13
 
 
