@@ -97,9 +97,12 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     return values
 
 
-def _plain(value: Any) -> Any:
-    """A number of another kind (a fraction, a decimal) as a float; anything else as it is."""
-    return value if value is None or isinstance(value, float | int) or np.shape(value) else float(value)
+def _plain(values: dict[str, Any]) -> dict[str, Any]:
+    """Numbers of other kinds (a fraction, a decimal) as floats, in place; most scenes have none."""
+    for name, value in values.items():
+        if not (value is None or isinstance(value, float | int) or np.shape(value)):
+            values[name] = float(value)
+    return values
 
 
 def _arrays_among(values: dict[str, Any]) -> dict[str, NDArray]:
@@ -120,7 +123,7 @@ class CaseMaker:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self._values = {name: _plain(value) for name, value in case_arrays(scene).items()}
+        self._values = _plain(case_arrays(scene))
         self._arrays = _arrays_among(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""

@@ -95,11 +95,10 @@ def solve(
             reached[part],
         )
         solve_cases(*given)
-        unfinished = np.flatnonzero(codes[part] == UNFINISHED)
-        if unfinished.size:
+        if codes[part].max() == UNFINISHED:
             from qsbearing.detours import solve_hard_cases  # compiled only when a case first needs it
 
-            solve_hard_cases(unfinished, *given)
+            solve_hard_cases(np.flatnonzero(codes[part] == UNFINISHED), *given)
         return records
 
     if count <= KEPT_RECORDS:
