@@ -115,6 +115,12 @@ class Tally:
         }
 
 
+def compile_detours() -> None:
+    """Solve what the direct way cannot, a reversed thrust, so that what hard cases need is compiled or loaded."""
+    bearing = qs.BallBearing(16, 22.225e-3, 125.26e-3, 11.6281e-3, 11.6281e-3, 0.7)
+    qs.solve(qs.Scene(bearing, qs.Operation(axial_load=-1e3)))
+
+
 def run_chunk(
     seed: int,
     chunk: int,

@@ -43,8 +43,9 @@ def work(connection: Connection, seed: int, run_chunk: RunChunk | None) -> None:
     import numpy as np
 
     if run_chunk is None:
-        from tests.campaign.chunk import run_chunk
+        from tests.campaign.chunk import compile_detours, run_chunk
 
+        compile_detours()  # by one worker, as the rest of the kernel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupted campaign is ended by its employer
     np.seterr(all="ignore")  # what is not a number is found by the checks
     run_chunk(seed, 0, 1)  # the kernel is compiled, or loaded
