@@ -13,8 +13,8 @@ from qsbearing import __version__
 PACKAGES = ("numpy", "numba", "scipy")
 
 
-def machine() -> dict[str, Any]:
-    """The machine and the packages that the solver rests on."""
+def hardware() -> dict[str, Any]:
+    """The machine, what else ran on it, its system and Python."""
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
     return {
         "processor": processor(),
@@ -22,6 +22,13 @@ def machine() -> dict[str, Any]:
         "load_average": None if load is None else round(load, 1),
         "system": platform.system(),
         "python": platform.python_version(),
+    }
+
+
+def machine() -> dict[str, Any]:
+    """The machine and the packages that the solver rests on."""
+    return {
+        **hardware(),
         **{name: metadata.version(name) for name in PACKAGES},
         "qsbearing": __version__,
         "solver": "Newton on ring and balls, compiled by numba" if _is_compiled() else "the same in plain Python",
