@@ -270,8 +270,8 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     iterations, before, is_last = 0, -1.0, False
     while True:
         worst, scale, worst_own = pass_over_balls(case, ring, balls)
-        if not scale < inf:
-            return False, iterations, 1.0
+        if not scale < inf or (scale == 0.0 and case.centrifugal and not ring.at_rest):
+            return False, iterations, 1.0  # without any force: a root where no ball orbits, no place of a ball
         residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
         # The limit of rounding: no step helps any more, and what stands is good.
         limit = attainable(ring)

@@ -21,6 +21,7 @@ from .mechanics import ring_load
 from .scenes import (
     B218,
     BOTH,
+    BOTH_HARRIS,
     DEEP_GROOVE,
     DISPLACEMENTS,
     INNER,
@@ -704,3 +705,23 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
             orbit = solution.orbital_speed[0]
             assert -g <= orbit / (10_000 * qs.rpm) <= 1.0 + g
             assert np.isfinite(solution.gyroscopic_moment[0])
+
+
+def test_balls_that_do_not_orbit_are_no_solution() -> None:
+    """Under inner control the orbit stops where cos(ai - ao) = g cos ao: no force, no load, no equilibrium of anything.
+
+    Newton's method came to rest there for a ring that nothing loads.
+    """
+    bearing = qs.BallBearing(
+        ball_count=39,
+        ball_diameter=9.00451541953523 * qs.mm,
+        pitch_diameter=117.49696021529968 * qs.mm,
+        inner_groove_radius=4.59560562499583 * qs.mm,
+        outer_groove_radius=4.833885642351056 * qs.mm,
+        free_contact_angle=52.81347233805633 * qs.deg,
+    )
+    for rpm in (15.3, 5_000.0):
+        found = qs.solve(
+            turning(rpm, bearing, effects=BOTH_HARRIS, control=INNER, axial_load=0.0, tilt_z=0.0, moment_y=0.0)
+        )
+        assert not found.converged or (found.centrifugal_force > 0.0).all()
