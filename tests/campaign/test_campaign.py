@@ -29,7 +29,7 @@ from tests.campaign.envelope import HELD, Group, chunk_groups
 from tests.campaign.journal import Journal
 from tests.campaign.sizes import CHUNK, GROUP
 from tests.campaign.summary import quantile, summarise
-from tests.campaign.worker import Task, Worker, learned
+from tests.campaign.worker import Task, Worker, learned, memory_MB
 from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, INNER, OUTER, PER_BALL, resting, solved, turning
 
 compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
@@ -328,13 +328,14 @@ def test_ten_thousand_scenes(tmp_path: Path) -> None:
     the centrifugal force an idle ball has no place, and the friction that should carry its gyroscopic moment nothing to
     press on: such scenes are one in ten and make two thirds of what is missing.
     """
+    before = memory_MB()  # what this process took for other tests counts in the campaign's peak
     summary = run_campaign(10_000, 1, tmp_path, workers=2)
     assert summary["count"] == 10_000
     again = run_campaign(10_000, 1, tmp_path, workers=2, resume=True)
     changing = ("seconds", "peak_memory_MB")
     assert {**again, **dict.fromkeys(changing)} == {**summary, **dict.fromkeys(changing)}
     assert json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))["digest"] == summary["digest"]
-    assert summary["peak_memory_MB"] <= 1000
+    assert summary["peak_memory_MB"] - before <= 900
     missing: dict[tuple[str, bool], int] = {}
     for path in (tmp_path / "failures").glob("*.toml"):
         ball = tomllib.loads(path.read_text(encoding="utf-8"))["effects"]["ball"]
