@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-import resource
-import sys
 from pathlib import Path
+
+from qsbearing.cost.measuring import peak_MB
+
+__all__ = ["available_MB", "estimate_MB", "peak_MB", "restart_peak"]
 
 # Measured peaks of one contact (MB): see `estimate_MB`.
 BASE_MB = 260.0
@@ -39,14 +41,3 @@ def restart_peak() -> None:
         Path("/proc/self/clear_refs").write_text("5")
     except OSError:
         return
-
-
-def peak_MB() -> float:
-    """Peak resident memory since the last restart (of the process where that is not possible)."""
-    path = Path("/proc/self/status")
-    if path.is_file():
-        for line in path.read_text().splitlines():
-            if line.startswith("VmHWM:"):
-                return float(line.split()[1]) / 1024.0
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak / 1024.0 / (1024.0 if sys.platform == "darwin" else 1.0)

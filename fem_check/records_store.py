@@ -78,17 +78,26 @@ def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
     """Keep a record: the file is replaced in one step, so an interrupted run leaves the earlier one whole."""
     path = path_of(entry["check"], entry["level"], folder)
     path.parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(entry, indent=1, allow_nan=False) + "\n"
+    replace(path, text(entry))
+    return path
+
+
+def text(entry: dict[str, Any]) -> bytes:
+    """A record as it stands in its file."""
+    return (json.dumps(entry, indent=1, allow_nan=False) + "\n").encode()
+
+
+def replace(path: Path, content: bytes) -> None:
+    """Put a file in place, whole or not at all."""
     handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
     try:
-        with os.fdopen(handle, "w") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
         Path(temporary).chmod(0o644)
         Path(temporary).replace(path)
     except BaseException:
         Path(temporary).unlink(missing_ok=True)
         raise
-    return path
 
 
 def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:

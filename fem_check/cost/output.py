@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import os
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from fem_check.cost import tables
+from fem_check.records_store import replace, text
 
 
 def try_folder(folder: Path) -> None:
@@ -24,37 +23,20 @@ def try_folder(folder: Path) -> None:
 
 def keep(record: dict[str, Any], folder: Path) -> list[Path]:
     """Keep a record where advice and report look for it, in the file of its level."""
-    return _put({f"{record['level']}.json": _text(record)}, folder)
+    return _put({f"{record['level']}.json": text(record)}, folder)
 
 
 def write(record: dict[str, Any], folder: Path) -> list[Path]:
     """Write a record, its tables as CSV and its figures; the names let `qsbearing cost` share the folder."""
     from fem_check.cost import figures
 
-    contents = {"fem_cost.json": _text(record)}
+    contents = {"fem_cost.json": text(record)}
     contents |= {f"fem_{part}.csv": tables.text_csv(record[part]).encode() for part in tables.CSV_PARTS}
     contents |= {f"fem_{name}.png": figures.png(draw(record)) for name, (draw, _) in figures.FIGURES.items()}
     return _put(contents, folder)
-
-
-def _text(record: dict[str, Any]) -> bytes:
-    return (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()
 
 
 def _put(contents: dict[str, bytes], folder: Path) -> list[Path]:
     for name, content in contents.items():
         replace(folder / name, content)
     return [folder / name for name in contents]
-
-
-def replace(path: Path, content: bytes) -> None:
-    """Put a file in place, whole or not at all."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        Path(temporary).chmod(0o644)
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from fem_check.cost import figures, output, tables
+from fem_check import records_store
+from fem_check.cost import figures, tables
 
 HEAD = """## What accuracy costs
 
@@ -20,7 +21,7 @@ def section(record: dict[str, Any], pictures: Path, link: str) -> list[str]:
     parts = [HEAD]
     for name, (draw, caption) in figures.FIGURES.items():
         file = f"cost-{name}.png"
-        output.replace(pictures / file, figures.png(draw(record)))
+        records_store.replace(pictures / file, figures.png(draw(record)))
         parts.append(f"![{caption}]({link}/{file})\n")
     parts += [f"{remark}\n" for remark in tables.remarks(record)]
     parts += [tables.markdown(make(record)) + "\n" for make in tables.TABLES]

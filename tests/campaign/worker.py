@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-import resource
 import signal
 import time
 import traceback
@@ -17,6 +16,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from typing import Any
+
+from qsbearing.cost.measuring import peak_MB
 
 START_UP = 300.0
 """Seconds: the first worker compiles the kernel."""
@@ -70,8 +71,8 @@ def work(connection: Connection, seed: int, run_chunk: RunChunk | None) -> None:
 
 
 def memory_MB() -> float:
-    """Peak memory of this process so far."""
-    return round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, 1)
+    """Peak memory of this process so far; the system's plainer count starts with what the parent process had."""
+    return round(peak_MB(), 1)
 
 
 @dataclass
