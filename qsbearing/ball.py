@@ -13,13 +13,13 @@ groove's radius: h3 = lever h1 + fi D Ti (the last term is missing in 19.15).
 
 from __future__ import annotations
 
-from math import sqrt
+from math import atan2, cos, sin, sqrt
 
-from numpy import recarray
+from numpy import ndarray, recarray
 
 from qsbearing.case import BALL_INERTIA, BALL_MASS
 from qsbearing.compiled import kernel
-from qsbearing.contact import contact_load, contact_tangent, direction
+from qsbearing.contact import contact_load, contact_tangent, direction, inverse_of, link
 from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
 from qsbearing.hertz import (
@@ -37,8 +37,10 @@ from qsbearing.raceway_control import INNER, rotation_axis
 IDLE = 3.0
 # Contact lines closer to one line than this sine: the corner between the grooves says little about loads.
 STRAIGHT = 0.2
-# Of a place, in units of its size: a few roundings.
+# Of lengths, in units of their sum: a few roundings.
 ROUNDING = 5e-16
+# No limit to the friction that a contact carries.
+UNLIMITED = 0.0
 # Lengths below this many ball diameters have no direction.
 SHORTEST = 1e-12
 
@@ -111,11 +113,56 @@ def inertia_force(case: recarray, control: int, si: float, ci: float, so: float,
 
 
 @kernel
-def put_in_groove(case: recarray, ball: recarray, so: float, co: float, load: float) -> None:
-    """Put a ball on the outer groove, in this direction and under this load."""
-    length, approach = case.outer_coefficient - 0.5, (load / case.outer_stiffness) ** (2.0 / 3.0)
-    ball.u1 = length * (so - case.sin_free) + approach * so
-    ball.u2 = length * (co - case.cos_free) + approach * co
+def set_outer(ball: recarray, sine: float, cosine: float, approach: float) -> None:
+    """Give the outer link this direction and approach."""
+    ball.outer_sine, ball.outer_cosine, ball.outer_approach = sine, cosine, approach
+
+
+@kernel
+def set_inner(ball: recarray, sine: float, cosine: float, approach: float) -> None:
+    """Give the inner link this direction and approach."""
+    ball.inner_sine, ball.inner_cosine, ball.inner_approach = sine, cosine, approach
+
+
+@kernel
+def outer_vector(case: recarray, ball: recarray) -> tuple[float, float]:
+    """The ball's centre from the outer groove's, less touching at the free angle."""
+    n1, n2, approach = ball.outer_sine, ball.outer_cosine, ball.outer_approach
+    return link(case.outer_coefficient - 0.5, case.sin_free, case.cos_free, n1, n2, approach)
+
+
+@kernel
+def gap_in_chain(length: float, a1: float, a2: float, w1: float, w2: float) -> tuple[float, float]:
+    """What links that come to w lack of the groove centres' displacement A; nothing where rounding could make it.
+
+    Loads follow from the links' own approaches, so that rounding of places is no imbalance: it is a change of the
+    bearing's measures by their own rounding.
+    """
+    gap1, gap2 = a1 - w1, a2 - w2
+    if max(abs(gap1), abs(gap2)) <= ROUNDING * (length + abs(a1) + abs(a2)):
+        return 0.0, 0.0
+    return gap1, gap2
+
+
+@kernel
+def inner_rest(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> tuple[float, float, float]:
+    """(length, w1, w2): what the ring leaves to the inner link, which at rest is the only one."""
+    if at_rest:
+        return case.inner_coefficient + case.outer_coefficient - 1.0, a1, a2
+    u1, u2 = outer_vector(case, ball)
+    return case.inner_coefficient - 0.5, a1 - u1, a2 - u2
+
+
+@kernel
+def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> None:
+    """Let the inner link be what ring and outer link leave; one that is so but for rounding stays as it is."""
+    s, c = case.sin_free, case.cos_free
+    length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
+    v1, v2 = link(length, s, c, ball.inner_sine, ball.inner_cosine, ball.inner_approach)
+    gap1, gap2 = gap_in_chain(length, w1, w2, v1, v2)
+    if gap1 != 0.0 or gap2 != 0.0:
+        approach, n1, n2, _ = direction(length, s, c, w1, w2)
+        set_inner(ball, n1, n2, approach)
 
 
 @kernel
@@ -124,7 +171,9 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
 
     In a corner both contact lines have their free length: two circles meet, outward or inward of the line between the
     grooves' centres, and Qi ni - Qo no + f = 0 gives the loads. The ball lies in the corner where both press. Where
-    friction lets neither press, Newton's method starts from the outward one and the centrifugal force alone.
+    friction lets neither press, Newton's method starts from the outward one and the centrifugal force alone. Where the
+    inner groove's circle lies within the outer one's, the ball never gets to the outer groove: the far side of the
+    inner one holds it.
     """
     s, c = case.sin_free, case.cos_free
     li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
@@ -132,11 +181,17 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
         size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)
         fc, _, _, _, _, _ = inertia(case, ball.control, p1 / size, (p2 - lo) / size, 0.0, 1.0)
-        put_in_groove(case, ball, 0.0, 1.0, fc)
-        close_chain(ball, a1, a2)
+        set_outer(ball, 0.0, 1.0, (fc / case.outer_stiffness) ** (2.0 / 3.0))
+        close_chain(case, ball, False, a1, a2)
         return
     square = p1 * p1 + p2 * p2
     distance = sqrt(square)
+    if distance + li <= lo:
+        fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, -1.0, 0.0, 1.0)
+        set_inner(ball, 0.0, -1.0, (fc / case.inner_stiffness) ** (2.0 / 3.0))
+        approach, so, co, _ = direction(lo, s, c, p1 - lo * s, p2 + li - lo * c)
+        set_outer(ball, so, co, approach)
+        return
     along = min(0.5 * (square + lo * lo - li * li) / distance, lo)
     across = sqrt(lo * lo - along * along)
     d1, d2 = p1 / distance, p2 / distance
@@ -154,36 +209,46 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
         qi, qo = (f1 * co - f2 * so) / sine, (f1 * ci - f2 * si) / sine
         if qi > 0.0 and qo > 0.0:
             break
-    qi, qo = abs(qi), abs(qo)
-    put_in_groove(case, ball, so, co, qo)
-    inner = (qi / case.inner_stiffness) ** (2.0 / 3.0)
-    ball.v1, ball.v2 = li * (si - s) + inner * si, li * (ci - c) + inner * ci
+    set_outer(ball, so, co, (abs(qo) / case.outer_stiffness) ** (2.0 / 3.0))
+    inner = (abs(qi) / case.inner_stiffness) ** (2.0 / 3.0)
+    approach, n1, n2, _ = direction(li, s, c, li * (si - s) + inner * si, li * (ci - c) + inner * ci)
+    set_inner(ball, n1, n2, approach)
 
 
 @kernel
-def close_chain(ball: recarray, a1: float, a2: float) -> None:
-    """Let the inner link be what ring and outer link leave; at rest there is no outer link, its step is none."""
-    ball.v1, ball.v2 = a1 - ball.u1, a2 - ball.u2
+def carried_friction(
+    share: float, mg: float, mg_i: float, mg_o: float, load: float, grip: float
+) -> tuple[float, float, float, float]:
+    """T, the friction at a contact that carries its share of the gyroscopic moment, and dT/dai, dT/dao, dT/dQ."""
+    friction = share * mg
+    if grip == UNLIMITED or abs(friction) <= grip * load:
+        return friction, share * mg_i, share * mg_o, 0.0
+    slope = grip if friction > 0.0 else -grip
+    return slope * load, 0.0, 0.0, slope
 
 
 @kernel
 def moving_ball(
-    case: recarray, ball: recarray, a1: float, a2: float, floor: float
+    case: recarray, ball: recarray, a1: float, a2: float, floor: float, grip: float
 ) -> tuple[float, float, float, float, float]:
     """Evaluate one ball where it is, and eliminate its own unknowns into its record.
 
     Args:
         a1, a2: displacement of the inner groove centre from touching at the free angle.
         floor: least stiffness of the ball [force/length].
+        grip: the most friction that contacts carry, over their load; UNLIMITED as the equations stand.
 
     Returns:
-        (imbalance, largest contact load, Fc, |Mg|/D, what rounding of its place may do to its loads); the imbalance
-        counts what the chain's gap keeps from acting.
+        (imbalance, larger contact load, lighter one, Fc, |Mg|/D as far as it is carried); the imbalance counts what the
+        chain's gap keeps from acting, a contact without load is no lighter one.
     """
-    s, c = case.sin_free, case.cos_free
-    delta_o, so, co, inverse_o = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-    delta_i, si, ci, inverse_i = direction(case.inner_coefficient - 0.5, s, c, ball.v1, ball.v2)
-    gap1, gap2 = a1 - ball.u1 - ball.v1, a2 - ball.u2 - ball.v2
+    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    so, co, delta_o = ball.outer_sine, ball.outer_cosine, ball.outer_approach
+    si, ci, delta_i = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+    inverse_o, inverse_i = inverse_of(lo + delta_o), inverse_of(li + delta_i)
+    u1, u2 = outer_vector(case, ball)
+    v1, v2 = link(li, case.sin_free, case.cos_free, si, ci, delta_i)
+    gap1, gap2 = gap_in_chain(li + lo, a1, a2, u1 + v1, u2 + v2)
     ki, ki_slope = groove_stiffness(case, INNER_SIDE, si, ci)
     ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
@@ -192,8 +257,8 @@ def moving_ball(
     share_i, share_o = 0.0, 0.0
     if case.gyroscopic:
         share_i, share_o = moment_shares(case.shares, ball.control == INNER)
-    ti, ti_i, ti_o = share_i * mg, share_i * mg_i, share_i * mg_o
-    to, to_i, to_o = share_o * mg, share_o * mg_i, share_o * mg_o
+    ti, ti_i, ti_o, ti_q = carried_friction(share_i, mg, mg_i, mg_o, qi, grip)
+    to, to_i, to_o, to_q = carried_friction(share_o, mg, mg_i, mg_o, qo, grip)
 
     r1 = qi * si - qo * so - ti * ci + to * co
     r2 = qi * ci - qo * co + ti * si - to * so + fc
@@ -204,30 +269,30 @@ def moving_ball(
     # d alpha = e . dv with e = t/distance
     ei1, ei2 = ci * inverse_i, -si * inverse_i
     eo1, eo2 = co * inverse_o, -so * inverse_o
-    hi11, hi12, hi22 = contact_tangent(qi, qi_slope, si, ci, inverse_i)
-    ho11, ho12, ho22 = contact_tangent(qo, qo_slope, so, co, inverse_o)
+    hi11, hi12, hi21, hi22 = contact_tangent(qi, qi_slope, ti_q, si, ci, inverse_i)
+    ho11, ho12, ho21, ho22 = contact_tangent(qo, qo_slope, to_q, so, co, inverse_o)
     # Derivatives by the two angles of everything but the contacts' own turning, which the tangents hold.
     qi_a = qi * ki_slope
     qo_a = qo * ko_slope
-    r1_i = qi_a * si - ti_i * ci + ti * si + to_i * co
-    r2_i = qi_a * ci + ti_i * si + ti * ci - to_i * so + fc_i
-    r1_o = -qo_a * so - ti_o * ci + to_o * co - to * so
-    r2_o = -qo_a * co + ti_o * si - to_o * so - to * co + fc_o
+    ti_i, to_o = ti_i + ti_q * qi_a, to_o + to_q * qo_a
     h1_i = qi_a * si - ti_i * ci + ti * si
     h2_i = qi_a * ci + ti_i * si + ti * ci
     h1_o, h2_o = -ti_o * ci, ti_o * si
+    r1_i, r2_i = h1_i + to_i * co, h2_i - to_i * so + fc_i
+    r1_o = h1_o - qo_a * so + to_o * co - to * so
+    r2_o = h2_o - qo_a * co - to_o * so - to * co + fc_o
 
     # By A (through ai only), then by X (through -W, and ao).
     ra11, ra12 = hi11 + r1_i * ei1, hi12 + r1_i * ei2
-    ra21, ra22 = hi12 + r2_i * ei1, hi22 + r2_i * ei2
+    ra21, ra22 = hi21 + r2_i * ei1, hi22 + r2_i * ei2
     rx11, rx12 = -ra11 - ho11 + r1_o * eo1 - floor, -ra12 - ho12 + r1_o * eo2
-    rx21, rx22 = -ra21 - ho12 + r2_o * eo1, -ra22 - ho22 + r2_o * eo2 - floor
+    rx21, rx22 = -ra21 - ho21 + r2_o * eo1, -ra22 - ho22 + r2_o * eo2 - floor
     ha11, ha12 = hi11 + h1_i * ei1, hi12 + h1_i * ei2
-    ha21, ha22 = hi12 + h2_i * ei1, hi22 + h2_i * ei2
+    ha21, ha22 = hi21 + h2_i * ei1, hi22 + h2_i * ei2
     hx11, hx12 = -ha11 + h1_o * eo1, -ha12 + h1_o * eo2
     hx21, hx22 = -ha21 + h2_o * eo1, -ha22 + h2_o * eo2
     fi = case.inner_coefficient
-    ma1, ma2 = fi * ti_i * ei1, fi * ti_i * ei2
+    ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
 
     inverse = 1.0 / (rx11 * rx22 - rx12 * rx21)
@@ -251,26 +316,27 @@ def moving_ball(
     ball.stiffness[2, 1] = lever * k12 + ma2 - mx1 * y12 - mx2 * y22
     ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
     ball.is_idle = qi <= IDLE * fc
-    ball.outer_sine, ball.outer_cosine, ball.outer_inverse, ball.outer_approach = so, co, inverse_o, delta_o
-    ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = si, ci, inverse_i, delta_i
+    ball.outer_inverse, ball.inner_inverse = inverse_o, inverse_i
     ball.gap1, ball.gap2 = gap1, gap2
     open_force = max(qi_slope, qi * inverse_i) * max(abs(gap1), abs(gap2))
-    place = abs(ball.u1) + abs(ball.u2) + abs(a1) + abs(a2)
-    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), fc, abs(mg), ROUNDING * place * (qi_slope + qo_slope)
+    lighter = min(qi, qo) if qi > 0.0 and qo > 0.0 else max(qi, qo)
+    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), lighter, fc, min(abs(mg), max(abs(ti), abs(to)))
 
 
 @kernel
-def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[float, float, float]:
+def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[float, float]:
     """One ball at rest between its grooves, springs in series: one link from groove centre to groove centre.
 
-    Fills its record; returns (what the link's gap keeps from acting, its load, what rounding may do to that).
+    Fills its record; returns (what the link's gap keeps from acting, its load).
     """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    approach, n1, n2, inverse = direction(length, case.sin_free, case.cos_free, ball.v1, ball.v2)
-    gap1, gap2 = a1 - ball.v1, a2 - ball.v2
+    n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+    inverse = inverse_of(length + approach)
+    v1, v2 = link(length, case.sin_free, case.cos_free, n1, n2, approach)
+    gap1, gap2 = gap_in_chain(length, a1, a2, v1, v2)
     stiffness, slope = series_stiffness(case, n1, n2)
     load, load_slope = contact_load(stiffness, approach)
-    k11, k12, k22 = contact_tangent(load, load_slope, n1, n2, inverse)
+    k11, k12, _, k22 = contact_tangent(load, load_slope, 0.0, n1, n2, inverse)
     turn = load * slope * inverse  # of the stiffness with the contact angle
     k11, k12, k21, k22 = k11 + turn * n1 * n2, k12 - turn * n1 * n1, k12 + turn * n2 * n2, k22 - turn * n2 * n1
     lever = case.tilt_lever
@@ -280,8 +346,45 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[
     ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * k11, lever * k12
     for row in range(3):
         ball.condensed[row] = ball.force[row] + ball.stiffness[row, 0] * gap1 + ball.stiffness[row, 1] * gap2
-    ball.inner_sine, ball.inner_cosine, ball.inner_inverse, ball.inner_approach = n1, n2, inverse, approach
+    ball.inner_inverse = inverse
     ball.gap1, ball.gap2 = gap1, gap2
     ball.is_idle = load == 0.0
-    open_force = max(load_slope, load * inverse) * max(abs(gap1), abs(gap2))
-    return open_force, load, ROUNDING * (abs(a1) + abs(a2)) * load_slope
+    return max(load_slope, load * inverse) * max(abs(gap1), abs(gap2)), load
+
+
+@kernel
+def evaluate(case: recarray, ball: recarray, a1: float, a2: float, floor: float, grip: float) -> None:
+    """Fill the record of a ball that lies between its two contacts, moving or at rest."""
+    if is_moving(case):
+        moving_ball(case, ball, a1, a2, floor, grip)
+        return
+    between = ball.inner_approach
+    ball.inner_approach += ball.outer_approach
+    resting_ball(case, ball, a1, a2)
+    ball.inner_approach = between
+
+
+@kernel
+def tell_place(case: recarray, ball: recarray, place: ndarray) -> None:
+    """Write where a ball lies: its outer angle less the free one, and its approaches, outer and inner."""
+    s, c = case.sin_free, case.cos_free
+    so, co = ball.outer_sine, ball.outer_cosine
+    place[0] = atan2(so * c - co * s, co * c + so * s)
+    place[1], place[2] = ball.outer_approach, ball.inner_approach
+
+
+@kernel
+def take_place(case: recarray, ball: recarray, place: ndarray) -> None:
+    """Put a ball where it was told to lie; its inner line follows from closing the chain."""
+    s, c = case.sin_free, case.cos_free
+    turn_s, turn_c = sin(place[0]), cos(place[0])
+    set_outer(ball, s * turn_c + c * turn_s, c * turn_c - s * turn_s, place[1])
+    set_inner(ball, 0.0, 0.0, place[2])
+
+
+@kernel
+def close_told(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+    """Give a ball put where it was told to lie its inner line; its approach is what was told, free of rounding."""
+    _, w1, w2 = inner_rest(case, ball, False, a1, a2)
+    _, n1, n2, _ = direction(case.inner_coefficient - 0.5, case.sin_free, case.cos_free, w1, w2)
+    ball.inner_sine, ball.inner_cosine = n1, n2

@@ -14,6 +14,12 @@ from qsbearing.compiled import kernel
 
 
 @kernel
+def inverse_of(distance: float) -> float:
+    """1/distance; 0 where the points meet, since a line without direction does not turn."""
+    return 1.0 / distance if distance > 0.0 else 0.0
+
+
+@kernel
 def direction(
     length: float, sin_free: float, cos_free: float, v1: float, v2: float
 ) -> tuple[float, float, float, float]:
@@ -25,8 +31,14 @@ def direction(
     x1, x2 = r1 + v1, r2 + v2
     distance = sqrt(x1 * x1 + x2 * x2)
     approach = (2.0 * (r1 * v1 + r2 * v2) + v1 * v1 + v2 * v2) / (distance + length)
-    inverse = 1.0 / distance if distance > 0.0 else 0.0
+    inverse = inverse_of(distance)
     return approach, x1 * inverse, x2 * inverse, inverse
+
+
+@kernel
+def link(length: float, sin_free: float, cos_free: float, n1: float, n2: float, approach: float) -> tuple[float, float]:
+    """The converse: the vector v of a link of this direction and approach."""
+    return length * (n1 - sin_free) + approach * n1, length * (n2 - cos_free) + approach * n2
 
 
 @kernel
@@ -40,12 +52,18 @@ def contact_load(stiffness: float, approach: float) -> tuple[float, float]:
 
 @kernel
 def contact_tangent(
-    load: float, load_slope: float, n1: float, n2: float, inverse_distance: float
-) -> tuple[float, float, float]:
-    """(H11, H12, H22) of d(Q n)/dv: load_slope n n' + Q/distance t t', with t = (n2, -n1)."""
+    load: float, load_slope: float, friction_slope: float, n1: float, n2: float, inverse_distance: float
+) -> tuple[float, float, float, float]:
+    """(H11, H12, H21, H22) of d(Q n - T t)/dv, t = (n2, -n1), T only as far as it grows with Q, by dT/dQ:
+
+    load_slope (n - dT/dQ t) n' + Q/distance t t'.
+    """
     turn = load * inverse_distance
+    m1, m2 = n1 - friction_slope * n2, n2 + friction_slope * n1
+    across = turn * n1 * n2
     return (
-        load_slope * n1 * n1 + turn * n2 * n2,
-        (load_slope - turn) * n1 * n2,
-        load_slope * n2 * n2 + turn * n1 * n1,
+        load_slope * m1 * n1 + turn * n2 * n2,
+        load_slope * m1 * n2 - across,
+        load_slope * m2 * n1 - across,
+        load_slope * m2 * n2 + turn * n1 * n1,
     )

@@ -14,42 +14,18 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import resting_ball
 from qsbearing.compiled import kernel
-from qsbearing.newton import STALLED, any_held, applied_load, attainable, ring_step
-from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
+from qsbearing.newton import STALLED, close_chains, pass_over_balls, ring_step, stop
 
 MOST = 200
-# An imbalance that stands for what is not a number.
-NOTHING_LIKE = 1e300
 
 
 @kernel
 def pass_at_rest(case: recarray, ring: recarray, balls: ndarray) -> float:
-    """Evaluate the bearing at rest, its tangent left in the ring: the imbalance over the largest force."""
-    start_sums(case, ring)
-    contact, rounding = 0.0, 0.0
-    for n in range(ring.balls):
-        ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        ball.v1, ball.v2 = a1, a2
-        _, load, noise = resting_ball(case, ball, a1, a2)
-        contact, rounding = max(contact, load), max(rounding, noise)
-        add_ball(ring, ball)
-    worst, total = 0.0, 0.0
-    for p in range(ring.channels):
-        lever = channel_scale(case, ring.channel[p])
-        imbalance = abs(ring.imbalance[p]) / lever
-        total += imbalance
-        worst = max(worst, imbalance)
-        ring.matrix[p, p] += ring.floor * lever * lever  # a channel that nothing resists keeps a step
-    if not total < NOTHING_LIKE:  # a maximum passes over what is not a number; a sum does not
-        return NOTHING_LIKE
-    if worst == 0.0:
-        return 0.0
-    scale = max(applied_load(case), contact if any_held(case) else 0.0)
-    ring.scale, ring.rounding = scale, rounding
-    return worst / scale if scale > 0.0 else 1.0
+    """Evaluate the bearing at rest, its chains closed, its tangent left in the ring: the relative residual."""
+    close_chains(case, ring, balls)
+    residual, _ = pass_over_balls(case, ring, balls)
+    return residual
 
 
 @kernel
@@ -78,12 +54,12 @@ def search_line(case: recarray, ring: recarray, balls: ndarray, tolerance: float
     for i in range(5):
         ring.before[i] = ring.displacement[i]
     low, slope_low, high, slope_high = 0.0, first, -1.0, 0.0
-    worst = 1.0
+    residual = 1.0
     for _ in range(60):
         move_along(ring, fraction)
-        worst = pass_at_rest(case, ring, balls)
+        residual = pass_at_rest(case, ring, balls)
         slope = slope_along_step(ring)
-        if abs(slope) <= 0.5 * abs(first) or worst <= tolerance:
+        if abs(slope) <= 0.5 * abs(first) or residual <= tolerance:
             break
         if slope < 0.0:
             low, slope_low = fraction, slope
@@ -95,23 +71,22 @@ def search_line(case: recarray, ring: recarray, balls: ndarray, tolerance: float
         guess = low + (high - low) * slope_low / (slope_low - slope_high)
         margin = 0.1 * (high - low)
         fraction = min(max(guess, low + margin), high - margin)
-    return worst
+    return residual
 
 
 @kernel
 def descend(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Minimise Pi in place from where the ring is: (converged, iterations, relative residual)."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    worst = pass_at_rest(case, ring, balls)
+    stop(case, ring, balls)
+    residual = pass_at_rest(case, ring, balls)
     for iteration in range(MOST):
-        if worst <= tolerance:
-            return True, iteration, worst
-        largest = ring_step(case, ring, balls)
+        largest = ring_step(case, ring, balls) if residual > tolerance else -1.0
         if largest < 0.0:
-            return False, iteration, worst
-        before = worst
-        worst = search_line(case, ring, balls, tolerance, 1.0 if largest <= length else length / largest)
-        if worst >= before and before <= attainable(ring):  # the limit of rounding: the step is taken back
+            return residual <= tolerance, iteration, residual
+        before = residual
+        residual = search_line(case, ring, balls, tolerance, 1.0 if largest <= length else length / largest)
+        if residual >= before and before <= STALLED:  # the limit of rounding: the step is taken back
             move_along(ring, 0.0)
             return True, iteration, before
-    return worst <= STALLED, MOST, worst
+    return residual <= STALLED, MOST, residual

@@ -3,7 +3,10 @@
 At rest the problem is convex, and descent cannot fail. At speed Newton's method starts once more from a solution under
 heavier loads; then from the bearing at rest, and where the full speed is too far from there, by continuation in speed.
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
-groove, or friction would have to exceed the load that makes it.
+groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
+
+Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Such
+cases are solved with friction no more than load, and from there without that limit; where that fails, the ball slips.
 """
 
 from __future__ import annotations
@@ -12,11 +15,12 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import is_moving
+from qsbearing.ball import UNLIMITED, is_moving
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.descent import descend
 from qsbearing.newton import applied_load, close_chains, newton
 from qsbearing.raceway_control import PER_BALL
+from qsbearing.relaxation import relax
 from qsbearing.solver import deliver, first_guess, prepare, rest
 from qsbearing.start import ring_at_rest, seat_balls
 from qsbearing.verdict import (
@@ -34,12 +38,19 @@ from qsbearing.verdict import (
     objections,
 )
 
-# Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest.
-WARM, GUESS, LOADS, REST, CONTINUATION = 0, 1, 2, 3, 4
+# Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest; and from a
+# balance with limited friction, to one without that limit.
+WARM, GUESS, LOADS, REST, CONTINUATION, RELEASE = 0, 1, 2, 3, 4, 5
+# The most friction over load where it is limited: no material carries more.
+FULL_GRIP = 1.0
+# What is kept: the last balance on the way to the one sought, and the last found for all balls' controls.
+ON_THE_WAY, SOLVED = 0, 1
 # The part of the speed below which continuation takes no smaller step.
 LEAST_STRIDE = 1e-4
 # How well the balance at rest must be known for Newton to start from it.
 REST_TOLERANCE = 1e-3
+# How far descent goes, before Newton's method takes the last steps.
+FOOT = 1e-8
 # Loads that press balls by this many diameters at rest are heavy; on the way down from them each is so much lighter.
 HEAVY_APPROACH = 1e-3
 LIGHTER = 10.0
@@ -51,41 +62,29 @@ RUNAWAY_DISTANCE = 5.0
 
 
 @kernel
-def keep(ring: recarray, balls: ndarray) -> None:
+def keep(ring: recarray, balls: ndarray, slot: int) -> None:
     """Note where ring and balls are."""
     for i in range(5):
-        ring.kept[i] = ring.displacement[i]
+        ring.saved[slot, i] = ring.displacement[i]
     for n in range(ring.balls):
-        balls[n].kept1, balls[n].kept2 = balls[n].u1, balls[n].u2
+        ball = balls[n]
+        links = ball.saved[slot]
+        links[0], links[1], links[2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
+        links[3], links[4], links[5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+        ball.saved_control[slot] = ball.control
 
 
 @kernel
-def restore(ring: recarray, balls: ndarray) -> None:
+def restore(ring: recarray, balls: ndarray, slot: int) -> None:
     """Bring ring and balls back to where they were kept."""
     for i in range(5):
-        ring.displacement[i] = ring.kept[i]
-    for n in range(ring.balls):
-        balls[n].u1, balls[n].u2 = balls[n].kept1, balls[n].kept2
-
-
-@kernel
-def keep_solved(ring: recarray, balls: ndarray) -> None:
-    """Note a balance found, before controls change."""
-    for i in range(5):
-        ring.solved[i] = ring.displacement[i]
+        ring.displacement[i] = ring.saved[slot, i]
     for n in range(ring.balls):
         ball = balls[n]
-        ball.solved1, ball.solved2, ball.solved_control = ball.u1, ball.u2, ball.control
-
-
-@kernel
-def restore_solved(ring: recarray, balls: ndarray) -> None:
-    """Bring back the last balance found."""
-    for i in range(5):
-        ring.displacement[i] = ring.solved[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.u1, ball.u2, ball.control = ball.solved1, ball.solved2, ball.solved_control
+        links = ball.saved[slot]
+        ball.outer_sine, ball.outer_cosine, ball.outer_approach = links[0], links[1], links[2]
+        ball.inner_sine, ball.inner_cosine, ball.inner_approach = links[3], links[4], links[5]
+        ball.control = ball.saved_control[slot]
 
 
 @kernel
@@ -104,72 +103,58 @@ def heavy_factor(case: recarray) -> float:
 
 
 @kernel
-def rest_from_above(case: recarray, ring: recarray, balls: ndarray, factor: float) -> int:
-    """Bring the ring to rest under loads ever lighter, down to nearly its own; returns the iterations taken.
+def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool) -> int:
+    """Bring ring and balls to balance under loads ever lighter, down to nearly their own; returns the iterations taken.
 
-    Light loads leave open which few balls carry them: a choice hard to make at once and easy to follow from heavier
-    loads, which press more balls.
+    Loads so heavy that every ball is pressed, and inertia hardly counts, are easy. Light loads leave open which few
+    balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer.
     """
-    total = 0
-    while factor > 1.0:
-        set_loads(case, ring, factor)
-        if total == 0:
-            ring_at_rest(case, ring.displacement)
-        converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
-        total += iterations
-        if not converged:
-            break
-        factor /= LIGHTER
-    set_loads(case, ring, 1.0)
-    return total
-
-
-@kernel
-def moving_from_above(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """The same at speed, from loads so heavy that inertia hardly counts; returns the iterations taken."""
     factor, lighter, total = heavy_factor(case), LIGHTER, 0
     if factor <= 1.0:
         return 0
     set_loads(case, ring, factor)
     ring_at_rest(case, ring.displacement)
-    _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
-    seat_balls(case, ring, balls)
-    keep(ring, balls)
+    if is_at_speed:
+        _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
+        seat_balls(case, ring, balls)
+    keep(ring, balls, ON_THE_WAY)
     while True:
         set_loads(case, ring, factor)
-        converged, iterations, _ = newton(case, ring, balls, REST_TOLERANCE)
+        if is_at_speed:
+            converged, iterations, _ = newton(case, ring, balls, REST_TOLERANCE)
+        else:
+            converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
         total += iterations
         if converged:
-            keep(ring, balls)
+            keep(ring, balls, ON_THE_WAY)
             if factor <= LIGHTER:
                 break
         else:
-            restore(ring, balls)
+            restore(ring, balls, ON_THE_WAY)
             factor *= lighter
             lighter = sqrt(lighter)
             if lighter < LEAST_LIGHTER:
                 break
         factor = max(factor / lighter, 1.0)
-        close_chains(case, ring, balls)
+        if is_at_speed:
+            close_chains(case, ring, balls)
     set_loads(case, ring, 1.0)
-    restore(ring, balls)
+    restore(ring, balls, ON_THE_WAY)
     return total
 
 
 @kernel
 def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
-    total = 0
-    for attempt in range(2):
+    ring_at_rest(case, ring.displacement)
+    total = from_above(case, ring, balls, False)
+    converged, iterations, residual = rest(case, ring, balls, tolerance)
+    total += iterations
+    if not converged:
         ring_at_rest(case, ring.displacement)
-        if attempt == 0:
-            total += rest_from_above(case, ring, balls, heavy_factor(case))
-            converged, iterations, residual = rest(case, ring, balls, tolerance)
-        else:
-            converged, iterations, residual = descend(case, ring, balls, tolerance)
-        total += iterations
-        if converged:
-            break
+        _, before, _ = descend(case, ring, balls, FOOT)
+        converged, iterations, residual = rest(case, ring, balls, tolerance)
+        total += before + iterations
     for i in range(5):
         if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
             ring.ran_away = True
@@ -182,6 +167,12 @@ def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
     case.inner_speed, case.outer_speed = part * inner, part * outer
 
 
+@kernel
+def slips(case: recarray, ring: recarray, balls: ndarray) -> bool:
+    """Whether some contact is asked for more friction than its load."""
+    return objections(case, ring, balls, True) & FRICTION_WITHOUT_LOAD != 0
+
+
 @inlined
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
@@ -191,6 +182,10 @@ def solve_moving(
     One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
     converged turn may change the controls that Jones's criterion contradicts and go on from where it stands. Controls
     that have no solution are no choice: the last balance found stands, and is not consistent.
+
+    The gyroscopic moment asks for friction whatever the load. Where that has no balance at hand, one is sought in which
+    no contact carries more friction than load, and from there one without that limit. If there is none, the limited
+    balance tells why: the ball slips.
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else LOADS
@@ -198,12 +193,12 @@ def solve_moving(
     reached, stride = 0.0, 1.0
     while True:
         part = 1.0
-        if attempt == WARM:
+        if attempt == WARM or attempt == RELEASE:
             close_chains(case, ring, balls)
         elif attempt == GUESS:
             first_guess(case, ring, balls)
         elif attempt == LOADS:
-            total += moving_from_above(case, ring, balls)
+            total += from_above(case, ring, balls, True)
             close_chains(case, ring, balls)
         else:
             if attempt == REST:
@@ -211,54 +206,80 @@ def solve_moving(
                 total += iterations
                 if ring.ran_away:
                     return False, total, 1.0, RUNAWAY
-                keep(ring, balls)
+                seat_balls(case, ring, balls)
+                keep(ring, balls, ON_THE_WAY)
                 attempt, reached, stride = CONTINUATION, 0.0, 1.0
             part = min(1.0, reached + stride)
             set_speed(case, part, inner, outer)
-            restore(ring, balls)
-            if reached == 0.0:
-                seat_balls(case, ring, balls)
+            restore(ring, balls, ON_THE_WAY)
             close_chains(case, ring, balls)
         converged, iterations, residual = newton(case, ring, balls, tolerance)
         total += iterations
         ring.reached = part
+        if attempt == RELEASE and not (converged and objections(case, ring, balls, not converged) == 0):
+            restore(ring, balls, SOLVED)
+            ring.grip = FULL_GRIP
+            return True, total, solved_residual, 0
         if attempt == CONTINUATION:
             against = 0
             if converged:
                 against = objections(case, ring, balls, not converged)
-                keep(ring, balls)
+                keep(ring, balls, ON_THE_WAY)
                 reached, stride = part, 1.5 * stride
             else:
                 stride *= 0.4
                 if stride < LEAST_STRIDE:
-                    restore(ring, balls)
+                    set_speed(case, reached, inner, outer)
+                    ring.reached = reached
                     if reached > 0.0:
-                        set_speed(case, reached, inner, outer)
-                        ring.reached = reached
+                        restore(ring, balls, ON_THE_WAY)
                     else:
+                        _, iterations, _ = settle_at_rest(case, ring, balls, tolerance)
+                        total += iterations
                         seat_balls(case, ring, balls)
                     against = objections(case, ring, balls, not converged)
+            if ring.grip != UNLIMITED:
+                against &= ~FRICTION_WITHOUT_LOAD
             set_speed(case, 1.0, inner, outer)
-            is_over = against != 0 or stride < LEAST_STRIDE
-            if is_over and solved_residual >= 0.0:
-                restore_solved(ring, balls)
+            if against == 0 and stride < LEAST_STRIDE:
+                restore(ring, balls, ON_THE_WAY)
+                close_chains(case, ring, balls)
+                total += relax(case, ring, balls, REST_TOLERANCE)
+                converged, iterations, residual = newton(case, ring, balls, tolerance)
+                total += iterations
+                ring.reached = 1.0
+                reached = 1.0
+            if against != 0 or (stride < LEAST_STRIDE and not converged):
+                if solved_residual < 0.0:
+                    return False, total, residual, against
+                restore(ring, balls, SOLVED)
                 ring.reached = 1.0
                 return True, total, solved_residual, NO_CONSISTENT_CONTROL
-            if is_over:
-                return False, total, residual, against
             if not converged or reached < 1.0:
                 continue
         elif not converged:
             attempt += 1
+            if attempt == REST and case.gyroscopic and ring.grip == UNLIMITED:
+                ring.grip, attempt = FULL_GRIP, GUESS
             continue
-        if case.control != PER_BALL:
-            return True, total, residual, 0
-        keep_solved(ring, balls)
-        solved_residual = residual
-        wrong, changed = contradicted_controls(case, ring, balls)
-        if changed == 0:
-            return True, total, residual, 0 if wrong == 0 else NO_CONSISTENT_CONTROL
-        attempt = WARM
+        notes = 0
+        if case.control == PER_BALL:
+            keep(ring, balls, SOLVED)
+            solved_residual = residual
+            wrong, changed = contradicted_controls(case, ring, balls)
+            if changed > 0:
+                attempt = WARM
+                continue
+            if wrong > 0:
+                notes = NO_CONSISTENT_CONTROL
+        if ring.grip != UNLIMITED and slips(case, ring, balls):
+            keep(ring, balls, SOLVED)
+            solved_residual = residual
+            ring.grip, attempt = UNLIMITED, RELEASE
+        elif objections(case, ring, balls, not converged) & FRICTION_WITHOUT_LOAD != 0:
+            ring.grip, attempt, solved_residual = FULL_GRIP, GUESS, -1.0
+        else:
+            return True, total, residual, notes
 
 
 @inlined
@@ -269,6 +290,8 @@ def solve_with_detours(
     notes = 0
     if is_moving(case):
         converged, iterations, residual, notes = solve_moving(case, ring, balls, tolerance, is_warm)
+        if converged and ring.grip != UNLIMITED and slips(case, ring, balls):
+            notes |= FRICTION_WITHOUT_LOAD
     else:
         converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
         if ring.ran_away and not converged:

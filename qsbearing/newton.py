@@ -4,8 +4,9 @@ A ball is a joint between two nearly rigid links, the contact lines: X from the 
 from the ball's to the inner groove's, and A = X + V closes the chain. Held closed at every step, the chain turns an
 error of angle, s, into an error of length s^2/2, which at a turn of a few degrees is more than the whole approach of
 the contacts: loads jump by powers of ten. So each link keeps a length and an angle of its own, and the gap A - X - V is
-one more residual, which the linear system closes while angles and loads settle (as in mixed methods for cables). It is
-closed outright as soon as it is small against the approach, so that the last steps are plain Newton on ring and balls.
+one more residual, which the linear system closes while angles and loads settle (as in mixed methods for cables). In the
+last steps it is closed outright, and they are plain Newton on ring and balls. Since loads follow from the links' own
+approaches, not from differences of places, they balance to the last digits however light they are.
 
 Each ball's unknowns are eliminated where the ball is evaluated (a 2 x 2 block), which leaves a system of the ring's
 free channels; the balls' steps follow from the ring's. Nothing is nested and nothing is differenced.
@@ -13,13 +14,21 @@ free channels; the balls' steps follow from the ring's. Nothing is nested and no
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import close_chain, moving_ball, resting_ball, throw
+from qsbearing.ball import (
+    ROUNDING,
+    close_chain,
+    inner_rest,
+    moving_ball,
+    resting_ball,
+    set_inner,
+    throw,
+)
 from qsbearing.compiled import kernel
-from qsbearing.contact import direction
+from qsbearing.contact import direction, link
 from qsbearing.linear import solve_in_place
 from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
 
@@ -33,26 +42,20 @@ LINEAR_RELIEF = 0.3
 PATIENCE = 20
 # A gap in the chain below this part of the approach is closed outright.
 SMALL_GAP = 0.1
+# Below this relative residual a step is one of the last.
+NEAR = 1e-2
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
-# Loads so light that the rounding of places makes more than this part of them are not resolved.
-COARSEST = 1e-6
 # A ball or channel with little load beside the others' gets one step more where its imbalance is over this part of it.
-OWN_TOLERANCE = 1e-11
+OWN_TOLERANCE = 1e-12
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
 # Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
 FLOOR = 1e-15
+# Of a double.
+EPSILON = 2.0**-52
 # From a fair start five to ten do; past this another start is cheaper.
 MOST = 40
-
-
-@kernel
-def attainable(ring: recarray) -> float:
-    """The relative residual at which a balance that no step betters still counts as solved."""
-    if ring.scale <= 0.0:
-        return STALLED
-    return min(max(STALLED, ring.rounding / ring.scale), COARSEST)
 
 
 @kernel
@@ -75,48 +78,66 @@ def any_held(case: recarray) -> bool:
 
 
 @kernel
-def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float, float]:
-    """Evaluate all balls where they are: (largest imbalance, largest force, largest imbalance over its own load).
+def stop(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Let nothing turn: each ball is one link, from groove centre to groove centre."""
+    ring.at_rest = True
+    close_chains(case, ring, balls)
 
-    Leaves the condensed system in the ring. The largest force is over applied and inertial ones, and over contact
-    loads where a displacement is prescribed, since then they are the reaction.
+
+@kernel
+def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[float, float]:
+    """Evaluate all balls where they are, and leave the condensed system in the ring.
+
+    Returns:
+        (residual, the same of the ball or channel worst off beside its own load). The residual is the largest
+        imbalance over the largest force: applied or inertial, or of a contact where a displacement is prescribed,
+        since then contacts make the reaction. It is infinite where something is not a number, and where no force at
+        all acts at speed: a root where no ball orbits, no place of a ball.
     """
     start_sums(case, ring)
     ring.largest_approach = 0.0
-    worst, worst_own, rounding, total = 0.0, 0.0, 0.0, 0.0
+    worst, worst_own, total = 0.0, 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
         fc, friction = 0.0, 0.0
         if ring.at_rest:
-            imbalance, load, noise = resting_ball(case, ball, a1, a2)
+            imbalance, load = resting_ball(case, ball, a1, a2)
+            lighter = load
         else:
-            imbalance, load, fc, friction, noise = moving_ball(case, ball, a1, a2, ring.floor)
+            imbalance, load, lighter, fc, friction = moving_ball(case, ball, a1, a2, ring.floor, ring.grip)
         ring.largest_approach = max(ring.largest_approach, ball.inner_approach)
         worst = max(worst, imbalance)
-        rounding = max(rounding, noise)
-        if imbalance > worst_own * load:
-            worst_own = imbalance / load if load > 0.0 else 1.0
+        if imbalance > worst_own * lighter:
+            worst_own = imbalance / lighter if lighter > 0.0 else 1.0
         total += imbalance
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
         add_ball(ring, ball)
     for p in range(ring.channels):
         lever = channel_scale(case, ring.channel[p])
-        ring.matrix[p, p] += ring.floor * lever * lever
+        ring.matrix[p, p] += ring.floor * lever * lever  # a channel that nothing resists keeps a step
         worst = max(worst, abs(ring.imbalance[p]) / lever)
         own = abs(case.prescribed[ring.channel[p]])
         if own > 0.0 and abs(ring.imbalance[p]) > worst_own * own:
             worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
-    if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
-        worst = inf
     scale = max(applied_load(case), inertial)
+    if scale == 0.0 and case.centrifugal and not ring.at_rest:
+        return inf, inf
+    # Only what holds the ring could load it: a contact pressed by a ball's own rounding is not loaded.
+    least = EPSILON * sqrt(EPSILON) * case.series_stiffness
+    if scale <= least:
+        scale = least
+        if worst <= least:
+            worst = 0.0
     if any_held(case):
         scale = max(scale, contact)
-    ring.scale, ring.rounding = scale, rounding
-    return worst, scale, worst_own
+    ring.scale = scale
+    if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
+        return inf, inf
+    return worst / scale, worst_own
 
 
 @kernel
@@ -165,10 +186,13 @@ def ball_steps(case: recarray, ring: recarray, balls: ndarray) -> float:
 
 
 @kernel
-def link_change(n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float) -> tuple[float, float]:
-    """How a step d changes a link: its load grows as the tangent says, its line turns by the angle the step means.
+def changed_link(
+    length: float, n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float, most: float
+) -> tuple[float, float, float]:
+    """A link after a step d, as (sine, cosine, approach): its load grows as the tangent says, its line turns.
 
-    Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach.
+    Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach. A link that comes
+    into touch starts with the approach `most` at most; past the point where its ends meet it points the other way.
     """
     longer = n1 * d1 + n2 * d2
     half_turn = 0.5 * inverse * (n2 * d1 - n1 * d2)
@@ -183,39 +207,47 @@ def link_change(n1: float, n2: float, inverse: float, approach: float, d1: float
     # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
     across = 2.0 * half_turn / (1.0 + half_turn * half_turn)
     along = -half_turn * across
-    distance = 1.0 / inverse + longer if inverse > 0.0 else 0.0
-    return longer * n1 + distance * (along * n1 + across * n2), longer * n2 + distance * (along * n2 - across * n1)
+    m1, m2 = n1 + along * n1 + across * n2, n2 + along * n2 - across * n1
+    size = 1.5 - 0.5 * (m1 * m1 + m2 * m2)  # 1/|m|, which rounding alone takes off 1
+    approach = min(approach + longer, most) if approach <= 0.0 else approach + longer
+    if length + approach < 0.0:
+        return -m1 * size, -m2 * size, -2.0 * length - approach
+    return m1 * size, m2 * size, approach
 
 
 @kernel
-def settle_link(case: recarray, ball: recarray, a1: float, a2: float, length: float, most: float) -> None:
-    """Close the chain where that is safe: where the gap is small against the approach, or the contact out of touch.
+def settle_link(
+    case: recarray, ring: recarray, ball: recarray, a1: float, a2: float, most: float, is_near: bool
+) -> None:
+    """Close the chain where the contact is out of touch, and near the balance, where it is small against the approach.
 
-    A contact that geometry brings into touch starts with the approach `most` at most.
+    Elsewhere a small gap is left to the next step.
+
+    A contact that geometry brings into touch starts with the approach of the ball's other contact at most; at rest,
+    of the ball most pressed.
     """
-    w1, w2 = a1 - ball.u1, a2 - ball.u2
-    if max(abs(w1 - ball.v1), abs(w2 - ball.v2)) < SMALL_GAP * ball.inner_approach:
-        ball.v1, ball.v2 = w1, w2
-        return
     s, c = case.sin_free, case.cos_free
-    approach, n1, n2, inverse = direction(length, s, c, w1, w2)
-    if approach <= 0.0:
-        ball.v1, ball.v2 = w1, w2
+    length, w1, w2 = inner_rest(case, ball, ring.at_rest, a1, a2)
+    v1, v2 = link(length, s, c, ball.inner_sine, ball.inner_cosine, ball.inner_approach)
+    is_small = max(abs(w1 - v1), abs(w2 - v2)) < SMALL_GAP * ball.inner_approach
+    if is_small and not is_near:
+        return  # the next step closes it
+    approach, n1, n2, _ = direction(length, s, c, w1, w2)
+    if approach <= 0.0 or (is_small and abs(w1 - v1) + abs(w2 - v2) > ROUNDING * (length + abs(a1) + abs(a2))):
+        set_inner(ball, n1, n2, approach)
     elif ball.inner_approach <= 0.0:
-        # n less its free direction, from W less its free length: no difference of near-equal numbers
-        first = min(approach, most)
-        ball.v1 = length * inverse * (w1 - s * approach) + first * n1
-        ball.v2 = length * inverse * (w2 - c * approach) + first * n2
+        set_inner(ball, n1, n2, min(approach, most))
 
 
 @kernel
-def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_patient: bool) -> None:
+def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_patient: bool, is_near: bool) -> None:
     """Take the fraction of the step.
 
     An idle ball that is asked to turn far does not hold up the ring: it is put anew where it would be thrown, or if
     its grooves leave it no room for that, turned as far as tangents hold.
     """
     s, c, whole = case.sin_free, case.cos_free, case.inner_coefficient + case.outer_coefficient - 1.0
+    inner_length = whole if ring.at_rest else case.inner_coefficient - 0.5
     for i in range(5):
         ring.displacement[i] += fraction * ring.step[i]
     for n in range(ring.balls):
@@ -228,34 +260,39 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
                 throw(case, ball, a1, a2)
                 continue
             part = min(fraction, LARGEST_TURN / ball.turn)
-        length, most = whole, ring.largest_approach
+        most = ring.largest_approach
         if not ring.at_rest:
-            length, most = case.inner_coefficient - 0.5, ball.outer_approach
-            so, co = ball.outer_sine, ball.outer_cosine
-            m1, m2 = link_change(so, co, ball.outer_inverse, ball.outer_approach, part * ball.du1, part * ball.du2)
-            ball.u1 += m1
-            ball.u2 += m2
-        si, ci = ball.inner_sine, ball.inner_cosine
-        m1, m2 = link_change(si, ci, ball.inner_inverse, ball.inner_approach, part * ball.dv1, part * ball.dv2)
-        ball.v1 += m1
-        ball.v2 += m2
+            most = max(ball.outer_approach, 0.0)
+            ball.outer_sine, ball.outer_cosine, ball.outer_approach = changed_link(
+                case.outer_coefficient - 0.5, ball.outer_sine, ball.outer_cosine, ball.outer_inverse,
+                ball.outer_approach, part * ball.du1, part * ball.du2, max(ball.inner_approach, ring.largest_approach),
+            )  # fmt: skip
+        ball.inner_sine, ball.inner_cosine, ball.inner_approach = changed_link(
+            inner_length, ball.inner_sine, ball.inner_cosine, ball.inner_inverse,
+            ball.inner_approach, part * ball.dv1, part * ball.dv2, most,
+        )  # fmt: skip
         if is_patient:
-            settle_link(case, ball, a1, a2, length, most)
-        else:
-            close_chain(ball, a1, a2)
+            settle_link(case, ring, ball, a1, a2, most, is_near)
+    if not is_patient:
+        close_chains(case, ring, balls)
 
 
 @kernel
-def close_chains(case: recarray, ring: recarray, balls: ndarray) -> bool:
-    """Let every ball's inner link be what ring and outer link leave; whether any was not."""
-    was_open = False
+def close_chains(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Let every ball's inner link be what ring and outer link leave."""
     for n in range(ring.balls):
         ball = balls[n]
         a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        before1, before2 = ball.v1, ball.v2
-        close_chain(ball, a1, a2)
-        was_open = was_open or ball.v1 != before1 or ball.v2 != before2
-    return was_open
+        close_chain(case, ball, ring.at_rest, a1, a2)
+
+
+@kernel
+def is_open(ring: recarray, balls: ndarray) -> bool:
+    """Whether the last pass found some chain open."""
+    for n in range(ring.balls):
+        if balls[n].gap1 != 0.0 or balls[n].gap2 != 0.0:
+            return True
+    return False
 
 
 @kernel
@@ -267,23 +304,19 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     ring further than its grooves' centres are apart.
     """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    iterations, before, is_last = 0, -1.0, False
+    iterations, before, is_last, is_closed = 0, -1.0, False, False
     while True:
-        worst, scale, worst_own = pass_over_balls(case, ring, balls)
-        if not scale < inf or (scale == 0.0 and case.centrifugal and not ring.at_rest):
-            return False, iterations, 1.0  # without any force: a root where no ball orbits, no place of a ball
-        residual = worst / scale if scale > 0.0 else (0.0 if worst == 0.0 else 1.0)
+        residual, residual_own = pass_over_balls(case, ring, balls)
+        if not residual < inf:
+            return False, iterations, 1.0
         # The limit of rounding: no step helps any more, and what stands is good.
-        limit = attainable(ring)
-        is_stalled = 0.0 <= before <= limit and 0.5 * before <= residual <= limit
-        if residual <= tolerance or is_stalled or (is_last and residual <= limit):
-            if close_chains(case, ring, balls):
-                if iterations >= MOST:
-                    return False, iterations, residual
-                iterations += 1  # what hardly acted while open may act once closed
-                before, is_last = -1.0, False
+        is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
+        if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
+            if not is_closed and is_open(ring, balls):
+                close_chains(case, ring, balls)  # what hardly acted while open may act once closed
+                before, is_last, is_closed = -1.0, False, True
                 continue
-            if is_last or is_stalled or worst_own <= max(OWN_TOLERANCE, tolerance):
+            if is_last or is_stalled or residual_own <= max(OWN_TOLERANCE, tolerance):
                 return True, iterations, residual
             is_last = True
         elif is_last or iterations >= MOST:
@@ -293,8 +326,8 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         if not (0.0 <= largest < inf and turn < inf):
             return False, iterations, 1.0
         fraction = min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(largest, length))
-        before = residual
-        move(case, ring, balls, fraction, iterations < PATIENCE)
+        before, is_closed = residual, False
+        move(case, ring, balls, fraction, iterations < PATIENCE, residual < NEAR)
         iterations += 1
         for i in range(5):
             if not abs(ring.displacement[i]) < FARTHEST:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.operation import CHANNELS
+from qsbearing.raceway_control import INNER
 from qsbearing.solution import tangents
 from qsbearing.verdict import (
     CONVERGED,
@@ -73,8 +74,9 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
         return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
     if notes & FRICTION_WITHOUT_LOAD:
         return (
-            "No equilibrium under this raceway control: it wants the gyroscopic moment carried by friction at an "
-            "inner contact that carries too little load or none. Outer or per-ball control has no such demand."
+            "No equilibrium under this raceway control: it wants the gyroscopic moment carried by friction at a "
+            "contact that carries too little load or none; the ball slips."
+            + (" Outer or per-ball control has no such demand." if case["control"] == INNER else "")
             + _where_it_ends(solution, k)
         )
     if notes & OPEN_SIDE:

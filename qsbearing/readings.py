@@ -7,17 +7,17 @@ from math import atan2, nan, pi
 from numpy import ndarray, recarray
 
 from qsbearing.ball import (
-    close_chain,
+    UNLIMITED,
+    close_told,
+    evaluate,
     groove_stiffness,
     inertia,
     is_moving,
-    moving_ball,
     raceway_ellipse,
-    resting_ball,
-    series_stiffness,
+    take_place,
 )
 from qsbearing.compiled import entry, kernel
-from qsbearing.contact import contact_load, direction
+from qsbearing.contact import contact_load
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.newton import FLOOR
@@ -30,31 +30,19 @@ CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 1
 
 
 @kernel
-def read_ball(
-    case: recarray, control: int, a1: float, a2: float, u1: float, u2: float, side: float, what: int
-) -> float:
+def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
     """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE.
 
     A ball at rest that touches neither raceway has no defined place, and so no angle.
     """
-    s, c = case.sin_free, case.cos_free
-    delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-    delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - u1, a2 - u2)
+    si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
     if what >= CENTRIFUGAL_FORCE:
-        return read_motion(case, control, si, ci, so, co, what)
-    delta, n1, n2 = (delta_i, si, ci) if side < 0 else (delta_o, so, co)
-    if is_moving(case):
-        free = False
-        load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
-    else:
-        # One load for both contacts, from the ring alone: exact also where the approach is lost in the ball's place.
-        length = case.inner_coefficient + case.outer_coefficient - 1.0
-        chain, n1, n2, _ = direction(length, s, c, a1, a2)
-        free = chain <= 0.0
-        load, _ = contact_load(series_stiffness(case, n1, n2)[0], chain)
-        delta = (load / groove_stiffness(case, side, n1, n2)[0]) ** (2.0 / 3.0)
+        return read_motion(case, ball.control, si, ci, so, co, what)
+    n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)
+    load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
+    free = load == 0.0 and not is_moving(case)
     if what == LOAD:
-        return 0.0 if free else load
+        return load
     if free and (what == ANGLE or what == APPROACH):
         return nan
     if what == ANGLE:
@@ -62,13 +50,13 @@ def read_ball(
     if what == APPROACH:
         return delta
     if what == REQUIRED_FRICTION:
-        _, _, _, mg, _, _ = inertia(case, control, si, ci, so, co)
-        share_i, share_o = moment_shares(case.shares, control == INNER)
+        _, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
+        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
         friction = abs((share_i if side < 0 else share_o) * mg)
         if friction == 0.0:
             return 0.0
         return friction / load if load > 0.0 else nan
-    if free or load <= 0.0:
+    if load <= 0.0:
         return 0.0
     cosine = n2 if case.actual_angle else case.hertz_cosine
     a, b, _, _ = raceway_ellipse(case, side, cosine)
@@ -119,8 +107,18 @@ def read_cases(
             if status[k] != CONVERGED or j >= case.ball_count:
                 out[k, j] = nan
                 continue
-            a1, a2 = inner_groove_centre(case, displacement[k], balls[j].azimuth_cosine, balls[j].azimuth_sine)
-            out[k, j] = read_ball(case, control[k, j], a1, a2, position[k, j, 0], position[k, j, 1], side, what)
+            ball = balls[j]
+            put_back(case, ball, displacement[k], position[k, j], control[k, j])
+            out[k, j] = read_ball(case, ball, side, what)
+
+
+@kernel
+def put_back(case: recarray, ball: recarray, displacement: ndarray, position: ndarray, control: int) -> None:
+    """Put a ball of the bearing where a solution says that it is."""
+    take_place(case, ball, position)
+    a1, a2 = inner_groove_centre(case, displacement, ball.azimuth_cosine, ball.azimuth_sine)
+    close_told(case, ball, a1, a2)
+    ball.control = control
 
 
 @entry
@@ -152,14 +150,9 @@ def stiffness_of_cases(
         start_sums(case, ring)
         for j in range(case.ball_count):
             ball = balls[j]
+            put_back(case, ball, displacement[k], position[k, j], control[k, j])
             a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
-            if is_moving(case):
-                ball.u1, ball.u2, ball.control = position[k, j, 0], position[k, j, 1], control[k, j]
-                close_chain(ball, a1, a2)
-                moving_ball(case, ball, a1, a2, FLOOR * case.series_stiffness)
-            else:
-                ball.v1, ball.v2 = a1, a2
-                resting_ball(case, ball, a1, a2)
+            evaluate(case, ball, a1, a2, FLOOR * case.series_stiffness, UNLIMITED)
             add_ball(ring, ball)
         for p in range(5):
             for q in range(5):

@@ -10,9 +10,10 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import close_chain, is_moving, moving_ball, resting_ball
+from qsbearing.ball import UNLIMITED, evaluate, is_moving, set_inner, set_outer, take_place, tell_place
 from qsbearing.compiled import entry, inlined, kernel
-from qsbearing.newton import FLOOR, any_held, close_chains, newton
+from qsbearing.contact import direction
+from qsbearing.newton import FLOOR, any_held, close_chains, newton, stop
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
@@ -47,14 +48,12 @@ def is_thrust_like(case: recarray) -> bool:
 
 @kernel
 def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
-    """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual)."""
-    ring.at_rest = True
-    for n in range(ring.balls):
-        balls[n].u1, balls[n].u2 = 0.0, 0.0
-    close_chains(case, ring, balls)
-    converged, iterations, residual = newton(case, ring, balls, tolerance)
-    ring.at_rest = False
-    return converged, iterations, residual
+    """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual).
+
+    The balls are left as one link each, to be seated.
+    """
+    stop(case, ring, balls)
+    return newton(case, ring, balls, tolerance)
 
 
 @kernel
@@ -66,16 +65,19 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
     """
     if not is_thrust_like(case):
         ring_at_rest(case, ring.displacement)
+        stop(case, ring, balls)
         seat_balls(case, ring, balls)
         return
     x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
+    s, c = case.sin_free, case.cos_free
+    outer_approach, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
+    inner_approach, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, x - u1, -u2)
     for i in range(5):
         ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
     ring.displacement[0] = x
     for n in range(ring.balls):
-        ball = balls[n]
-        ball.u1, ball.u2 = u1, u2
-        ball.v1, ball.v2 = x - u1, -u2
+        set_outer(balls[n], so, co, outer_approach)
+        set_inner(balls[n], si, ci, inner_approach)
 
 
 @kernel
@@ -93,7 +95,7 @@ def prepare(
     find_equals(case, ring, balls)
     ring.floor = FLOOR * case.series_stiffness
     ring.ran_away, ring.at_rest = False, False
-    ring.reached = 1.0
+    ring.reached, ring.grip = 1.0, UNLIMITED
     for i in range(5):
         ring.load[i] = 0.0 if case.is_held[i] else case.prescribed[i]
         ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
@@ -101,11 +103,12 @@ def prepare(
             ring.displacement[i] = case.prescribed[i]
     for n in range(ring.balls):
         ball = balls[n]
-        ball.u1, ball.u2 = 0.0, 0.0
+        set_outer(ball, 0.0, 0.0, 0.0)  # nothing left of another case
+        set_inner(ball, 0.0, 0.0, 0.0)
         ball.changes = 0
         ball.control = INNER if case.control == INNER else OUTER
         if is_warm:
-            ball.u1, ball.u2 = position[ball.number, 0], position[ball.number, 1]
+            take_place(case, ball, position[ball.number])
             if case.control == PER_BALL and is_moving(case):
                 ball.control = control[ball.number]
 
@@ -153,15 +156,9 @@ def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> 
     if any_held(case):
         for j in range(case.ball_count):
             ball = balls[balls[j].place]
-            cosine, sine = balls[j].azimuth_cosine, balls[j].azimuth_sine
             a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-            if is_moving(case):
-                close_chain(ball, a1, a2)
-                moving_ball(case, ball, a1, a2, ring.floor)
-            else:
-                ball.v1, ball.v2 = a1, a2
-                resting_ball(case, ball, a1, a2)
-            add_force(ball, cosine, sine, reaction)
+            evaluate(case, ball, a1, a2, ring.floor, ring.grip)
+            add_force(ball, balls[j].azimuth_cosine, balls[j].azimuth_sine, reaction)
     for i in range(5):
         # what equal balls cancel is zero, not the rounding of their sum
         load[i] = reaction[i] * ring.in_plane[i] if case.is_held[i] else case.prescribed[i]
@@ -183,8 +180,10 @@ def deliver(
     for j in range(position.shape[0]):
         ball = balls[balls[j].place]
         is_there = j < case.ball_count
-        position[j, 0] = ball.u1 if is_there else 0.0
-        position[j, 1] = ball.u2 if is_there else 0.0
+        for i in range(3):
+            position[j, i] = 0.0
+        if is_there:
+            tell_place(case, ball, position[j])
         control[j] = ball.control if is_there else 0
     ring_load(case, ring, balls, load)
 
@@ -208,7 +207,7 @@ def solve_cases(
 ) -> None:
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
-    displacement (case, 5) and position (case, ball, 2) hold the start if is_warm, and the result in the case's units;
+    displacement (case, 5) and position (case, ball, 3) hold the start if is_warm, and the result in the case's units;
     load (case, 5) the ring's loads, reactions of held channels included; reached the part of the speed that all this is
     for. rings (1) and balls are working memory. An unfinished case keeps its start.
     """

@@ -127,7 +127,7 @@ def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
     """Ring, ball positions and controls to fill, holding the start where there is one."""
     count, balls = maker.count, maker.ball_axis
     if start is None:
-        return np.empty((count, 5)), np.empty((count, balls, 2)), np.zeros((count, balls), np.int8)
+        return np.empty((count, 5)), np.empty((count, balls, 3)), np.zeros((count, balls), np.int8)
     if not isinstance(start, Solution):
         raise TypeError(f"start = {start!r}: must be a Solution")
     if start._maker.ball_axis != balls or start._maker.count not in (1, count):
@@ -136,7 +136,7 @@ def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
             f"{balls}: a start must match, or be a single case with as many balls"
         )
     ring = np.empty((count, 5))
-    position, control = np.empty((count, balls, 2)), np.empty((count, balls), np.int8)
+    position, control = np.empty((count, balls, 3)), np.empty((count, balls), np.int8)
     ring[:], position[:], control[:] = start._ring, start._position, start._control
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
     failed = np.broadcast_to(start._codes != CONVERGED, count)

@@ -14,10 +14,9 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import close_chain, groove_stiffness, inertia, is_moving, series_stiffness, throw
+from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness, set_outer, throw
 from qsbearing.compiled import kernel
-from qsbearing.contact import direction
-from qsbearing.hertz import OUTER_SIDE
+from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.ring import inner_groove_centre
 
 
@@ -71,27 +70,26 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
 
 @kernel
 def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Put the balls between their grooves as at rest, springs in series; unloaded ones where they would be."""
-    s, c = case.sin_free, case.cos_free
-    length = case.inner_coefficient + case.outer_coefficient - 1.0
-    outer_length = case.outer_coefficient - 0.5
+    """Part the one link of each ball at rest into its two contacts, springs in series.
+
+    A ball without load lies where it would be thrown; at rest midway in its gap, for want of a place of its own.
+    """
+    ring.at_rest = False
     for n in range(ring.balls):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        approach, n1, n2, inverse = direction(length, s, c, a1, a2)
+        n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
         if approach > 0.0:
-            outer, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
+            ki, _ = groove_stiffness(case, INNER_SIDE, n1, n2)
+            ko, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
             series, _ = series_stiffness(case, n1, n2)
-            reach = approach * (series / outer) ** (2.0 / 3.0)
+            set_outer(ball, n1, n2, approach * (series / ko) ** (2.0 / 3.0))
+            ball.inner_approach = approach * (series / ki) ** (2.0 / 3.0)
         elif is_moving(case):
+            a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
             throw(case, ball, a1, a2)
-            continue
         else:
-            reach = 0.5 * approach  # midway in the gap, for want of a place of its own
-        # n less its free direction, from A less its free length: no difference of near-equal numbers
-        ball.u1 = outer_length * inverse * (a1 - s * approach) + reach * n1
-        ball.u2 = outer_length * inverse * (a2 - c * approach) + reach * n2
-        close_chain(ball, a1, a2)
+            set_outer(ball, n1, n2, 0.5 * approach)
+            ball.inner_approach = 0.5 * approach
 
 
 @kernel

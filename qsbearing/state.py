@@ -28,10 +28,16 @@ _BALL = np.dtype(
         ("changes", np.int64),  # how often that has changed
         ("factor", np.float64, (5,)),  # through which each channel solved feels its force, weight included
         ("lever", np.float64, (5,)),  # through which each channel solved moves its inner groove centre
-        ("u1", np.float64),  # outer link: its centre from the outer groove's, axial and radial, less touching at the
-        ("u2", np.float64),  # free angle
-        ("v1", np.float64),  # inner link: the inner groove's centre from its own, likewise
-        ("v2", np.float64),
+        # Links: the contact lines as unit vectors (sine, cosine), and what they are longer than at touching. At rest
+        # the inner link alone stands for both, from groove centre to groove centre.
+        ("outer_sine", np.float64),
+        ("outer_cosine", np.float64),
+        ("outer_approach", np.float64),
+        ("inner_sine", np.float64),
+        ("inner_cosine", np.float64),
+        ("inner_approach", np.float64),
+        ("outer_inverse", np.float64),  # 1/length
+        ("inner_inverse", np.float64),
         ("du1", np.float64),  # the links' steps
         ("du2", np.float64),
         ("dv1", np.float64),
@@ -40,11 +46,8 @@ _BALL = np.dtype(
         ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
-        ("kept1", np.float64),  # where to come back to
-        ("kept2", np.float64),
-        ("solved1", np.float64),  # where it was, and its control, when the case was last in balance
-        ("solved2", np.float64),
-        ("solved_control", np.int64),
+        ("saved", np.float64, (2, 6)),  # links to come back to, by slot
+        ("saved_control", np.int64, (2,)),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -54,14 +57,6 @@ _BALL = np.dtype(
         ("y12", np.float64),
         ("y21", np.float64),
         ("y22", np.float64),
-        ("outer_sine", np.float64),  # outer link: direction, 1/length, approach
-        ("outer_cosine", np.float64),
-        ("outer_inverse", np.float64),
-        ("outer_approach", np.float64),
-        ("inner_sine", np.float64),  # inner link
-        ("inner_cosine", np.float64),
-        ("inner_inverse", np.float64),
-        ("inner_approach", np.float64),
     ],
     align=True,
 )
@@ -72,9 +67,8 @@ _RING = np.dtype(
         ("displacement", np.float64, (5,)),
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
-        ("kept", np.float64, (5,)),
+        ("saved", np.float64, (2, 5)),  # displacements to come back to, by slot
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
-        ("solved", np.float64, (5,)),
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
         ("channel", np.int64, (5,)),  # which
@@ -84,8 +78,8 @@ _RING = np.dtype(
         ("right", np.float64, (5,)),
         ("matrix", np.float64, (5, 5)),
         ("floor", np.float64),  # least stiffness of anything
+        ("grip", np.float64),  # the most friction that contacts carry, over their load; 0 for no limit
         ("scale", np.float64),  # the largest force
-        ("rounding", np.float64),  # what rounding of the balls' places may do to their loads
         ("reached", np.float64),  # the part of the speed that ring and balls stand for
         ("at_rest", np.bool_),  # no inertia: each ball is one link
         ("largest_approach", np.float64),  # of any inner link, or link at rest

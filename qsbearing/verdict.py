@@ -6,12 +6,11 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import groove_stiffness, inertia, is_moving, raceway_ellipse
 from qsbearing.compiled import kernel
-from qsbearing.contact import contact_load, direction
+from qsbearing.contact import contact_load
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.newton import STALLED
 from qsbearing.raceway_control import INNER, OUTER, outer_controls
-from qsbearing.ring import inner_groove_centre
 
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 
@@ -22,6 +21,8 @@ OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, RUNAWAY,
 CONTROL_CHANGES = 2
 # Angles this far outside are rounding, not contact on the open side or over the shoulder.
 ANGLE_ROUNDING = 1e-9
+# Of the largest force: what no balance resolves.
+NO_FORCE = 1e-12
 # A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
 NO_LOAD = 1e-6
 
@@ -43,21 +44,25 @@ def spin_constant(case: recarray, side: float, cosine: float) -> float:
 
 
 @kernel
+def contact_loads(case: recarray, ball: recarray) -> tuple[float, float]:
+    """(Qi, Qo) of a ball between its two contacts."""
+    ki, _ = groove_stiffness(case, INNER_SIDE, ball.inner_sine, ball.inner_cosine)
+    ko, _ = groove_stiffness(case, OUTER_SIDE, ball.outer_sine, ball.outer_cosine)
+    return contact_load(ki, ball.inner_approach)[0], contact_load(ko, ball.outer_approach)[0]
+
+
+@kernel
 def contradicted_controls(case: recarray, ring: recarray, balls: ndarray) -> tuple[int, int]:
     """How many balls' controls contradict Jones's criterion, and how many of them could still be changed, and were."""
-    s, c = case.sin_free, case.cos_free
     inner_constant = spin_constant(case, INNER_SIDE, case.hertz_cosine)
     outer_constant = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
     wrong, changed = 0, 0
     for n in range(ring.balls):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        do, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-        di, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
+        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
         if case.actual_angle:
             inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
-        qi, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], di)
-        qo, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], do)
+        qi, qo = contact_loads(case, ball)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
         if control != ball.control:
             wrong += 1
@@ -78,14 +83,10 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
     hypothesis that puts friction there has come to its end. Friction below the solver's accuracy is none.
     """
     found = 0
-    s, c = case.sin_free, case.cos_free
     for n in range(ring.balls):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-        delta_i, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, a1 - ball.u1, a2 - ball.u2)
-        delta_o, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, ball.u1, ball.u2)
-        inner, _ = contact_load(groove_stiffness(case, INNER_SIDE, si, ci)[0], delta_i)
-        outer, _ = contact_load(groove_stiffness(case, OUTER_SIDE, so, co)[0], delta_o)
+        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+        inner, outer = contact_loads(case, ball)
         if inner > 0.0:
             if case.one_sided and si < -ANGLE_ROUNDING:
                 found |= OPEN_SIDE
@@ -96,6 +97,6 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
             moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
             for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
                 is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
-                if is_without or (is_lost and friction > load):
+                if is_without or (is_lost and friction > load and friction > NO_FORCE * ring.scale):
                     found |= FRICTION_WITHOUT_LOAD
     return found

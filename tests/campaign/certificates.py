@@ -20,10 +20,13 @@ open side, over the shoulder, friction without load: a balance (evidence)
     The equations as they stand, which know no open side and no shoulders and let any contact carry its share of the
     gyroscopic moment, have a balance, checked as any other, that breaks one of these restrictions. That there is no
     other balance is not proved.
+friction above the load, a balance (evidence)
+    With friction that is never more than the contact's load there is a balance, checked as any other, and in it some
+    contact is asked for more: the ball slips. That the equations, which ask whatever the load, have no balance
+    elsewhere is not proved.
 the same, followed up in speed (evidence)
     So it is at a part of the speed, on the way up from rest: the balance is checked at that part. Beyond it the balance
-    that comes from rest is none of a bearing. `friction above the load` is such a state, too, where a contact needs
-    more friction than its load and the way up was lost.
+    that comes from rest is none of a bearing.
 """
 
 from __future__ import annotations
@@ -60,7 +63,7 @@ RESTRICTIONS = {
     "friction_without_load": "friction without load",
     "friction_above_load": "friction above the load",
 }
-"""What the equations as they stand do not know, and a bearing does; the last only where the way up in speed is lost."""
+"""What the equations as they stand do not know, and a bearing does."""
 
 UNASKED = ("misreported", "control_unsaid")
 """What is not asked of a state on the way: its own residual's word, and whether controls have settled."""
@@ -174,7 +177,7 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
         is_whole = float(solution.speed_reached[k]) == 1.0
         is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_at_rest(group, int(k))
         for name, words in RESTRICTIONS.items():
-            if not broken[name][k] or (name == "friction_above_load" and is_whole):
+            if not broken[name][k]:
                 continue
             where = "a balance" if is_whole else "followed up in speed"
             if name == "open_side" and is_unique:
@@ -210,15 +213,23 @@ def as_left(solution: qs.Solution) -> qs.Solution:
 
 
 def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArray]:
-    """By restriction: whether each case was left in a sound balance of the equations as they stand that breaks it.
+    """By restriction: whether each case was left in a sound balance that breaks it.
 
-    Sound at the part of the speed at which it was left. What a solution says of reactions is not asked of such a state.
+    A balance of the equations as they stand, or with friction no more than load. Sound
+    at the part of the speed at which it was left. What a solution says of reactions is not asked of such a state.
     """
     scene = group.scene()
     part = np.asarray(solution.speed_reached, float)
     operation = scene.operation
     speeds = {name: part * np.asarray(getattr(operation, name), float) for name in ("speed", "outer_speed")}
-    found = findings(replace(scene, operation=replace(operation, **speeds)), as_left(solution), reactions=False)
-    failed = found.failed()
-    sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)
-    return {name: sound & getattr(found, name) for name in RESTRICTIONS}
+    scene = replace(scene, operation=replace(operation, **speeds))
+    broken = {name: np.zeros(solution.shape, bool) for name in RESTRICTIONS}
+    for is_limited in (False, True):
+        found = findings(scene, as_left(solution), reactions=False, friction_at_most_load=is_limited)
+        failed = found.failed()
+        sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)
+        for name in RESTRICTIONS:
+            # more friction than load is nothing that the equations as they stand forbid
+            if is_limited or name != "friction_above_load":
+                broken[name] |= sound & getattr(found, name)
+    return broken

@@ -46,8 +46,7 @@ class Findings:
     """Largest of all balls and channels over the largest applied or inertial force (contact load, if a channel is
     held)."""
     expressible: NDArray
-    """The imbalance that rounding can make, on the same scale: of each load, and of each ball's place, which moves far
-    more than its contacts yield where the load is light."""
+    """The imbalance that rounding can make, on the same scale: of each load, and of the lines along which it acts."""
     closure: NDArray
     """Largest gap between the two contact lengths and the groove centres, over the largest length."""
     hertz: NDArray
@@ -106,18 +105,22 @@ class Contacts:
         self.length = self.groove - 0.5 * _column(bearing.ball_diameter)
         self.share = np.zeros_like(self.load)
         self.friction = np.zeros_like(self.load)
+        self.asked = np.zeros_like(self.load)
 
 
 def _column(value: Any) -> NDArray:
     return np.asarray(value, float)[..., None]
 
 
-def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) -> Findings:
+def findings(
+    scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True, friction_at_most_load: bool = False
+) -> Findings:
     """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
 
     Args:
         scene: the solution's, or one that differs from it in speed alone.
         reactions: whether the loads of held channels are to be the balls' sums.
+        friction_at_most_load: whether a contact asked for more friction than its load gives only as much.
     """
     bearing = scene.bearing
     diameter = _column(bearing.ball_diameter)
@@ -128,6 +131,11 @@ def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) 
         throw, moment = inertia_loads(scene, solution, inner, outer)
         for side in (inner, outer):
             side.friction = side.share * moment / diameter
+            side.asked = np.abs(side.friction)
+            if friction_at_most_load:
+                side.friction = np.sign(side.friction) * np.minimum(side.asked, side.load)
+        carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
+        moment = np.minimum(np.abs(moment), diameter * carried)
         imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
@@ -139,15 +147,11 @@ def findings(scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True) 
         closure=closure,
         hertz=hertz,
         tension=_tension(solution),
-        friction_without_load=_any(
-            (~side.loaded & (np.abs(side.friction) > small) & there for side in (inner, outer)), there
-        ),
+        friction_without_load=_any((~side.loaded & (side.asked > small) & there for side in (inner, outer)), there),
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
         & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
         over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
-        friction_above_load=_any(
-            (np.abs(side.friction) > np.maximum(side.load, small) for side in (inner, outer)), there
-        ),
+        friction_above_load=_any((side.asked > np.maximum(side.load, 0.01 * small) for side in (inner, outer)), there),
         not_finite=_not_finite(scene, solution, there),
         control=control,
         control_unsaid=control & solution.control_is_consistent,
@@ -214,8 +218,7 @@ def tilt_lever(scene: qs.Scene) -> NDArray:
 def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, throw: NDArray, moment: NDArray) -> NDArray:
     """The largest applied or inertial force of each case; with a held channel contact loads too, being the reaction.
 
-    Never less than what a contact would carry if it were pressed by the rounding of a ball diameter: below, nothing
-    can be told from zero.
+    Never less than the least load.
     """
     cases = inner.load.shape[0]
     half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
@@ -230,8 +233,12 @@ def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, throw: NDArr
             scale = np.maximum(scale, np.broadcast_to(force, cases))
     if is_any_held:
         scale = np.maximum(scale, np.maximum(inner.load, outer.load).max(axis=-1))
-    least = EPS**1.5 * np.asarray(scene.bearing.effective_modulus * np.asarray(scene.bearing.ball_diameter) ** 2)
-    return np.maximum(scale, least)
+    return np.maximum(scale, _least_load(scene))
+
+
+def _least_load(scene: qs.Scene) -> NDArray:
+    """What a contact would carry if it were pressed by the rounding of a ball diameter; less is no load."""
+    return EPS**1.5 * np.asarray(scene.bearing.effective_modulus * np.asarray(scene.bearing.ball_diameter) ** 2)
 
 
 def _imbalance(
@@ -268,11 +275,19 @@ def _imbalance(
     scale = _force_scale(scene, inner, outer, throw, moment)
     moved = np.abs(solution.displacement[:, :3]).sum(axis=-1, keepdims=True)
     moved = moved + lever * np.abs(solution.displacement[:, 3:]).sum(axis=-1, keepdims=True)
+    # Lines turn by what rounding does to places; friction follows the sine of the controlling one.
+    sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
+    slope = np.maximum(np.abs(i.friction), np.abs(o.friction)) / np.maximum(sine, np.finfo(float).tiny)
     rounding = np.zeros(scale.shape)
     for side in (i, o):
-        steepness = np.where(side.loaded, 1.5 * moved / np.abs(side.approach), 0.0)
-        rounding += 4 * EPS * (side.load * (1.0 + steepness)).sum(axis=-1)
-    return worst / scale, rounding / scale
+        turn = (moved + i.length + o.length) / side.length
+        rounding += 4 * EPS * (side.load * (1.0 + turn) + slope * turn).sum(axis=-1)
+    return np.where(worst <= _least_load(scene), 0.0, worst / scale), rounding / scale
+
+
+def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:
+    """What belongs to each ball's controlling raceway."""
+    return np.where(solution.raceway_control == "inner", inner, outer)
 
 
 def _tension(solution: qs.Solution) -> NDArray:

@@ -80,10 +80,9 @@ class Tally:
                 self.worst = {"iterations": iterations, "index": index, "toml": group.toml(k, text)}
         self.noted["friction above load"] += int((found.friction_above_load & converged).sum())
         self.noted["inconsistent control"] += int((found.control & converged).sum())
-        self.noted["above 1e-10 by rounding alone"] += int(
-            (converged & (found.imbalance > BALANCE) & ~failed["imbalance"]).sum()
-        )
-        fine = converged & ~np.any(list(failed.values()), axis=0)
+        excused = converged & (found.imbalance > BALANCE) & ~failed["imbalance"]
+        self.noted["above 1e-10 by rounding alone"] += int(excused.sum())
+        fine = converged & ~excused & ~np.any(list(failed.values()), axis=0)
         for name in self.largest:
             values = np.where(fine, solution.residual if name == "residual" else getattr(found, name), 0.0)
             self.largest[name] = max(self.largest[name], float(values.max(initial=0.0)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-import tomllib
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
-from qsbearing.newton import COARSEST
+from qsbearing.newton import STALLED
 from tests.campaign.campaign import run_campaign
 from tests.campaign.certificates import (
     as_left,
@@ -309,24 +309,15 @@ def test_a_campaign_is_resumed_where_it_stopped(tmp_path: Path) -> None:
         Journal(tmp_path, 6, "abc", resume=True)
 
 
-MISSING_OF_TEN_THOUSAND = {
-    ("converged", False): 3,
-    ("converged", True): 15,
-    ("no", False): 40,
-    ("no", True): 115,
-    ("not", False): 16,
-    ("not", True): 32,
-}
-"""By (said to be, gyroscopic moment alone): as many of the scenes of seed 1 may fail."""
+MISSING_OF_TEN_THOUSAND = {"converged": 8, "no": 3, "not": 36}
+"""By what they are said to be: as many of the scenes of seed 1 may fail."""
 
 
 @compiled_only
 def test_ten_thousand_scenes(tmp_path: Path) -> None:
     """Nearly every one converged and checked, or refused and certified; and the same summary from its journal.
 
-    What is still missing is bounded here, so that it can only grow less. It is rarest where a scene is whole. Without
-    the centrifugal force an idle ball has no place, and the friction that should carry its gyroscopic moment nothing to
-    press on: such scenes are one in ten and make two thirds of what is missing.
+    What is still missing is bounded here, so that it can only grow less.
     """
     before = memory_MB()  # what this process took for other tests counts in the campaign's peak
     summary = run_campaign(10_000, 1, tmp_path, workers=2)
@@ -336,15 +327,10 @@ def test_ten_thousand_scenes(tmp_path: Path) -> None:
     assert {**again, **dict.fromkeys(changing)} == {**summary, **dict.fromkeys(changing)}
     assert json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))["digest"] == summary["digest"]
     assert summary["peak_memory_MB"] - before <= 900
-    missing: dict[tuple[str, bool], int] = {}
-    for path in (tmp_path / "failures").glob("*.toml"):
-        ball = tomllib.loads(path.read_text(encoding="utf-8"))["effects"]["ball"]
-        kind = path.name.split("_")[0]  # converged, no, not
-        key = kind, ball == ["gyroscopic_moment"]
-        missing[key] = missing.get(key, 0) + 1
-    for (kind, without_place), most in MISSING_OF_TEN_THOUSAND.items():
-        assert missing.get((kind, without_place), 0) <= most, (kind, without_place, missing)
-    assert summary["largest"]["residual"] <= COARSEST
+    missing = Counter(path.name.split("_")[0] for path in (tmp_path / "failures").glob("*.toml"))
+    for kind, most in MISSING_OF_TEN_THOUSAND.items():
+        assert missing[kind] <= most, (kind, missing)
+    assert summary["largest"]["residual"] <= STALLED
     iterations = summary["iterations_of_converged"]
     assert iterations["median"] <= 7
 

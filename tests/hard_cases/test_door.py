@@ -30,7 +30,7 @@ import qsbearing as qs
 from qsbearing import solving
 from qsbearing.cli import cli
 from qsbearing.compiled import COMPILED
-from qsbearing.newton import COARSEST
+from qsbearing.newton import STALLED
 from qsbearing.operation import CHANNELS
 from qsbearing.outcome import message, warnings
 from qsbearing.scene_keys import SECTIONS
@@ -227,7 +227,7 @@ def assert_outcome(solution: qs.Solution) -> None:
             if array is not None and is_solved:
                 assert np.isfinite(array[index][there]).all()
         if is_solved:
-            assert np.asarray(solution.residual)[index] <= COARSEST
+            assert np.asarray(solution.residual)[index] <= STALLED
             assert np.isfinite(qs.stiffness(solution.scene, solution)[index]).all()
 
 

@@ -667,15 +667,33 @@ def test_balls_thrown_over_the_inner_shoulder() -> None:
 
 def test_the_speed_at_which_a_balance_has_ended() -> None:
     """Where the way up in speed ends early, the part of the speed that is told has no equilibrium, a slow turn has."""
-    scene = turning(20_000.0, STEEP, control=INNER, axial_load=2000.0, radial_load_y=300.0, **UPRIGHT)
+    tight = replace(
+        B218,
+        free_contact_angle=15 * qs.deg,
+        inner_groove_radius=0.5005 * B218.ball_diameter,
+        outer_groove_radius=0.5005 * B218.ball_diameter,
+    )
+    operation = qs.Operation(speed=30_000 * qs.rpm, axial_load=2000.0, radial_load_y=300.0, **UPRIGHT)
+    scene = qs.Scene(tight, operation, (qs.CentrifugalForce(),), OUTER)
     solution = qs.solve(scene)
     assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.OVER_SHOULDER
     part = float(solution.speed_reached)
     assert 0.0 < part < 1.0
     slow, there = (qs.solve(with_operation(scene, speed=factor * scene.operation.speed)) for factor in (0.02, part))
     assert slow.converged
     assert slow.speed_reached == 1.0
     assert there.status is qs.Status.NO_EQUILIBRIUM
+
+
+def test_a_ball_that_slips() -> None:
+    """Inner control of light balls at speed: some contact would need more friction than load; turning slowly none."""
+    scene = turning(20_000.0, STEEP, control=INNER, axial_load=2000.0, radial_load_y=300.0, **UPRIGHT)
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.FRICTION_WITHOUT_LOAD
+    assert solution.speed_reached == 1.0
+    assert qs.solve(with_operation(scene, speed=0.02 * scene.operation.speed)).converged
 
 
 @pytest.mark.parametrize("control", [OUTER, INNER])
@@ -695,11 +713,11 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
     for outer_angle in np.radians([-30.0, 0.0, 30.0]):
         for inner_angle in np.radians(np.linspace(-180.0, 180.0, 73)):
             outer_line, inner_line = (np.array([np.sin(angle), np.cos(angle)]) for angle in (outer_angle, inner_angle))
-            solution._position[0] = outer_length * (outer_line - free)
+            # angle from the free one, outer and inner approach
+            solution._position[0] = outer_angle - np.arctan2(*free), 0.0, -0.1 * inner_length
             solution._ring[0, :] = 0.0
-            moved = solution._position[0, 0] + inner_length * 0.9 * inner_line - inner_length * free
-            solution._ring[0, 0] = moved[0]
-            solution._ring[0, 1] = moved[1]
+            solution._ring[0, :2] = outer_length * outer_line + 0.9 * inner_length * inner_line
+            solution._ring[0, :2] -= (outer_length + inner_length) * free
             for name in ("orbital_speed", "gyroscopic_moment", "centrifugal_force"):
                 vars(solution).pop(name, None)
             orbit = solution.orbital_speed[0]
