@@ -1,9 +1,8 @@
 """How near each hard case comes to fifty digits: `python -m tests.hard_cases.table` writes table.json and TABLE.md.
 
 Errors are relative: a contact's load over that load, angles over the case's largest, displacements (tilts as motions at
-the pitch radius) over its largest. A case is within 1e-9, or what it loses is explained: by the condition number of its
-full system times 2^-52, or by the resolution of the numbers (a ring that has moved a thousandth of a ball has its place
-to 1e-19 of one, and a contact that yields 1e-9 of a ball has its load from such places). Or it is neither, a failure.
+the pitch radius) over its largest. A case is within 1e-9, or what it loses is explained by the condition number of its
+full system times 2^-52; or it is neither, a failure.
 """
 
 from __future__ import annotations
@@ -25,12 +24,10 @@ WITHIN = 1e-9
 LOST = 1e-12
 """A contact that carries less than this of the largest load is as good as lost: that is the solver's tolerance."""
 ROUNDING = 2.0**-52
-ROUNDINGS = 8
-"""That go into one component of a ball's balance, four products of force and direction; an approach takes fewer."""
 
 HEADING = (
     *("case", "what", "outcome", "iterations", "residual", "loads", "angles", "displacements", "condition", "x 2^-52"),
-    *("resolution", "verdict"),
+    "verdict",
 )
 
 Row = dict[str, Any]
@@ -70,30 +67,11 @@ def _largest(values: NDArray) -> float:
     return float(np.max(values, initial=0.0))
 
 
-def resolution(solution: qs.Solution, index: Any = ()) -> float:
-    """What roundings of places and of the larger loads beside it do to a contact's load at worst, relative to it.
-
-    A place is the ring's motion at the pitch radius: 1.5 x 2^-52 |place|/approach. The lightly loaded one of a ball's
-    two contacts balances a small difference at the other.
-    """
-    radius = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
-    place = float(np.abs(solution.displacement[index] * np.array([1.0, 1.0, 1.0, radius, radius])).sum())
-    of_ball = np.maximum(solution.inner.load[index], solution.outer.load[index])
-    worst = 0.0
-    for contacts in (solution.inner, solution.outer):
-        loaded = contacts.load[index] > LOST * _largest(of_ball)
-        load, approach = contacts.load[index][loaded], contacts.approach[index][loaded]
-        worst = max(worst, _largest(1.5 * place / approach), _largest(of_ball[loaded] / load))
-    return ROUNDINGS * ROUNDING * worst
-
-
-def verdict(error: float, condition: float, resolved: float) -> str:
-    """Within 1e-9, explained by the condition or by the resolution of numbers, or unexplained."""
+def verdict(error: float, condition: float) -> str:
+    """Within 1e-9, explained by the condition, or unexplained."""
     if error <= WITHIN:
         return "within 1e-9"
-    if error <= condition * ROUNDING:
-        return "explained by its condition"
-    return "explained by resolution" if error <= resolved else "UNEXPLAINED"
+    return "explained by its condition" if error <= condition * ROUNDING else "UNEXPLAINED"
 
 
 def rows() -> list[Row]:
@@ -115,8 +93,7 @@ def rows() -> list[Row]:
             if solution.converged:
                 row |= {name: float(f"{value:.1e}") for name, value in errors(solution, result).items()}
                 worst = max(row[name] for name in ("loads", "angles", "displacements"))
-                row["resolution"] = float(f"{resolution(solution):.1e}")
-                row["verdict"] = verdict(worst, result["condition"], row["resolution"])
+                row["verdict"] = verdict(worst, result["condition"])
             else:
                 row["verdict"] = "NOT SOLVED"
             row |= {"condition": result["condition"], "unavoidable": float(f"{result['condition'] * ROUNDING:.1e}")}
@@ -135,14 +112,14 @@ def markdown(table: list[Row]) -> str:
         "Made by `python -m tests.hard_cases.table` from `table.json`. Cases and what is expected of them: `cases.py`;",
         "the fifty-digit solutions and how the condition numbers are made: `generate.py`. Errors are relative: loads",
         "each by itself, angles and displacements over the case's largest. Condition numbers come with what they make",
-        "of 2^-52; resolution is what rounding of places, and of larger loads beside it, does to a contact's load.",
+        "of 2^-52.",
         "",
         f"| {' | '.join(HEADING)} |",
         "|" + "---|" * len(HEADING),
     ]
     for row in table:
         cells = [row["case"], row["what"], row["status"].replace("_", " "), row["iterations"], f"{row['residual']:.0e}"]
-        for key in ("loads", "angles", "displacements", "condition", "unavoidable", "resolution"):
+        for key in ("loads", "angles", "displacements", "condition", "unavoidable"):
             cells.append(f"{row[key]:.0e}" if key in row else "")
         lines.append("| " + " | ".join(map(str, [*cells, row["verdict"]])) + " |")
     return "\n".join(lines) + "\n"

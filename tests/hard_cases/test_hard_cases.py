@@ -19,7 +19,7 @@ from tests.hard_cases import generate
 from tests.hard_cases.cases import CASES, CONVERGED, NO_EQUILIBRIUM
 from tests.hard_cases.generate import load_reference
 from tests.hard_cases.scenes import BY_NAME, exact_case, scene_of
-from tests.hard_cases.table import DATA, ROUNDING, TABLE, errors, markdown, resolution, verdict
+from tests.hard_cases.table import DATA, ROUNDING, TABLE, errors, markdown, verdict
 
 REFERENCE = {entry["case"]["name"]: entry for entry in load_reference()}
 SOLVED = [case["name"] for case in CASES if case["expected"] == CONVERGED]
@@ -113,13 +113,12 @@ def test_what_a_name_promises_is_so() -> None:
 
 @pytest.mark.parametrize("name", quick)
 def test_it_comes_to_fifty_digits_or_its_condition_says_why_not(name: str) -> None:
-    """Loads each by itself, angles, displacements: within 1e-9, or within what condition or resolution explain."""
+    """Loads each by itself, angles, displacements: within 1e-9, or within what the condition explains."""
     solution = solution_of(name)
     assert solution.status is qs.Status.CONVERGED, message(solution)
     result = REFERENCE[name]["result"]
     found = errors(solution, result)
-    stated = result["condition"], resolution(solution)
-    assert verdict(max(found.values()), *stated) != "UNEXPLAINED", (found, stated)
+    assert verdict(max(found.values()), result["condition"]) != "UNEXPLAINED", (found, result["condition"])
 
 
 @pytest.mark.parametrize("name", [case["name"] for case in CASES if case["expected"] != NO_EQUILIBRIUM])
@@ -226,11 +225,10 @@ def test_the_condition_number_is_one_of_a_matrix() -> None:
 
 
 def test_the_verdict_is_honest() -> None:
-    assert verdict(1e-10, 1.0, 0.0) == "within 1e-9"
-    assert verdict(1e-8, 1e8, 0.0) == "explained by its condition"
-    assert verdict(1e-8, 1.0, 1e-8) == "explained by resolution"
-    assert verdict(1e-8, 0.9e-8 / ROUNDING, 0.9e-8) == "UNEXPLAINED"
-    assert verdict(float("inf"), 1e20, 1.0) == "UNEXPLAINED"
+    assert verdict(1e-10, 1.0) == "within 1e-9"
+    assert verdict(1e-8, 1e8) == "explained by its condition"
+    assert verdict(1e-8, 0.9e-8 / ROUNDING) == "UNEXPLAINED"
+    assert verdict(float("inf"), 1e20) == "UNEXPLAINED"
 
 
 def test_an_error_is_an_error() -> None:
