@@ -6,9 +6,7 @@ from dataclasses import dataclass
 from math import pi
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
-from qsbearing.faults import ANGLE, FORCE, LENGTH, MOMENT, SPEED, Fault, Quantity, raise_if_any, within
+from qsbearing.faults import ANGLE, FORCE, LENGTH, MOMENT, SPEED, Fault, Quantity, numeric, raise_if_any, within
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -105,11 +103,8 @@ def _unstated_tilts(operation: Operation) -> list[Fault]:
         stated = getattr(operation, channel.load) is not None or getattr(operation, channel.displacement) is not None
         if value is None or stated:
             continue
-        try:
-            present = bool(np.any(np.asarray(value, float) != 0.0))
-        except (TypeError, ValueError, OverflowError):
-            continue  # reported as not a number
-        if present:
+        array, _ = numeric(f"operation.{field}", value, FORCE)  # its own faults are reported already
+        if array is not None and array.any():
             faults.append(
                 Fault(
                     f"operation.{channel.load}",

@@ -305,6 +305,7 @@ NO_NUMBERS = {
     "true": True,
     "none": None,
     "complex": 1j,
+    "complex array": np.array([1.0 + 2.0j]),
     "nan in an array": np.array([1.0, np.nan]),
 }
 
