@@ -103,12 +103,18 @@ def inertia(
 
 
 @kernel
+def friction_shares(case: recarray, control: int) -> tuple[float, float]:
+    """(lambda_i, lambda_o) of a ball; none where no gyroscopic moment is asked for."""
+    if not case.gyroscopic:
+        return 0.0, 0.0
+    return moment_shares(case.shares, control == INNER)
+
+
+@kernel
 def inertia_force(case: recarray, control: int, si: float, ci: float, so: float, co: float) -> tuple[float, float]:
     """f: the inertia force on the ball and the friction that carries its gyroscopic moment."""
     fc, _, _, mg, _, _ = inertia(case, control, si, ci, so, co)
-    share_i, share_o = 0.0, 0.0
-    if case.gyroscopic:
-        share_i, share_o = moment_shares(case.shares, control == INNER)
+    share_i, share_o = friction_shares(case, control)
     return mg * (share_o * co - share_i * ci), mg * (share_i * si - share_o * so) + fc
 
 
@@ -254,9 +260,9 @@ def moving_ball(
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
     fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, ball.control, si, ci, so, co)
-    share_i, share_o = 0.0, 0.0
-    if case.gyroscopic:
-        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+    share_i, share_o = friction_shares(case, ball.control)
+    if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
+        share_i, share_o = 0.0, 0.0
     ti, ti_i, ti_o, ti_q = carried_friction(share_i, mg, mg_i, mg_o, qi, grip)
     to, to_i, to_o, to_q = carried_friction(share_o, mg, mg_i, mg_o, qo, grip)
 

@@ -97,21 +97,20 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     return values
 
 
-def _plain(values: dict[str, Any]) -> dict[str, Any]:
-    """Numbers of other kinds (a fraction, a decimal) as floats, in place; most scenes have none."""
+def _sort_out(values: dict[str, Any]) -> dict[str, NDArray]:
+    """The values that vary over cases; numbers of other kinds (a fraction, a decimal) become floats in place.
+
+    A plain number is told at once, which is most of them.
+    """
+    arrays = {}
     for name, value in values.items():
-        if not (value is None or isinstance(value, float | int) or np.shape(value)):
+        if value is None or isinstance(value, float | int):
+            continue
+        if np.shape(value):
+            arrays[name] = np.asarray(value, float)
+        else:
             values[name] = float(value)
-    return values
-
-
-def _arrays_among(values: dict[str, Any]) -> dict[str, NDArray]:
-    """The values that vary over cases; a plain number is told at once, which is most of them."""
-    return {
-        name: np.asarray(value, float)
-        for name, value in values.items()
-        if not (value is None or isinstance(value, float | int)) and np.shape(value)
-    }
+    return arrays
 
 
 class CaseMaker:
@@ -123,8 +122,8 @@ class CaseMaker:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self._values = _plain(case_arrays(scene))
-        self._arrays = _arrays_among(self._values)
+        self._values = case_arrays(scene)
+        self._arrays = _sort_out(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""
         self.count = prod(self.shape)

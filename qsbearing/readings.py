@@ -36,6 +36,9 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
     A ball at rest that touches neither raceway has no defined place, and so no angle.
     """
     si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+    is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION
+    if is_moment and ball.inner_approach <= 0.0 and ball.outer_approach <= 0.0:
+        return 0.0  # rolled by neither raceway
     if what >= CENTRIFUGAL_FORCE:
         return read_motion(case, ball.control, si, ci, so, co, what)
     n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)

@@ -103,8 +103,8 @@ def prepare(
             ring.displacement[i] = case.prescribed[i]
     for n in range(ring.balls):
         ball = balls[n]
-        set_outer(ball, 0.0, 0.0, 0.0)  # nothing left of another case
-        set_inner(ball, 0.0, 0.0, 0.0)
+        set_outer(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
+        set_inner(ball, case.sin_free, case.cos_free, 0.0)
         ball.changes = 0
         ball.control = INNER if case.control == INNER else OUTER
         if is_warm:

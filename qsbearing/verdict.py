@@ -92,7 +92,8 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
                 found |= OPEN_SIDE
             if ci < -ANGLE_ROUNDING:
                 found |= OVER_SHOULDER
-        if case.gyroscopic and is_moving(case):
+        is_touched = inner > 0.0 or outer > 0.0  # a ball that is not is rolled by neither raceway
+        if case.gyroscopic and is_touched and is_moving(case):
             share_i, share_o = moment_shares(case.shares, ball.control == INNER)
             moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
             for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):

@@ -6,7 +6,8 @@ Equation      Mg = J omega_R omega_m sin(beta), J = m D^2/10 (missing in the sou
               carries its share lambda_i, lambda_o of the friction force 2 Mg/D: T = lambda Mg/D along the contact.
 Assumes       no gyroscopic slip: friction can carry the force. What it would take, mu = lambda |Mg|/(D Q), is part
               of every result; above what the contact offers (0.06 to 0.1 is typical) the ball slips
-When not      at rest or in radial-only contact (sin(beta) = 0) there is none; with slip the hypothesis fails
+When not      at rest or in radial-only contact (sin(beta) = 0) there is none, nor where a ball touches neither
+              raceway and so is rolled by neither; with slip the hypothesis fails
 Parameters    moment_shares: which raceway carries the friction
 Example       GyroscopicMoment(MomentShares.HARRIS)
 """
