@@ -44,6 +44,8 @@ PATIENCE = 20
 SMALL_GAP = 0.1
 # Below this relative residual a step is one of the last.
 NEAR = 1e-2
+# A balance's chains are closed so often; what opens them after that is rounding.
+CLOSINGS = 3
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
 # A ball or channel with little load beside the others' gets one step more where its imbalance is over this part of it.
@@ -96,6 +98,8 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     """
     start_sums(case, ring)
     ring.largest_approach = 0.0
+    # Less than a contact carries that a ball's own rounding presses is no load.
+    least = EPSILON * sqrt(EPSILON) * case.series_stiffness
     worst, worst_own, total = 0.0, 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(ring.balls):
@@ -109,8 +113,8 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
             imbalance, load, lighter, fc, friction = moving_ball(case, ball, a1, a2, ring.floor, ring.grip)
         ring.largest_approach = max(ring.largest_approach, ball.inner_approach)
         worst = max(worst, imbalance)
-        if imbalance > worst_own * lighter:
-            worst_own = imbalance / lighter if lighter > 0.0 else 1.0
+        if imbalance > worst_own * max(lighter, least):
+            worst_own = imbalance / max(lighter, least)
         total += imbalance
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
@@ -120,14 +124,12 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         ring.matrix[p, p] += ring.floor * lever * lever  # a channel that nothing resists keeps a step
         worst = max(worst, abs(ring.imbalance[p]) / lever)
         own = abs(case.prescribed[ring.channel[p]])
-        if own > 0.0 and abs(ring.imbalance[p]) > worst_own * own:
+        if own > least and abs(ring.imbalance[p]) > worst_own * own:
             worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
     scale = max(applied_load(case), inertial)
     if scale == 0.0 and case.centrifugal and not ring.at_rest:
         return inf, inf
-    # Only what holds the ring could load it: a contact pressed by a ball's own rounding is not loaded.
-    least = EPSILON * sqrt(EPSILON) * case.series_stiffness
     if scale <= least:
         scale = least
         if worst <= least:
@@ -304,7 +306,7 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     ring further than its grooves' centres are apart.
     """
     length = case.inner_coefficient + case.outer_coefficient - 1.0
-    iterations, before, is_last, is_closed = 0, -1.0, False, False
+    iterations, closings, before, is_last, is_closed = 0, 0, -1.0, False, False
     while True:
         residual, residual_own = pass_over_balls(case, ring, balls)
         if not residual < inf:
@@ -312,9 +314,10 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         # The limit of rounding: no step helps any more, and what stands is good.
         is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
         if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
-            if not is_closed and is_open(ring, balls):
+            if not is_closed and closings < CLOSINGS and is_open(ring, balls):
                 close_chains(case, ring, balls)  # what hardly acted while open may act once closed
                 before, is_last, is_closed = -1.0, False, True
+                closings += 1
                 continue
             if is_last or is_stalled or residual_own <= max(OWN_TOLERANCE, tolerance):
                 return True, iterations, residual

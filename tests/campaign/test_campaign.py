@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +16,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
 from qsbearing.newton import STALLED
+from tests.campaign.__main__ import scene_text
 from tests.campaign.campaign import run_campaign
 from tests.campaign.certificates import (
     as_left,
@@ -333,6 +336,17 @@ def test_ten_thousand_scenes(tmp_path: Path) -> None:
     assert summary["largest"]["residual"] <= STALLED
     iterations = summary["iterations_of_converged"]
     assert iterations["median"] <= 7
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["557/698", "569/513"])
+def test_closing_chains_comes_to_an_end(named: str, tmp_path: Path) -> None:
+    """Two scenes of which some chain opened again after every step, by rounding: the solver never came back."""
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_text(1, named), encoding="utf-8")
+    command = [sys.executable, "-m", "qsbearing", "run", str(path), "--json"]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert json.loads(ended.stdout)["status"] == "no_equilibrium"
 
 
 @compiled_only

@@ -8,7 +8,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import qsbearing as qs
@@ -215,6 +215,15 @@ def test_a_bearing_at_rest_resists_every_change(one: tuple[float, ...], other: t
     hertz_angle=st.sampled_from(["free", "actual"]),
     first=st.floats(-3.0, 3.0),
 )
+@example(
+    axial_load=500.0,
+    side=(0.5, 0.0, 0.0, 2.2e-313),
+    rpm=6e3,
+    outer_rpm=0.0,
+    control=OUTER,
+    hertz_angle="free",
+    first=0.0,
+)  # a load that is no load overflowed a quotient
 def test_no_contact_ever_pulls(
     axial_load: float,
     side: tuple[float, ...],
