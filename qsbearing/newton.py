@@ -44,7 +44,7 @@ PATIENCE = 20
 SMALL_GAP = 0.1
 # Below this relative residual a step is one of the last.
 NEAR = 1e-2
-# A balance's chains are closed so often; what opens them after that is rounding.
+# A balance's chains are closed so often; after that it stands as soon as they are.
 CLOSINGS = 3
 # Where rounding forbids the tolerance, this relative residual still counts as solved.
 STALLED = 1e-10
@@ -314,10 +314,10 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         # The limit of rounding: no step helps any more, and what stands is good.
         is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
         if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
-            if not is_closed and closings < CLOSINGS and is_open(ring, balls):
+            if not is_closed and is_open(ring, balls):
                 close_chains(case, ring, balls)  # what hardly acted while open may act once closed
-                before, is_last, is_closed = -1.0, False, True
                 closings += 1
+                before, is_last, is_closed = -1.0, closings > CLOSINGS, True
                 continue
             if is_last or is_stalled or residual_own <= max(OWN_TOLERANCE, tolerance):
                 return True, iterations, residual
