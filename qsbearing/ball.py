@@ -160,14 +160,20 @@ def inner_rest(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
 
 
 @kernel
+def inner_gap(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> tuple[float, float]:
+    """What the inner link, of this free length, lacks of what the ring leaves it, w."""
+    n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+    v1, v2 = link(length, case.sin_free, case.cos_free, n1, n2, approach)
+    return gap_in_chain(length, w1, w2, v1, v2)
+
+
+@kernel
 def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> None:
     """Let the inner link be what ring and outer link leave; one that is so but for rounding stays as it is."""
-    s, c = case.sin_free, case.cos_free
     length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
-    v1, v2 = link(length, s, c, ball.inner_sine, ball.inner_cosine, ball.inner_approach)
-    gap1, gap2 = gap_in_chain(length, w1, w2, v1, v2)
+    gap1, gap2 = inner_gap(case, ball, length, w1, w2)
     if gap1 != 0.0 or gap2 != 0.0:
-        approach, n1, n2, _ = direction(length, s, c, w1, w2)
+        approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
         set_inner(ball, n1, n2, approach)
 
 
@@ -217,6 +223,7 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
             break
     set_outer(ball, so, co, (abs(qo) / case.outer_stiffness) ** (2.0 / 3.0))
     inner = (abs(qi) / case.inner_stiffness) ** (2.0 / 3.0)
+    # Where the circles do not meet, (si, ci) is no unit vector: its direction counts.
     approach, n1, n2, _ = direction(li, s, c, li * (si - s) + inner * si, li * (ci - c) + inner * ci)
     set_inner(ball, n1, n2, approach)
 
@@ -338,8 +345,7 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     inverse = inverse_of(length + approach)
-    v1, v2 = link(length, case.sin_free, case.cos_free, n1, n2, approach)
-    gap1, gap2 = gap_in_chain(length, a1, a2, v1, v2)
+    gap1, gap2 = inner_gap(case, ball, length, a1, a2)
     stiffness, slope = series_stiffness(case, n1, n2)
     load, load_slope = contact_load(stiffness, approach)
     k11, k12, _, k22 = contact_tangent(load, load_slope, 0.0, n1, n2, inverse)

@@ -19,8 +19,8 @@ from math import inf, sqrt
 from numpy import ndarray, recarray
 
 from qsbearing.ball import (
-    ROUNDING,
     close_chain,
+    inner_gap,
     inner_rest,
     moving_ball,
     resting_ball,
@@ -28,7 +28,7 @@ from qsbearing.ball import (
     throw,
 )
 from qsbearing.compiled import kernel
-from qsbearing.contact import direction, link
+from qsbearing.contact import direction
 from qsbearing.linear import solve_in_place
 from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_sums
 
@@ -188,6 +188,27 @@ def ball_steps(case: recarray, ring: recarray, balls: ndarray) -> float:
 
 
 @kernel
+def step_fraction(case: recarray, largest: float, turn: float) -> float:
+    """How much of a step to take: no contact line too far round, the ring no further than groove centres lie apart.
+
+    Args:
+        largest: displacement of any inner groove centre by the whole step.
+        turn: of any contact line by the whole step.
+    """
+    length = case.inner_coefficient + case.outer_coefficient - 1.0
+    return min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(largest, length))
+
+
+@kernel
+def has_gone_far(ring: recarray) -> bool:
+    """Whether the ring is further away than any balance worth having; so is what is not a number."""
+    for i in range(5):
+        if not abs(ring.displacement[i]) < FARTHEST:
+            return True
+    return False
+
+
+@kernel
 def changed_link(
     length: float, n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float, most: float
 ) -> tuple[float, float, float]:
@@ -230,12 +251,12 @@ def settle_link(
     """
     s, c = case.sin_free, case.cos_free
     length, w1, w2 = inner_rest(case, ball, ring.at_rest, a1, a2)
-    v1, v2 = link(length, s, c, ball.inner_sine, ball.inner_cosine, ball.inner_approach)
-    is_small = max(abs(w1 - v1), abs(w2 - v2)) < SMALL_GAP * ball.inner_approach
+    gap1, gap2 = inner_gap(case, ball, length, w1, w2)
+    is_small = max(abs(gap1), abs(gap2)) < SMALL_GAP * ball.inner_approach
     if is_small and not is_near:
         return  # the next step closes it
     approach, n1, n2, _ = direction(length, s, c, w1, w2)
-    if approach <= 0.0 or (is_small and abs(w1 - v1) + abs(w2 - v2) > ROUNDING * (length + abs(a1) + abs(a2))):
+    if approach <= 0.0 or (is_small and (gap1 != 0.0 or gap2 != 0.0)):
         set_inner(ball, n1, n2, approach)
     elif ball.inner_approach <= 0.0:
         set_inner(ball, n1, n2, min(approach, most))
@@ -250,6 +271,9 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
     """
     s, c, whole = case.sin_free, case.cos_free, case.inner_coefficient + case.outer_coefficient - 1.0
     inner_length = whole if ring.at_rest else case.inner_coefficient - 0.5
+    pressed = ring.largest_approach
+    if pressed <= 0.0:  # no ball is: as far as the largest force would press one
+        pressed = (ring.scale / case.series_stiffness) ** (2.0 / 3.0)
     for i in range(5):
         ring.displacement[i] += fraction * ring.step[i]
     for n in range(ring.balls):
@@ -262,12 +286,13 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
                 throw(case, ball, a1, a2)
                 continue
             part = min(fraction, LARGEST_TURN / ball.turn)
-        most = ring.largest_approach
+        most = pressed
         if not ring.at_rest:
-            most = max(ball.outer_approach, 0.0)
+            if ball.outer_approach > 0.0:
+                most = ball.outer_approach
             ball.outer_sine, ball.outer_cosine, ball.outer_approach = changed_link(
                 case.outer_coefficient - 0.5, ball.outer_sine, ball.outer_cosine, ball.outer_inverse,
-                ball.outer_approach, part * ball.du1, part * ball.du2, max(ball.inner_approach, ring.largest_approach),
+                ball.outer_approach, part * ball.du1, part * ball.du2, max(ball.inner_approach, pressed),
             )  # fmt: skip
         ball.inner_sine, ball.inner_cosine, ball.inner_approach = changed_link(
             inner_length, ball.inner_sine, ball.inner_cosine, ball.inner_inverse,
@@ -302,10 +327,8 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
     """Iterate in place from where ring and balls are: (converged, iterations, relative residual).
 
     No step is refused: from a fair start this converges in five to ten iterations, often through a larger imbalance,
-    which a monotone rule would forbid. A step is shortened where it would turn a contact line too far, or carry the
-    ring further than its grooves' centres are apart.
+    which a monotone rule would forbid.
     """
-    length = case.inner_coefficient + case.outer_coefficient - 1.0
     iterations, closings, before, is_last, is_closed = 0, 0, -1.0, False, False
     while True:
         residual, residual_own = pass_over_balls(case, ring, balls)
@@ -328,10 +351,8 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
         turn = ball_steps(case, ring, balls)
         if not (0.0 <= largest < inf and turn < inf):
             return False, iterations, 1.0
-        fraction = min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(largest, length))
         before, is_closed = residual, False
-        move(case, ring, balls, fraction, iterations < PATIENCE, residual < NEAR)
+        move(case, ring, balls, step_fraction(case, largest, turn), iterations < PATIENCE, residual < NEAR)
         iterations += 1
-        for i in range(5):
-            if not abs(ring.displacement[i]) < FARTHEST:
-                return False, iterations, 1.0
+        if has_gone_far(ring):
+            return False, iterations, 1.0

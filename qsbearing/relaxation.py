@@ -9,7 +9,7 @@ from __future__ import annotations
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import kernel
-from qsbearing.newton import FARTHEST, LARGEST_TURN, ball_steps, move, pass_over_balls, ring_step
+from qsbearing.newton import ball_steps, has_gone_far, move, pass_over_balls, ring_step, step_fraction
 
 # A step may go this part of a contact line's free length; so many steps are worth their time.
 RELAXED = 0.1
@@ -23,7 +23,6 @@ def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> i
     """Let ring and balls give way from where they are; returns the iterations taken."""
     least = ring.floor
     reach = RELAXED * (min(case.inner_coefficient, case.outer_coefficient) - 0.5)
-    length = case.inner_coefficient + case.outer_coefficient - 1.0
     iterations = 0
     while iterations < RELAXATIONS:
         residual, _ = pass_over_balls(case, ring, balls)
@@ -35,19 +34,10 @@ def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> i
         turn = ball_steps(case, ring, balls)
         if not (0.0 <= largest < NO_PLACE and turn < NO_PLACE):
             break
-        move(
-            case,
-            ring,
-            balls,
-            min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(largest, length)),
-            False,
-            False,
-        )
+        move(case, ring, balls, step_fraction(case, largest, turn), False, False)
         iterations += 1
-        for i in range(5):
-            if not abs(ring.displacement[i]) < FARTHEST:
-                ring.ran_away = True
-        if ring.ran_away:
+        if has_gone_far(ring):
+            ring.ran_away = True
             break
     ring.floor = least
     return iterations

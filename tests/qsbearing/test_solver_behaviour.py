@@ -517,6 +517,17 @@ def test_a_ball_thrown_outward_touches_no_inner_ring() -> None:
     assert solution.load == pytest.approx(np.zeros(5), abs=1e-9)
 
 
+@pytest.mark.parametrize("control", list(qs.RacewayControl))
+@pytest.mark.parametrize("effects", [BOTH, BOTH[:1]])
+def test_balls_that_just_touch_are_thrown_outward(effects: tuple, control: qs.RacewayControl) -> None:
+    """A ring held where no ball is pressed, at angle zero: nothing but the balls' own inertia loads a contact."""
+    held = qs.Operation(speed=30000 * qs.rpm, **dict.fromkeys(DISPLACEMENTS, 0.0))
+    solution = solved(qs.Scene(DEEP_GROOVE, held, effects, control))
+    assert (solution.inner.load == 0.0).all()
+    np.testing.assert_allclose(solution.outer.load, solution.centrifugal_force, rtol=1e-12)
+    assert (solution.outer.angle == 0.0).all()
+
+
 @pytest.mark.parametrize("held", range(1, 32))
 def test_every_choice_of_held_channels(held: int) -> None:
     """Any of the 31 ways to hold some channels and load the others returns one and the same state."""
