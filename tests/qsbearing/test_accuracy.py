@@ -221,16 +221,22 @@ def test_what_is_asked_is_met_by_some_scenes_it_was_not_built_from() -> None:
     assert all(one.error <= 10.0 * one.asked for one in missed)
 
 
+def test_contacts_that_say_no_say_it_of_every_fidelity_at_once() -> None:
+    """A scene whose contacts call for all it names, though formulas would have let four fidelities pass."""
+    scene, asked = list(acceptance.requests(335, acceptance.SEED))[334]
+    choice = accuracy.choose(scene, asked, PACE)
+    reached = accuracy.solve_to(choice)
+    assert len(choice.ways) == 4
+    assert choice.way.left_out and not reached.way.left_out
+    assert (reached.solves, reached.error) == (2, 0.0)
+
+
 @pytest.mark.heavy
 def test_what_is_asked_is_met_by_99_of_100_scenes_it_was_not_built_from() -> None:
     found = acceptance.outcomes(500, seed=991)
     assert sum(one.is_met for one in found) >= 495
     assert np.mean([one.is_simplified for one in found]) > 0.1
-    times = np.array([one.time_over_expected for one in found])
-    print(
-        f"time over expected: median {np.median(times):.2f}, "
-        f"within a factor 2: {np.mean((times > 0.5) & (times < 2)):.1%}"
-    )
+    print({name: value for name, value in acceptance.summary(found).items() if name.startswith("time")})
 
 
 def test_the_kept_trial_met_what_was_asked() -> None:
