@@ -86,7 +86,7 @@ def inertia(
 ) -> tuple[float, float, float, float, float, float]:
     """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao."""
     g = 1.0 / case.pitch_diameter
-    si, ci, is_beyond = inner_line(si, ci, so, co)
+    si, ci, is_mirrored = inner_line(si, ci, so, co)
     axis = rotation_axis(control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     orbit = orbital_speed(terms, case.inner_speed, case.outer_speed)
@@ -97,8 +97,8 @@ def inertia(
     if case.gyroscopic:
         rotation = rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)
         mg, mg_i, mg_o = gyroscopic_moment(BALL_INERTIA, orbit, rotation, axis)
-    if is_beyond:  # then ai follows ao
-        return fc, 0.0, fc_o + fc_i, mg, 0.0, mg_o + mg_i
+    if is_mirrored:  # 2 ao + 180 degrees - ai stands for ai
+        return fc, -fc_i, fc_o + 2.0 * fc_i, mg, -mg_i, mg_o + 2.0 * mg_i
     return fc, fc_i, fc_o, mg, mg_i, mg_o
 
 

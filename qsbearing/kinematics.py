@@ -23,14 +23,17 @@ from qsbearing.compiled import kernel
 
 @kernel
 def inner_line(si: float, ci: float, so: float, co: float) -> tuple[float, float, bool]:
-    """The inner contact line as rolling sees it: (sin ai, cos ai, whether it was brought back to a right angle).
+    """The inner contact line as rolling sees it: (sin ai, cos ai, whether it is the mirror image).
 
     Rolling needs contact lines less than a right angle apart; at two right angles the speeds have no bound. A ball
-    that has lost the inner raceway may see its groove from further round: the right angle, ao +- 90 degrees, is kept.
+    that has lost the inner raceway may see its groove from further round. Then the line's mirror image on the outer
+    line's normal is taken, 2 ao + 180 degrees - ai: speeds pass through the right angle, and through two of them,
+    without a jump, and a ball in the middle of its clearance rolls as between two raceways on one line.
     """
-    if si * so + ci * co >= 0.0:
+    along = si * so + ci * co
+    if along >= 0.0:
         return si, ci, False
-    return (co, -so, True) if si * co - ci * so >= 0.0 else (-co, so, True)
+    return si - 2.0 * along * so, ci - 2.0 * along * co, True
 
 
 @kernel

@@ -52,13 +52,14 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
             radial += moment * moment
     radial = sqrt(radial)
     thrust = case.prescribed[0]
-    if not case.is_held[0] and (thrust != 0.0 or radial > 0.0):
-        # Without thrust the balls seat where the axial forces cancel, at angle zero.
+    is_thrown = case.centrifugal and is_moving(case)
+    if not case.is_held[0] and (thrust != 0.0 or radial > 0.0 or is_thrown):
+        # Without thrust the balls seat where the axial forces cancel, at angle zero, or leave the ring alone.
         displacement[0] = resting_thrust(case, thrust) if thrust != 0.0 else -length * case.sin_free
     # How far the ring must go sideways until balls touch, at the axial place that it has.
     axial = length * case.sin_free + displacement[0]
     gap = sqrt(max(length * length - axial * axial, 0.0)) - length * case.cos_free
-    if (thrust != 0.0 and not case.is_held[0]) or (case.centrifugal and is_moving(case)):
+    if (thrust != 0.0 and not case.is_held[0]) or is_thrown:
         gap = 0.0
     if radial > 0.0:
         # Stribeck's largest ball load, 4.37 Fr/Z, if little else holds the ring.

@@ -178,9 +178,8 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     bearing = scene.bearing
     g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
     by_inner = solution.raceway_control == "inner"
-    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is brought back.
-    apart = np.mod(inner.angle - outer.angle + np.pi, 2.0 * np.pi) - np.pi
-    rolled = outer.angle + np.clip(apart, -0.5 * np.pi, 0.5 * np.pi)
+    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is mirrored.
+    rolled = outer.angle + np.arcsin(np.sin(inner.angle - outer.angle))
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
     p = np.where(by_inner, inner_sine, outer.sine)

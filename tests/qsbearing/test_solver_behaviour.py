@@ -13,9 +13,11 @@ from scipy.optimize import brentq
 from scipy.special import ellipe
 
 import qsbearing as qs
+from qsbearing.ball import inertia
 from qsbearing.case import CaseMaker
-from qsbearing.compiled import COMPILED
+from qsbearing.compiled import COMPILED, entry
 from qsbearing.outcome import warnings
+from qsbearing.raceway_control import CONTROL_CODES
 
 from .mechanics import ring_load
 from .scenes import (
@@ -518,6 +520,17 @@ def test_a_ball_thrown_outward_touches_no_inner_ring() -> None:
 
 
 @pytest.mark.parametrize("control", list(qs.RacewayControl))
+@pytest.mark.parametrize("rpm", [1e-2, 1e4])
+def test_a_ring_that_nothing_loads_is_left_alone(rpm: float, control: qs.RacewayControl) -> None:
+    """Balls thrown outward would wedge an axially free ring until it gives way: it stands where none touches it."""
+    bearing = replace(DEEP_GROOVE, free_contact_angle=19.0 * qs.deg)
+    free = qs.Operation(speed=rpm * qs.rpm, axial_load=0.0, radial_displacement_y=0.0, radial_displacement_z=0.0)
+    solution = solved(qs.Scene(bearing, free, BOTH, control))
+    assert not solution.inner.load.any()
+    np.testing.assert_allclose(solution.outer.load, solution.centrifugal_force, rtol=1e-12)
+
+
+@pytest.mark.parametrize("control", list(qs.RacewayControl))
 @pytest.mark.parametrize("effects", [BOTH, BOTH[:1]])
 def test_balls_that_just_touch_are_thrown_outward(effects: tuple, control: qs.RacewayControl) -> None:
     """A ring held where no ball is pressed, at angle zero: nothing but the balls' own inertia loads a contact."""
@@ -739,18 +752,51 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
     inner_length, outer_length = (f - 0.5 for f in (case["inner_coefficient"], case["outer_coefficient"]))
     free = np.array([case["sin_free"], case["cos_free"]])
     for outer_angle in np.radians([-30.0, 0.0, 30.0]):
-        for inner_angle in np.radians(np.linspace(-180.0, 180.0, 73)):
+        orbits, moments = [], []
+        for inner_angle in np.radians(np.linspace(-180.0, 180.0, 361)):
             outer_line, inner_line = (np.array([np.sin(angle), np.cos(angle)]) for angle in (outer_angle, inner_angle))
             # angle from the free one, outer and inner approach
-            solution._position[0] = outer_angle - np.arctan2(*free), 0.0, -0.1 * inner_length
+            solution._position[0] = outer_angle - np.arctan2(*free), 1e-9, -0.1 * inner_length
             solution._ring[0, :] = 0.0
             solution._ring[0, :2] = outer_length * outer_line + 0.9 * inner_length * inner_line
             solution._ring[0, :2] -= (outer_length + inner_length) * free
             for name in ("orbital_speed", "gyroscopic_moment", "centrifugal_force"):
                 vars(solution).pop(name, None)
-            orbit = solution.orbital_speed[0]
-            assert -g <= orbit / (10_000 * qs.rpm) <= 1.0 + g
-            assert np.isfinite(solution.gyroscopic_moment[0])
+            orbits.append(solution.orbital_speed[0])
+            moments.append(solution.gyroscopic_moment[0])
+        assert all(-g <= orbit / (10_000 * qs.rpm) <= 1.0 + g for orbit in orbits)
+        for speeds in (orbits, moments):  # what a degree changes of their range, which falls with finer steps: no jump
+            assert np.abs(np.diff(speeds)).max() <= 0.1 * np.ptp(speeds)
+            assert speeds[0] == pytest.approx(speeds[-1], rel=1e-9)
+
+
+@entry
+def fill_inertia(cases: NDArray, control: int, inner_angle: float, outer_angle: float, out: NDArray) -> None:
+    """(Fc, Mg) and their derivatives by the inner and the outer angle, as the solver has them."""
+    si, ci, so, co = np.sin(inner_angle), np.cos(inner_angle), np.sin(outer_angle), np.cos(outer_angle)
+    out[0], out[1], out[2], out[3], out[4], out[5] = inertia(cases[0], control, si, ci, so, co)
+
+
+@pytest.mark.parametrize("control", [OUTER, INNER])
+@pytest.mark.parametrize("inner_degrees", [40.0, 120.0, 179.0, -150.0])
+def test_inertia_changes_with_the_angles_as_differences_say(control: qs.RacewayControl, inner_degrees: float) -> None:
+    """From whatever side the ball sees the inner groove: the mirror image turns against it, and with the outer line."""
+    cases = CaseMaker(turning(10_000.0, axial_load=1.0)).make()
+    inner, outer, step = np.radians(inner_degrees), np.radians(20.0), 1e-5
+
+    def at(inner: float, outer: float) -> NDArray:
+        out = np.empty(6)
+        fill_inertia(cases, CONTROL_CODES[control], inner, outer, out)
+        return out
+
+    values = at(inner, outer)
+    by_inner = (at(inner + step, outer) - at(inner - step, outer)) / (2.0 * step)
+    by_outer = (at(inner, outer + step) - at(inner, outer - step)) / (2.0 * step)
+    # Second-order differences of functions of order one, by their own sizes: step^2, and rounding over the step.
+    for k in (0, 3):
+        size = np.abs(values).max()
+        assert values[k + 1] == pytest.approx(by_inner[k], abs=1e-8 * size)
+        assert values[k + 2] == pytest.approx(by_outer[k], abs=1e-8 * size)
 
 
 def test_balls_that_do_not_orbit_are_no_solution() -> None:
