@@ -290,12 +290,17 @@ def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:
     return np.where(solution.raceway_control == "inner", inner, outer)
 
 
+LEAST_PRESSED = 1e-200
+"""Metres: the load of a smaller approach, its power 1.5, is below any number."""
+
+
 def _tension(solution: qs.Solution) -> NDArray:
     found = np.zeros(solution.shape, bool)
     for contacts in (solution.inner, solution.outer):
         with np.errstate(invalid="ignore"):
-            pressed = contacts.approach > 0.0
-            found |= ((contacts.load < 0.0) | ((contacts.load > 0.0) != pressed)).any(axis=-1)
+            pressed, is_lost = contacts.approach > 0.0, contacts.approach > LEAST_PRESSED
+            wrong = (contacts.load < 0.0) | ((contacts.load > 0.0) & ~pressed) | ((contacts.load == 0.0) & is_lost)
+            found |= wrong.any(axis=-1)
     return found
 
 
