@@ -36,6 +36,8 @@ from qsbearing.ring import add_ball, channel_scale, inner_groove_centre, start_s
 LARGEST_TURN = 0.5
 # A step may take at most this part of a contact's approach: geometry loses it, not a tangent.
 LARGEST_RELIEF = 0.9
+# One with less than this part of another's hardly counts, and comes out of touch at once where a step asks for it.
+LEAST_KEPT = 1e-6
 # Loads follow the tangent down to this part of the approach lost, where 1.5 times it is still well short of all load.
 LINEAR_RELIEF = 0.3
 # After so many iterations a gap has had its time: the chain is held closed.
@@ -225,7 +227,7 @@ def changed_link(
             longer *= 1.0 - x * (0.25 - x / 6.0)
         elif x > 0.0:
             longer = approach * ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0)
-        else:
+        elif approach > LEAST_KEPT * most:
             longer = max(longer, -LARGEST_RELIEF * approach)
     # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
     across = 2.0 * half_turn / (1.0 + half_turn * half_turn)

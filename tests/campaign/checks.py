@@ -298,8 +298,8 @@ def _tension(solution: qs.Solution) -> NDArray:
     found = np.zeros(solution.shape, bool)
     for contacts in (solution.inner, solution.outer):
         with np.errstate(invalid="ignore"):
-            pressed, is_lost = contacts.approach > 0.0, contacts.approach > LEAST_PRESSED
-            wrong = (contacts.load < 0.0) | ((contacts.load > 0.0) & ~pressed) | ((contacts.load == 0.0) & is_lost)
+            pressed, is_felt = contacts.approach > 0.0, contacts.approach > LEAST_PRESSED
+            wrong = (contacts.load < 0.0) | ((contacts.load > 0.0) & ~pressed) | (~(contacts.load > 0.0) & is_felt)
             found |= wrong.any(axis=-1)
     return found
 

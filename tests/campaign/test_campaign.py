@@ -312,7 +312,7 @@ def test_a_campaign_is_resumed_where_it_stopped(tmp_path: Path) -> None:
         Journal(tmp_path, 6, "abc", resume=True)
 
 
-MISSING_OF_TEN_THOUSAND = {"converged": 1, "no": 3, "not": 20}
+MISSING_OF_TEN_THOUSAND = {"converged": 3, "no": 2, "not": 14}
 """By what they are said to be: as many of the scenes of seed 1 may fail."""
 
 
@@ -347,6 +347,15 @@ def test_closing_chains_comes_to_an_end(named: str, tmp_path: Path) -> None:
     command = [sys.executable, "-m", "qsbearing", "run", str(path), "--json"]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert json.loads(ended.stdout)["status"] == "no_equilibrium"
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["71/198", "28/476", "90/247"])
+def test_a_ball_leaves_the_outer_raceway(named: str, tmp_path: Path) -> None:
+    """Three scenes that have a balance with some ball off a groove, which steps that only ever ease a contact miss."""
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_text(1, named), encoding="utf-8")
+    assert qs.solve(qs.load_scene(path)).converged
 
 
 @compiled_only
