@@ -217,7 +217,8 @@ def changed_link(
     """A link after a step d, as (sine, cosine, approach): its load grows as the tangent says, its line turns.
 
     Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach. A link that comes
-    into touch starts with the approach `most` at most; past the point where its ends meet it points the other way.
+    into touch starts with the approach `most` at most, one with next to none of `most` may come out of touch; past the
+    point where its ends meet a link points the other way.
     """
     longer = n1 * d1 + n2 * d2
     half_turn = 0.5 * inverse * (n2 * d1 - n1 * d2)
