@@ -55,8 +55,8 @@ FOOT = 1e-8
 HEAVY_APPROACH = 1e-3
 LIGHTER = 10.0
 LEAST_LIGHTER = 1.5
-# At speed loads may become far lighter than inertia, and must still be balanced on that way.
-LIGHTEST = 1e-5
+# At speed loads may become far lighter than inertia, and must still be balanced on that way, so well.
+LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
 SEEN = 1e-3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
@@ -123,7 +123,7 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
     while True:
         set_loads(case, ring, factor)
         if is_at_speed:
-            converged, iterations, _ = newton(case, ring, balls, REST_TOLERANCE * LIGHTEST)
+            converged, iterations, _ = newton(case, ring, balls, LIGHT_TOLERANCE)
         else:
             converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
         total += iterations

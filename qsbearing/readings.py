@@ -10,6 +10,7 @@ from qsbearing.ball import (
     UNLIMITED,
     close_told,
     evaluate,
+    friction_shares,
     groove_stiffness,
     inertia,
     is_moving,
@@ -18,10 +19,9 @@ from qsbearing.ball import (
 )
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load
-from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.newton import FLOOR
-from qsbearing.raceway_control import INNER, rotation_axis
+from qsbearing.raceway_control import rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
 from qsbearing.verdict import CONVERGED
 
@@ -54,7 +54,7 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
         return delta
     if what == REQUIRED_FRICTION:
         _, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
-        share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+        share_i, share_o = friction_shares(case, ball.control)
         friction = abs((share_i if side < 0 else share_o) * mg)
         if friction == 0.0:
             return 0.0

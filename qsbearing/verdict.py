@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, raceway_ellipse
+from qsbearing.ball import friction_shares, groove_stiffness, inertia, is_moving, raceway_ellipse
 from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load
-from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.newton import STALLED
 from qsbearing.raceway_control import INNER, OUTER, outer_controls
@@ -94,7 +93,7 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
                 found |= OVER_SHOULDER
         is_touched = inner > 0.0 or outer > 0.0  # a ball that is not is rolled by neither raceway
         if case.gyroscopic and is_touched and is_moving(case):
-            share_i, share_o = moment_shares(case.shares, ball.control == INNER)
+            share_i, share_o = friction_shares(case, ball.control)
             moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
             for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
                 is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale

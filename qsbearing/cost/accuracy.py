@@ -138,14 +138,15 @@ def solve_to(choice: Choice) -> Reached:
     while True:
         solution = solve(way.scene)
         seconds, solves = seconds + solution.seconds, solves + 1
-        if not way.left_out:
-            return Reached(choice, way, solution, 0.0, seconds, solves)
-        contacts = indicators.found(judge, solution) if solution.converged else None
-        errors = {one.rung: _after(one, judge, contacts) for one in upwards[upwards.index(way) :]}
-        if errors[way.rung] <= choice.asked:
-            return Reached(choice, way, solution, errors[way.rung], seconds, solves)
+        contacts = indicators.found(judge, solution) if way.left_out and solution.converged else None
         # What these contacts say of finer ways too spares solving any that will not do either.
-        way = next(one for one in upwards if errors.get(one.rung, math.inf) <= choice.asked)
+        for one in upwards[upwards.index(way) :]:
+            error = _after(one, judge, contacts)
+            if error <= choice.asked:
+                break
+        if one is way:
+            return Reached(choice, way, solution, error, seconds, solves)
+        way = one
 
 
 def _after(way: Way, judge: indicators.Judge, contacts: indicators.Contacts | None) -> float:
