@@ -37,8 +37,8 @@ from qsbearing.raceway_control import INNER, rotation_axis
 IDLE = 3.0
 # Contact lines closer to one line than this sine: the corner between the grooves says little about loads.
 STRAIGHT = 0.2
-# Of lengths, in units of their sum: a few roundings.
-ROUNDING = 5e-16
+# Of lengths, in units of their sum: what the roundings of all steps add up to (each line makes some 2e-16 a step).
+ROUNDING = 4e-15
 # No limit to the friction that a contact carries.
 UNLIMITED = 0.0
 # Lengths below this many ball diameters have no direction.
@@ -168,13 +168,24 @@ def inner_gap(case: recarray, ball: recarray, length: float, w1: float, w2: floa
 
 
 @kernel
+def set_inner_between(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> None:
+    """Let the inner link be w: its line, and its approach where that differs by more than rounding of places.
+
+    Steps give the approach more digits than places have: read off places, light loads would never come to rest.
+    """
+    approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
+    if abs(approach - ball.inner_approach) <= ROUNDING * (length + abs(w1) + abs(w2)):
+        approach = ball.inner_approach
+    set_inner(ball, n1, n2, approach)
+
+
+@kernel
 def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> None:
     """Let the inner link be what ring and outer link leave; one that is so but for rounding stays as it is."""
     length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
     gap1, gap2 = inner_gap(case, ball, length, w1, w2)
     if gap1 != 0.0 or gap2 != 0.0:
-        approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
-        set_inner(ball, n1, n2, approach)
+        set_inner_between(case, ball, length, w1, w2)
 
 
 @kernel

@@ -25,6 +25,7 @@ from qsbearing.ball import (
     moving_ball,
     resting_ball,
     set_inner,
+    set_inner_between,
     throw,
 )
 from qsbearing.compiled import kernel
@@ -260,7 +261,7 @@ def settle_link(
         return  # the next step closes it
     approach, n1, n2, _ = direction(length, s, c, w1, w2)
     if approach <= 0.0 or (is_small and (gap1 != 0.0 or gap2 != 0.0)):
-        set_inner(ball, n1, n2, approach)
+        set_inner_between(case, ball, length, w1, w2)
     elif ball.inner_approach <= 0.0:
         set_inner(ball, n1, n2, min(approach, most))
 
