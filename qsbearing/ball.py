@@ -41,6 +41,8 @@ STRAIGHT = 0.2
 ROUNDING = 4e-15
 # No limit to the friction that a contact carries.
 UNLIMITED = 0.0
+# The most friction over load where it is limited: no material carries more.
+FULL_GRIP = 1.0
 # Lengths below this many ball diameters have no direction.
 SHORTEST = 1e-12
 
@@ -284,8 +286,8 @@ def moving_ball(
     ti, ti_i, ti_o, ti_q = carried_friction(share_i, mg, mg_i, mg_o, qi, grip)
     to, to_i, to_o, to_q = carried_friction(share_o, mg, mg_i, mg_o, qo, grip)
 
-    r1 = qi * si - qo * so - ti * ci + to * co
-    r2 = qi * ci - qo * co + ti * si - to * so + fc
+    r1 = qi * si - qo * so - ti * ci + to * co + ball.push[0]
+    r2 = qi * ci - qo * co + ti * si - to * so + fc + ball.push[1]
     h1 = qi * si - ti * ci
     h2 = qi * ci + ti * si
     h3 = case.tilt_lever * h1 + case.inner_coefficient * ti
@@ -320,6 +322,7 @@ def moving_ball(
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
 
     inverse = 1.0 / (rx11 * rx22 - rx12 * rx21)
+    ball.inverse = inverse
     # What the links' gap would change if it were closed at the inner link counts as imbalance.
     p1, p2 = r1 + ra11 * gap1 + ra12 * gap2, r2 + ra21 * gap1 + ra22 * gap2
     y1, y2 = (rx22 * p1 - rx12 * p2) * inverse, (rx11 * p2 - rx21 * p1) * inverse

@@ -4,6 +4,8 @@ At rest the problem is convex, and descent cannot fail. At speed Newton's method
 heavier loads; then from the bearing at rest, and where the full speed is too far from there, by continuation in speed.
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
+Where that finds no rest, a path is followed, through its turning points, to a balance from one that cannot fail to
+exist: first from where contacts press every ball, then from the last balance on the way.
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Such
 cases are solved with friction no more than load, and from there without that limit; where that fails, the ball slips.
@@ -15,10 +17,12 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import UNLIMITED, is_moving
+from qsbearing.ball import FULL_GRIP, UNLIMITED, is_moving
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.descent import descend
+from qsbearing.keeping import ON_THE_WAY, SOLVED, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
+from qsbearing.path_following import follow, press
 from qsbearing.raceway_control import PER_BALL
 from qsbearing.relaxation import relax
 from qsbearing.solver import deliver, first_guess, prepare, rest
@@ -41,10 +45,6 @@ from qsbearing.verdict import (
 # Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest; and from a
 # balance with limited friction, to one without that limit.
 WARM, GUESS, LOADS, REST, CONTINUATION, RELEASE = 0, 1, 2, 3, 4, 5
-# The most friction over load where it is limited: no material carries more.
-FULL_GRIP = 1.0
-# What is kept: the last balance on the way to the one sought, and the last found for all balls' controls.
-ON_THE_WAY, SOLVED = 0, 1
 # The part of the speed below which continuation takes no smaller step.
 LEAST_STRIDE = 1e-4
 # How well the balance at rest must be known for Newton to start from it.
@@ -61,32 +61,6 @@ LIGHT_TOLERANCE = 1e-8
 SEEN = 1e-3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
-
-
-@kernel
-def keep(ring: recarray, balls: ndarray, slot: int) -> None:
-    """Note where ring and balls are."""
-    for i in range(5):
-        ring.saved[slot, i] = ring.displacement[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        links = ball.saved[slot]
-        links[0], links[1], links[2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
-        links[3], links[4], links[5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
-        ball.saved_control[slot] = ball.control
-
-
-@kernel
-def restore(ring: recarray, balls: ndarray, slot: int) -> None:
-    """Bring ring and balls back to where they were kept."""
-    for i in range(5):
-        ring.displacement[i] = ring.saved[slot, i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        links = ball.saved[slot]
-        ball.outer_sine, ball.outer_cosine, ball.outer_approach = links[0], links[1], links[2]
-        ball.inner_sine, ball.inner_cosine, ball.inner_approach = links[3], links[4], links[5]
-        ball.control = ball.saved_control[slot]
 
 
 @kernel
@@ -249,6 +223,15 @@ def solve_moving(
                 total += relax(case, ring, balls, REST_TOLERANCE)
                 converged, iterations, residual = newton(case, ring, balls, tolerance)
                 total += iterations
+                for start in range(2):
+                    if converged:
+                        break
+                    if start == 0:
+                        press(case, ring, balls)
+                    else:
+                        restore(ring, balls, ON_THE_WAY)
+                    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
+                    total += iterations
                 ring.reached = 1.0
                 reached = 1.0
             if against != 0 or (stride < LEAST_STRIDE and not converged):

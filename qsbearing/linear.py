@@ -8,22 +8,27 @@ from qsbearing.compiled import kernel
 
 
 @kernel
-def solve_in_place(matrix: ndarray, right_side: ndarray, size: int) -> bool:
+def solve_in_place(matrix: ndarray, right_side: ndarray, size: int) -> float:
     """Solve the leading size x size system by Gaussian elimination with partial pivoting.
 
-    Overwrites both arguments; the solution stands in `right_side`. False where a pivot vanishes.
+    Overwrites both arguments; the solution stands in `right_side`. Returns the determinant's sign, 0 where a pivot
+    vanishes.
     """
+    sign = 1.0
     for column in range(size):
         pivot = column
         for row in range(column + 1, size):
             if abs(matrix[row, column]) > abs(matrix[pivot, column]):
                 pivot = row
         if not abs(matrix[pivot, column]) > 0.0:
-            return False
+            return 0.0
         if pivot != column:
+            sign = -sign
             for k in range(column, size):
                 matrix[column, k], matrix[pivot, k] = matrix[pivot, k], matrix[column, k]
             right_side[column], right_side[pivot] = right_side[pivot], right_side[column]
+        if matrix[column, column] < 0.0:
+            sign = -sign
         inverse = 1.0 / matrix[column, column]
         for row in range(column + 1, size):
             factor = matrix[row, column] * inverse
@@ -36,4 +41,4 @@ def solve_in_place(matrix: ndarray, right_side: ndarray, size: int) -> bool:
         for k in range(row + 1, size):
             value -= matrix[row, k] * right_side[k]
         right_side[row] = value / matrix[row, row]
-    return True
+    return sign

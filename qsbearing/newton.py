@@ -151,7 +151,8 @@ def ring_step(case: recarray, ring: recarray, balls: ndarray) -> float:
 
     Returns the largest displacement of any inner groove centre by it; negative where the system is singular.
     """
-    if not solve_in_place(ring.matrix, ring.right, ring.channels):
+    ring.orientation = solve_in_place(ring.matrix, ring.right, ring.channels)
+    if ring.orientation == 0.0:
         return -1.0
     for i in range(5):
         ring.step[i] = 0.0

@@ -46,8 +46,8 @@ _BALL = np.dtype(
         ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
-        ("saved", np.float64, (2, 6)),  # links to come back to, by slot
-        ("saved_control", np.int64, (2,)),
+        ("saved", np.float64, (3, 6)),  # links to come back to, by slot
+        ("saved_control", np.int64, (3,)),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -57,6 +57,12 @@ _BALL = np.dtype(
         ("y12", np.float64),
         ("y21", np.float64),
         ("y22", np.float64),
+        ("inverse", np.float64),  # of the determinant of its own derivatives
+        # On a path to a balance: the dead force on it, what of that acts, its share of a tangent and of Newton's step.
+        ("dead", np.float64, (2,)),
+        ("push", np.float64, (2,)),
+        ("tangent", np.float64, (2,)),
+        ("first", np.float64, (2,)),
     ],
     align=True,
 )
@@ -67,7 +73,7 @@ _RING = np.dtype(
         ("displacement", np.float64, (5,)),
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
-        ("saved", np.float64, (2, 5)),  # displacements to come back to, by slot
+        ("saved", np.float64, (3, 5)),  # displacements to come back to, by slot
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
@@ -77,6 +83,10 @@ _RING = np.dtype(
         ("imbalance", np.float64, (5,)),  # of the channels solved: the balls' forces less the load
         ("right", np.float64, (5,)),
         ("matrix", np.float64, (5, 5)),
+        ("orientation", np.float64),  # the sign of its determinant
+        ("dead", np.float64, (5,)),  # on a path: as of a ball
+        ("tangent", np.float64, (5,)),
+        ("first", np.float64, (5,)),
         ("floor", np.float64),  # least stiffness of anything
         ("grip", np.float64),  # the most friction that contacts carry, over their load; 0 for no limit
         ("scale", np.float64),  # the largest force

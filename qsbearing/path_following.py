@@ -1,0 +1,368 @@
+"""A path to a balance at speed from one that cannot fail to exist, followed through its turning points.
+
+Dead forces on balls and ring, the same wherever these go, hold any place whose contacts press. Balance under them is
+the minimum of a convex energy, so there is one only. From there the path is, for a part p that grows from 0 to 1,
+
+    contacts(d, X) + p inertia(d, X) + (1 - p) dead - (p load + (1 - p) dead load) = 0,
+
+friction no more than p times load included. It cannot come back to p = 0, and where everything is continuous it cannot
+end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for infinity
+(Allgower and Georg, Introduction to Numerical Continuation Methods). One place is not continuous: a ball's centre at
+the inner groove's own, where the inner line has no direction; there paths do end.
+
+So the path is followed by its own length, not by p: a step along its tangent, then Newton's method across that. The
+sign of the determinant of the derivatives says which way p goes on, with no memory of the way come.
+
+A corner is where friction comes to its limit or a contact out of touch. A step that fails is tried once more as one
+round a corner: past it, then on along the tangent found there.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from numpy import ndarray, recarray
+
+from qsbearing.ball import FULL_GRIP, UNLIMITED, friction_shares, inertia, set_outer
+from qsbearing.compiled import kernel
+from qsbearing.keeping import PATH, keep, restore
+from qsbearing.newton import (
+    NEAR,
+    applied_load,
+    ball_steps,
+    close_chains,
+    has_gone_far,
+    is_open,
+    move,
+    newton,
+    pass_over_balls,
+    ring_step,
+    stop,
+)
+from qsbearing.ring import inner_groove_centre
+from qsbearing.start import resting_thrust, seat_balls
+from qsbearing.verdict import contact_loads
+
+# Where p starts: nothing, but for a force to be measured by.
+START = 1e-15
+# Lengths of steps, in units of p and of the inner link: the first, the longest, and what is too short to go on.
+FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-9
+LONGER, SHORTER = 2.0, 0.3
+# Newton's steps across the path: so many at most; after so few the next step along it may be longer.
+CORRECTIONS, FEW = 8, 3
+# Together they may go this many steps' lengths, or this far: further is another path.
+FARTHEST_BACK, NEARBY = 4.0, 1e-4
+# How well balance is known on the path, by the largest force and by each ball's or channel's own.
+BALANCED, OWN_BALANCED = 1e-5, 1e-3
+CLOSINGS = 2
+# So many evaluations a path is worth.
+MOST = 4000
+# No line turns further at a step (radians), no groove centre moves further (ball diameters).
+LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
+# Where a path starts balls are pressed by this many times the largest force that acts on one.
+PRESSED = 3.0
+# Balls that only inertia presses start turned by up to this angle, each by its own: equal ones would turn back at once.
+UNEQUAL = 0.025
+GOLDEN = 0.6180339887498949
+# An imbalance from which there is no way.
+NO_PLACE = 1e30
+
+
+@kernel
+def press(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Put ring and balls where contacts press every ball, as far as the ring is free to do so."""
+    s, c = case.sin_free, case.cos_free
+    fc, _, _, mg, _, _ = inertia(case, balls[0].control, s, c, s, c)
+    force = PRESSED * max(applied_load(case), fc, abs(mg), BALANCED * BALANCED * case.series_stiffness)
+    for i in range(5):
+        ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
+    if not case.is_held[0]:
+        ring.displacement[0] = resting_thrust(case, case.ball_count * force)
+    stop(case, ring, balls)
+    seat_balls(case, ring, balls)
+    for n in range(ring.balls):
+        ball = balls[n]
+        if ball.inner_sine != ball.outer_sine or ball.inner_cosine != ball.outer_cosine:  # thrown
+            turn = UNEQUAL * (2.0 * ((ball.number * GOLDEN) % 1.0) - 1.0)
+            so, co = ball.outer_sine + turn * ball.outer_cosine, ball.outer_cosine - turn * ball.outer_sine
+            size = 1.0 / sqrt(so * so + co * co)
+            set_outer(ball, so * size, co * size, ball.outer_approach)
+
+
+@kernel
+def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
+    """Choose the dead forces that balance the contacts where ring and balls are; returns the largest load."""
+    largest = 0.0
+    for i in range(5):
+        ring.dead[i] = 0.0
+    for n in range(ring.balls):
+        ball = balls[n]
+        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+        qi, qo = contact_loads(case, ball)
+        ball.dead[0], ball.dead[1] = qo * so - qi * si, qo * co - qi * ci
+        largest = max(largest, qi, qo)
+        for p in range(ring.channels):
+            row = ring.row[p]
+            force = qi * ci if row == 1 else qi * si * (case.tilt_lever if row == 2 else 1.0)
+            ring.dead[ring.channel[p]] += ball.factor[p] * force
+    return largest
+
+
+@kernel
+def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
+    """Let this part of loads and inertia act, and dead forces for the rest. Inertia grows as the square of speed."""
+    root = sqrt(part)
+    case.inner_speed, case.outer_speed = root * inner, root * outer
+    if ring.grip != UNLIMITED:
+        ring.grip = part * FULL_GRIP
+    for i in range(5):
+        if not case.is_held[i]:
+            case.prescribed[i] = part * ring.load[i] + (1.0 - part) * ring.dead[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.push[0], ball.push[1] = (1.0 - part) * ball.dead[0], (1.0 - part) * ball.dead[1]
+
+
+@kernel
+def add_rate(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Add to pushes and loads what one more of the part would, at full speed: balance is linear in p."""
+    for i in range(5):
+        if not case.is_held[i]:
+            case.prescribed[i] += ring.load[i] - ring.dead[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+        qi, qo = contact_loads(case, ball)
+        fc, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
+        share_i, share_o = friction_shares(case, ball.control)
+        ti, to = share_i * mg, share_o * mg
+        if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
+            ti, to = 0.0, 0.0
+        if ring.grip != UNLIMITED:
+            ti = min(max(ti, -FULL_GRIP * qi), FULL_GRIP * qi)
+            to = min(max(to, -FULL_GRIP * qo), FULL_GRIP * qo)
+        ball.push[0] += to * co - ti * ci - ball.dead[0]
+        ball.push[1] += ti * si - to * so + fc - ball.dead[1]
+        for p in range(ring.channels):
+            row = ring.row[p]
+            force = ti * si if row == 1 else -ti * ci
+            if row == 2:
+                force = case.inner_coefficient * ti - case.tilt_lever * ti * ci
+            case.prescribed[ring.channel[p]] -= ball.factor[p] * force
+
+
+@kernel
+def two_steps(
+    case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float, force: float
+) -> tuple[float, float, float]:
+    """Newton's step at this part, left in `first`, and what one more of the part would move, in `step`, `du1`, `du2`.
+
+    Returns:
+        (imbalance over the largest force, the same of the ball or channel worst off beside its own load, the sign of
+        the derivatives' determinant: 0 where there is no way on).
+    """
+    set_part(case, ring, balls, part, inner, outer)
+    residual, own = pass_over_balls(case, ring, balls)
+    if not residual < NO_PLACE or ring_step(case, ring, balls) < 0.0:
+        return NO_PLACE, NO_PLACE, 0.0
+    residual *= ring.scale / max(ring.scale, force)
+    ball_steps(case, ring, balls)
+    sign = ring.orientation
+    for i in range(5):
+        ring.first[i] = ring.step[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.first[0], ball.first[1] = ball.du1, ball.du2
+        if ball.inverse < 0.0:
+            sign = -sign
+    # The same derivatives, another right side: the difference of the two steps is linear in what was added.
+    case.inner_speed, case.outer_speed = inner, outer
+    add_rate(case, ring, balls)
+    root = sqrt(part)
+    case.inner_speed, case.outer_speed = root * inner, root * outer
+    pass_over_balls(case, ring, balls)
+    ring_step(case, ring, balls)
+    ball_steps(case, ring, balls)
+    for i in range(5):
+        ring.step[i] -= ring.first[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.du1 -= ball.first[0]
+        ball.du2 -= ball.first[1]
+    return residual, own, sign
+
+
+@kernel
+def weight_of(case: recarray, channel: int) -> float:
+    """What a ring's displacement counts beside p, squared: lengths by the inner link's, tilts at their lever."""
+    size = (case.tilt_lever if channel >= 3 else 1.0) / (case.inner_coefficient - 0.5)
+    return size * size
+
+
+@kernel
+def tangent(case: recarray, ring: recarray, balls: ndarray, sign: float) -> float:
+    """Make the path's tangent, of unit length, of the last rate; returns its share of p, 0 where there is none."""
+    weight = weight_of(case, 0)
+    total = 1.0
+    for i in range(5):
+        total += weight_of(case, i) * ring.step[i] * ring.step[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        total += weight * (ball.du1 * ball.du1 + ball.du2 * ball.du2)
+    if not total < NO_PLACE * NO_PLACE:
+        return 0.0
+    share = sign / sqrt(total)
+    for i in range(5):
+        ring.tangent[i] = share * ring.step[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.tangent[0], ball.tangent[1] = share * ball.du1, share * ball.du2
+    return share
+
+
+@kernel
+def advance(case: recarray, ring: recarray, balls: ndarray, is_near: bool) -> bool:
+    """Take the steps in `step`, `du1`, `du2`; False, and none taken, where that is too far."""
+    for n in range(ring.balls):
+        ball = balls[n]
+        da1, da2 = inner_groove_centre(case, ring.step, ball.cosine, ball.sine)
+        ball.dv1, ball.dv2 = ball.gap1 + da1 - ball.du1, ball.gap2 + da2 - ball.du2
+        outer = abs(ball.outer_cosine * ball.du1 - ball.outer_sine * ball.du2) * ball.outer_inverse
+        inner = abs(ball.inner_cosine * ball.dv1 - ball.inner_sine * ball.dv2) * ball.inner_inverse
+        ball.turn = max(outer, inner)
+        if not (ball.turn < LARGEST_TURN and max(abs(da1), abs(da2)) < LARGEST_MOVE):
+            return False
+    move(case, ring, balls, 1.0, True, is_near)
+    return not has_gone_far(ring)
+
+
+@kernel
+def go_along(case: recarray, ring: recarray, balls: ndarray, length: float) -> bool:
+    """Go this far along the tangent."""
+    for i in range(5):
+        ring.step[i] = length * ring.tangent[i]
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.du1, ball.du2 = length * ball.tangent[0], length * ball.tangent[1]
+    return advance(case, ring, balls, False)
+
+
+@kernel
+def come_back(
+    case: recarray,
+    ring: recarray,
+    balls: ndarray,
+    part: float,
+    share: float,
+    stride: float,
+    inner: float,
+    outer: float,
+    force: float,
+) -> tuple[bool, int, float]:
+    """Newton's method across the tangent: (whether back on a path that leads on, evaluations, part)."""
+    weight = weight_of(case, 0)
+    farthest = max(FARTHEST_BACK * stride, NEARBY)
+    closings = 0
+    for evaluations in range(1, CORRECTIONS + 2):
+        residual, own, sign = two_steps(case, ring, balls, part, inner, outer, force)
+        if sign == 0.0:
+            return False, evaluations, part
+        along, rate = 0.0, share  # of Newton's step and of a whole of the part, along the tangent
+        for i in range(5):
+            product = weight_of(case, i) * ring.tangent[i]
+            along += product * ring.first[i]
+            rate += product * ring.step[i]
+        for n in range(ring.balls):
+            ball = balls[n]
+            along += weight * (ball.tangent[0] * ball.first[0] + ball.tangent[1] * ball.first[1])
+            rate += weight * (ball.tangent[0] * ball.du1 + ball.tangent[1] * ball.du2)
+        if residual <= BALANCED and own <= OWN_BALANCED:
+            if closings == CLOSINGS or not is_open(ring, balls):
+                return sign * rate > 0.0, evaluations, part
+            close_chains(case, ring, balls)
+            closings += 1
+            continue
+        if evaluations > CORRECTIONS or rate == 0.0:
+            return False, evaluations, part
+        change = -along / rate
+        size = change * change
+        for i in range(5):
+            ring.step[i] = ring.first[i] + change * ring.step[i]
+            size += weight_of(case, i) * ring.step[i] * ring.step[i]
+        for n in range(ring.balls):
+            ball = balls[n]
+            ball.du1, ball.du2 = ball.first[0] + change * ball.du1, ball.first[1] + change * ball.du2
+            size += weight * (ball.du1 * ball.du1 + ball.du2 * ball.du2)
+        part += change
+        if not (sqrt(size) <= farthest and part > 0.0):
+            return False, evaluations, part
+        if not advance(case, ring, balls, residual < NEAR):
+            return False, evaluations, part
+    return False, CORRECTIONS + 1, part
+
+
+@kernel
+def step_on(
+    case: recarray,
+    ring: recarray,
+    balls: ndarray,
+    part: float,
+    stride: float,
+    legs: int,
+    inner: float,
+    outer: float,
+    force: float,
+) -> tuple[bool, int, float]:
+    """From a point of the path to the next: (whether one was reached, evaluations, its part).
+
+    With two legs past a corner: the second, twice as long, along the tangent found at the end of the first.
+    """
+    share = 0.0
+    for leg in range(legs):
+        _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
+        share = tangent(case, ring, balls, sign)
+        length = (leg + 1.0) * stride
+        part += length * share
+        if share == 0.0 or part <= 0.0 or not go_along(case, ring, balls, length):
+            return False, leg + 1, part
+    reached, evaluations, part = come_back(case, ring, balls, part, share, stride, inner, outer, force)
+    return reached, legs + evaluations, part
+
+
+@kernel
+def follow(
+    case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float, tolerance: float
+) -> tuple[bool, int, float]:
+    """Follow the path that starts where ring and balls are: (converged at the speeds given, iterations, residual).
+
+    Loads must be the case's own, or its balls' friction as it stands in `ring.grip`, at these speeds, in the end.
+    """
+    close_chains(case, ring, balls)
+    force = hold(case, ring, balls)
+    part, stride, total = START, FIRST, 0
+    keep(ring, balls, PATH)
+    while total < MOST and stride > SHORTEST:
+        reached = False
+        evaluations = 0
+        for legs in range(1, 3):
+            restore(ring, balls, PATH)
+            reached, evaluations, next_part = step_on(case, ring, balls, part, stride, legs, inner, outer, force)
+            total += evaluations
+            if reached and next_part >= 1.0:
+                set_part(case, ring, balls, 1.0, inner, outer)
+                converged, iterations, residual = newton(case, ring, balls, tolerance)
+                total += iterations
+                if converged:
+                    return True, total, residual
+                reached = False
+            if reached:
+                break
+        if reached:
+            keep(ring, balls, PATH)
+            part = next_part
+            if evaluations <= FEW + 1 + legs:
+                stride = min(LONGER * stride, LONGEST)
+        else:
+            stride *= SHORTER
+    set_part(case, ring, balls, 1.0, inner, outer)
+    return False, total, 1.0
