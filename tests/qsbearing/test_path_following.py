@@ -23,7 +23,7 @@ BALANCED = 1e-10
 """Of the largest load: what counts as solved where rounding forbids better; these loads are light."""
 
 
-def slow_balls() -> qs.Scene:
+def fast_balls() -> qs.Scene:
     """Eight soft balls, loads a thousandth of a newton, a shaft at 230 000 rpm."""
     bearing = qs.BallBearing(
         ball_count=8,
@@ -93,7 +93,37 @@ def pulled_down() -> qs.Scene:
     return qs.Scene(bearing, operation, BOTH_HARRIS, PER_BALL, tilt_lever=qs.TiltLever.GROOVE_CENTRE)
 
 
-@pytest.mark.parametrize("scene", [slow_balls(), held_aside(), pulled_down()], ids=["slow", "held", "pulled"])
+def light_at_speed() -> qs.Scene:
+    """Six balls thrown by centrifugal force alone, a ring that hardly any load holds."""
+    bearing = qs.BallBearing(
+        ball_count=6,
+        ball_diameter=20.92 * qs.mm,
+        pitch_diameter=50.54 * qs.mm,
+        inner_groove_radius=10.49 * qs.mm,
+        outer_groove_radius=10.49 * qs.mm,
+        free_contact_angle=6.418 * qs.deg,
+        kind=qs.BearingKind.DEEP_GROOVE,
+    )
+    operation = qs.Operation(
+        speed=9.248e4 * qs.rpm,
+        axial_displacement=0.0003868e-6,
+        radial_displacement_y=0.0004281e-6,
+        radial_load_z=-0.0004358,
+        moment_y=-8.972e-6,
+        tilt_z=7.157e-9,
+    )
+    return qs.Scene(bearing, operation, (qs.CentrifugalForce(),), OUTER, tilt_lever=qs.TiltLever.GROOVE_CENTRE)
+
+
+BEHIND_TURNING_POINTS = {
+    "fast": fast_balls(),
+    "held": held_aside(),
+    "pulled": pulled_down(),
+    "light": light_at_speed(),
+}
+
+
+@pytest.mark.parametrize("scene", BEHIND_TURNING_POINTS.values(), ids=BEHIND_TURNING_POINTS.keys())
 def test_a_balance_behind_a_turning_point_is_found(scene: qs.Scene) -> None:
     """Cases that no other way solves: balances come to an end on the way up in speed, and relaxation finds no rest."""
     solution = qs.solve(scene)
