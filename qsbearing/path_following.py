@@ -59,8 +59,9 @@ CLOSINGS = 2
 MOST = 4000
 # No line turns further at a step (radians), no groove centre moves further (ball diameters).
 LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
-# Where a path starts balls are pressed by this many times the largest force that acts on one.
-PRESSED = 3.0
+# Where a path starts balls are pressed by this many times the largest force that acts on one, or by this part of their
+# stiffness where none does.
+PRESSED, LEAST_PRESSED = 3.0, 1e-10
 # Balls that only inertia presses start turned by up to this angle, each by its own: equal ones would turn back at once.
 UNEQUAL = 0.025
 GOLDEN = 0.6180339887498949
@@ -73,7 +74,7 @@ def press(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Put ring and balls where contacts press every ball, as far as the ring is free to do so."""
     s, c = case.sin_free, case.cos_free
     fc, _, _, mg, _, _ = inertia(case, balls[0].control, s, c, s, c)
-    force = PRESSED * max(applied_load(case), fc, abs(mg), BALANCED * BALANCED * case.series_stiffness)
+    force = PRESSED * max(applied_load(case), fc, abs(mg), LEAST_PRESSED * case.series_stiffness)
     for i in range(5):
         ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
     if not case.is_held[0]:
@@ -335,7 +336,7 @@ def follow(
 ) -> tuple[bool, int, float]:
     """Follow the path that starts where ring and balls are: (converged at the speeds given, iterations, residual).
 
-    Loads must be the case's own, or its balls' friction as it stands in `ring.grip`, at these speeds, in the end.
+    Loads, speeds and the limit of friction, if there is one, are the case's own again at the end, found or not.
     """
     close_chains(case, ring, balls)
     force = hold(case, ring, balls)
