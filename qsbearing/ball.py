@@ -54,6 +54,12 @@ def is_moving(case: recarray) -> bool:
 
 
 @kernel
+def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
+    """Turn the rings at this part of these speeds."""
+    case.inner_speed, case.outer_speed = part * inner, part * outer
+
+
+@kernel
 def groove_stiffness(case: recarray, side: float, n1: float, n2: float) -> tuple[float, float]:
     """K of a raceway's contact and d ln K/d alpha: constants of the bearing, or at the contact's own angle."""
     if not case.actual_angle:
@@ -170,15 +176,14 @@ def inner_gap(case: recarray, ball: recarray, length: float, w1: float, w2: floa
 
 
 @kernel
-def set_inner_between(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> None:
-    """Let the inner link be w: its line, and its approach where that differs by more than rounding of places.
+def set_inner_by_places(ball: recarray, sine: float, cosine: float, approach: float, lengths: float) -> None:
+    """Give the inner link what places of these lengths say, but keep an approach that differs by their rounding only.
 
     Steps give the approach more digits than places have: read off places, light loads would never come to rest.
     """
-    approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
-    if abs(approach - ball.inner_approach) <= ROUNDING * (length + abs(w1) + abs(w2)):
+    if abs(approach - ball.inner_approach) <= ROUNDING * lengths:
         approach = ball.inner_approach
-    set_inner(ball, n1, n2, approach)
+    set_inner(ball, sine, cosine, approach)
 
 
 @kernel
@@ -187,7 +192,8 @@ def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: fl
     length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
     gap1, gap2 = inner_gap(case, ball, length, w1, w2)
     if gap1 != 0.0 or gap2 != 0.0:
-        set_inner_between(case, ball, length, w1, w2)
+        approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
+        set_inner_by_places(ball, n1, n2, approach, length + abs(w1) + abs(w2))
 
 
 @kernel

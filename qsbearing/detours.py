@@ -17,7 +17,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import FULL_GRIP, UNLIMITED, is_moving
+from qsbearing.ball import FULL_GRIP, UNLIMITED, is_moving, set_speed
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.descent import descend
 from qsbearing.keeping import ON_THE_WAY, SOLVED, keep, restore
@@ -135,12 +135,6 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
         if not case.is_held[i] and not abs(ring.displacement[i]) < RUNAWAY_DISTANCE:
             ring.ran_away = True
     return converged, total, residual
-
-
-@kernel
-def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
-    """Turn the rings at this part of their speeds."""
-    case.inner_speed, case.outer_speed = part * inner, part * outer
 
 
 @kernel

@@ -25,7 +25,7 @@ from qsbearing.ball import (
     moving_ball,
     resting_ball,
     set_inner,
-    set_inner_between,
+    set_inner_by_places,
     throw,
 )
 from qsbearing.compiled import kernel
@@ -262,7 +262,7 @@ def settle_link(
         return  # the next step closes it
     approach, n1, n2, _ = direction(length, s, c, w1, w2)
     if approach <= 0.0 or (is_small and (gap1 != 0.0 or gap2 != 0.0)):
-        set_inner_between(case, ball, length, w1, w2)
+        set_inner_by_places(ball, n1, n2, approach, length + abs(w1) + abs(w2))
     elif ball.inner_approach <= 0.0:
         set_inner(ball, n1, n2, min(approach, most))
 

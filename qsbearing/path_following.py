@@ -23,7 +23,15 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import FULL_GRIP, UNLIMITED, friction_shares, inertia, set_outer
+from qsbearing.ball import (
+    FULL_GRIP,
+    UNLIMITED,
+    carried_friction,
+    friction_shares,
+    inertia,
+    set_outer,
+    set_speed,
+)
 from qsbearing.compiled import kernel
 from qsbearing.keeping import PATH, keep, restore
 from qsbearing.newton import (
@@ -91,6 +99,13 @@ def press(case: recarray, ring: recarray, balls: ndarray) -> None:
 
 
 @kernel
+def channel_force(ring: recarray, ball: recarray, p: int, axial: float, radial: float, moment: float) -> float:
+    """What a solved channel feels of a force in a ball's plane and a moment about the groove centres' circle."""
+    row = ring.row[p]
+    return ball.factor[p] * (axial if row == 0 else radial if row == 1 else moment)
+
+
+@kernel
 def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
     """Choose the dead forces that balance the contacts where ring and balls are; returns the largest load."""
     largest = 0.0
@@ -103,17 +118,14 @@ def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
         ball.dead[0], ball.dead[1] = qo * so - qi * si, qo * co - qi * ci
         largest = max(largest, qi, qo)
         for p in range(ring.channels):
-            row = ring.row[p]
-            force = qi * ci if row == 1 else qi * si * (case.tilt_lever if row == 2 else 1.0)
-            ring.dead[ring.channel[p]] += ball.factor[p] * force
+            ring.dead[ring.channel[p]] += channel_force(ring, ball, p, qi * si, qi * ci, qi * si * case.tilt_lever)
     return largest
 
 
 @kernel
 def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Let this part of loads and inertia act, and dead forces for the rest. Inertia grows as the square of speed."""
-    root = sqrt(part)
-    case.inner_speed, case.outer_speed = root * inner, root * outer
+    set_speed(case, sqrt(part), inner, outer)
     if ring.grip != UNLIMITED:
         ring.grip = part * FULL_GRIP
     for i in range(5):
@@ -127,6 +139,7 @@ def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner:
 @kernel
 def add_rate(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Add to pushes and loads what one more of the part would, at full speed: balance is linear in p."""
+    grip = UNLIMITED if ring.grip == UNLIMITED else FULL_GRIP
     for i in range(5):
         if not case.is_held[i]:
             case.prescribed[i] += ring.load[i] - ring.dead[i]
@@ -136,20 +149,15 @@ def add_rate(case: recarray, ring: recarray, balls: ndarray) -> None:
         qi, qo = contact_loads(case, ball)
         fc, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
         share_i, share_o = friction_shares(case, ball.control)
-        ti, to = share_i * mg, share_o * mg
         if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
-            ti, to = 0.0, 0.0
-        if ring.grip != UNLIMITED:
-            ti = min(max(ti, -FULL_GRIP * qi), FULL_GRIP * qi)
-            to = min(max(to, -FULL_GRIP * qo), FULL_GRIP * qo)
+            share_i, share_o = 0.0, 0.0
+        ti, _, _, _ = carried_friction(share_i, mg, 0.0, 0.0, qi, grip)
+        to, _, _, _ = carried_friction(share_o, mg, 0.0, 0.0, qo, grip)
         ball.push[0] += to * co - ti * ci - ball.dead[0]
         ball.push[1] += ti * si - to * so + fc - ball.dead[1]
+        moment = case.inner_coefficient * ti - case.tilt_lever * ti * ci
         for p in range(ring.channels):
-            row = ring.row[p]
-            force = ti * si if row == 1 else -ti * ci
-            if row == 2:
-                force = case.inner_coefficient * ti - case.tilt_lever * ti * ci
-            case.prescribed[ring.channel[p]] -= ball.factor[p] * force
+            case.prescribed[ring.channel[p]] -= channel_force(ring, ball, p, -ti * ci, ti * si, moment)
 
 
 @kernel
@@ -177,10 +185,9 @@ def two_steps(
         if ball.inverse < 0.0:
             sign = -sign
     # The same derivatives, another right side: the difference of the two steps is linear in what was added.
-    case.inner_speed, case.outer_speed = inner, outer
+    set_speed(case, 1.0, inner, outer)
     add_rate(case, ring, balls)
-    root = sqrt(part)
-    case.inner_speed, case.outer_speed = root * inner, root * outer
+    set_speed(case, sqrt(part), inner, outer)
     pass_over_balls(case, ring, balls)
     ring_step(case, ring, balls)
     ball_steps(case, ring, balls)
