@@ -92,9 +92,8 @@ def series_stiffness(case: recarray, n1: float, n2: float) -> tuple[float, float
 def inertia(
     case: recarray, control: int, si: float, ci: float, so: float, co: float
 ) -> tuple[float, float, float, float, float, float]:
-    """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao."""
+    """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao, as rolling sees them."""
     g = 1.0 / case.pitch_diameter
-    si, ci, is_mirrored = inner_line(si, ci, so, co)
     axis = rotation_axis(control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     orbit = orbital_speed(terms, case.inner_speed, case.outer_speed)
@@ -105,9 +104,22 @@ def inertia(
     if case.gyroscopic:
         rotation = rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)
         mg, mg_i, mg_o = gyroscopic_moment(BALL_INERTIA, orbit, rotation, axis)
-    if is_mirrored:  # 2 ao + 180 degrees - ai stands for ai
-        return fc, -fc_i, fc_o + 2.0 * fc_i, mg, -mg_i, mg_o + 2.0 * mg_i
     return fc, fc_i, fc_o, mg, mg_i, mg_o
+
+
+@kernel
+def line_to_inner(case: recarray, ball: recarray) -> tuple[float, float, float, float, float]:
+    """The ball's inner contact line as rolling sees it, with its derivatives."""
+    distance = 1.0 + ball.inner_approach / (case.inner_coefficient - 0.5)
+    return inner_line(ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine, distance)
+
+
+@kernel
+def inertia_of(case: recarray, ball: recarray) -> tuple[float, float]:
+    """(Fc, Mg) of a ball where it is."""
+    s, c, _, _, _ = line_to_inner(case, ball)
+    fc, _, _, mg, _, _ = inertia(case, ball.control, s, c, ball.outer_sine, ball.outer_cosine)
+    return fc, mg
 
 
 @kernel
@@ -121,6 +133,7 @@ def friction_shares(case: recarray, control: int) -> tuple[float, float]:
 @kernel
 def inertia_force(case: recarray, control: int, si: float, ci: float, so: float, co: float) -> tuple[float, float]:
     """f: the inertia force on the ball and the friction that carries its gyroscopic moment."""
+    si, ci, _, _, _ = inner_line(si, ci, so, co, 1.0)
     fc, _, _, mg, _, _ = inertia(case, control, si, ci, so, co)
     share_i, share_o = friction_shares(case, control)
     return mg * (share_o * co - share_i * ci), mg * (share_i * si - share_o * so) + fc
@@ -211,14 +224,15 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     p1, p2 = (li + lo) * s + a1, (li + lo) * c + a2
     if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
         size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)
-        fc, _, _, _, _, _ = inertia(case, ball.control, p1 / size, (p2 - lo) / size, 0.0, 1.0)
+        s_seen, c_seen, _, _, _ = inner_line(p1 / size, (p2 - lo) / size, 0.0, 1.0, 1.0)
+        fc, _, _, _, _, _ = inertia(case, ball.control, s_seen, c_seen, 0.0, 1.0)
         set_outer(ball, 0.0, 1.0, (fc / case.outer_stiffness) ** (2.0 / 3.0))
         close_chain(case, ball, False, a1, a2)
         return
     square = p1 * p1 + p2 * p2
     distance = sqrt(square)
     if distance + li <= lo:
-        fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, -1.0, 0.0, 1.0)
+        fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
         set_inner(ball, 0.0, -1.0, (fc / case.inner_stiffness) ** (2.0 / 3.0))
         approach, so, co, _ = direction(lo, s, c, p1 - lo * s, p2 + li - lo * c)
         set_outer(ball, so, co, approach)
@@ -234,7 +248,8 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
         si, ci = (p1 - lo * so) / li, (p2 - lo * co) / li
         f1, f2 = inertia_force(case, ball.control, si, ci, so, co)
         if attempt == 2:
-            f1, f2 = 0.0, inertia(case, ball.control, si, ci, so, co)[0]
+            s_seen, c_seen, _, _, _ = inner_line(si, ci, so, co, 1.0)
+            f1, f2 = 0.0, inertia(case, ball.control, s_seen, c_seen, so, co)[0]
         sine = so * ci - co * si
         sine = max(sine, STRAIGHT) if sine > 0.0 else min(sine, -STRAIGHT)
         qi, qo = (f1 * co - f2 * so) / sine, (f1 * ci - f2 * si) / sine
@@ -248,15 +263,13 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
 
 
 @kernel
-def carried_friction(
-    share: float, mg: float, mg_i: float, mg_o: float, load: float, grip: float
-) -> tuple[float, float, float, float]:
-    """T, the friction at a contact that carries its share of the gyroscopic moment, and dT/dai, dT/dao, dT/dQ."""
+def carried_friction(share: float, mg: float, load: float, grip: float) -> tuple[float, float, float]:
+    """T, the friction at a contact that carries its share of the gyroscopic moment, and dT/dMg, dT/dQ."""
     friction = share * mg
     if grip == UNLIMITED or abs(friction) <= grip * load:
-        return friction, share * mg_i, share * mg_o, 0.0
+        return friction, share, 0.0
     slope = grip if friction > 0.0 else -grip
-    return slope * load, 0.0, 0.0, slope
+    return slope * load, 0.0, slope
 
 
 @kernel
@@ -285,12 +298,16 @@ def moving_ball(
     ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
-    fc, fc_i, fc_o, mg, mg_i, mg_o = inertia(case, ball.control, si, ci, so, co)
+    s_seen, c_seen, by_inner, by_outer, by_distance = line_to_inner(case, ball)
+    fc, fc_s, fc_o, mg, mg_s, mg_o = inertia(case, ball.control, s_seen, c_seen, so, co)
+    fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
+    mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
     share_i, share_o = friction_shares(case, ball.control)
     if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
         share_i, share_o = 0.0, 0.0
-    ti, ti_i, ti_o, ti_q = carried_friction(share_i, mg, mg_i, mg_o, qi, grip)
-    to, to_i, to_o, to_q = carried_friction(share_o, mg, mg_i, mg_o, qo, grip)
+    ti, ti_m, ti_q = carried_friction(share_i, mg, qi, grip)
+    to, to_m, to_q = carried_friction(share_o, mg, qo, grip)
+    ti_i, ti_o, to_i, to_o = ti_m * mg_i, ti_m * mg_o, to_m * mg_i, to_m * mg_o
 
     r1 = qi * si - qo * so - ti * ci + to * co + ball.push[0]
     r2 = qi * ci - qo * co + ti * si - to * so + fc + ball.push[1]
@@ -314,21 +331,29 @@ def moving_ball(
     r1_o = h1_o - qo_a * so + to_o * co - to * so
     r2_o = h2_o - qo_a * co - to_o * so - to * co + fc_o
 
-    # By A (through ai only), then by X (through -W, and ao).
+    # By A (through ai, and as rolling sees it the inner length), then by X (through -W, and ao).
+    fi = case.inner_coefficient
     ra11, ra12 = hi11 + r1_i * ei1, hi12 + r1_i * ei2
     ra21, ra22 = hi21 + r2_i * ei1, hi22 + r2_i * ei2
-    rx11, rx12 = -ra11 - ho11 + r1_o * eo1 - floor, -ra12 - ho12 + r1_o * eo2
-    rx21, rx22 = -ra21 - ho21 + r2_o * eo1, -ra22 - ho22 + r2_o * eo2 - floor
     ha11, ha12 = hi11 + h1_i * ei1, hi12 + h1_i * ei2
     ha21, ha22 = hi21 + h2_i * ei1, hi22 + h2_i * ei2
+    ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
+    if by_distance != 0.0:
+        fc_d, mg_d = fc_s * by_distance / li, mg_s * by_distance / li
+        ti_d, to_d = ti_m * mg_d, to_m * mg_d
+        h1_d, h2_d = -ti_d * ci, ti_d * si
+        r1_d, r2_d = h1_d + to_d * co, h2_d - to_d * so + fc_d
+        ra11, ra12, ra21, ra22 = ra11 + r1_d * si, ra12 + r1_d * ci, ra21 + r2_d * si, ra22 + r2_d * ci
+        ha11, ha12, ha21, ha22 = ha11 + h1_d * si, ha12 + h1_d * ci, ha21 + h2_d * si, ha22 + h2_d * ci
+        ma1, ma2 = ma1 + fi * ti_d * si, ma2 + fi * ti_d * ci
+    rx11, rx12 = -ra11 - ho11 + r1_o * eo1 - floor, -ra12 - ho12 + r1_o * eo2
+    rx21, rx22 = -ra21 - ho21 + r2_o * eo1, -ra22 - ho22 + r2_o * eo2 - floor
     hx11, hx12 = -ha11 + h1_o * eo1, -ha12 + h1_o * eo2
     hx21, hx22 = -ha21 + h2_o * eo1, -ha22 + h2_o * eo2
-    fi = case.inner_coefficient
-    ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
 
     inverse = 1.0 / (rx11 * rx22 - rx12 * rx21)
-    ball.inverse = inverse
+    ball.own11, ball.own12, ball.own21, ball.own22, ball.inverse = rx11, rx12, rx21, rx22, inverse
     # What the links' gap would change if it were closed at the inner link counts as imbalance.
     p1, p2 = r1 + ra11 * gap1 + ra12 * gap2, r2 + ra21 * gap1 + ra22 * gap2
     y1, y2 = (rx22 * p1 - rx12 * p2) * inverse, (rx11 * p2 - rx21 * p1) * inverse
@@ -337,6 +362,9 @@ def moving_ball(
 
     k11, k12 = ha11 - hx11 * y11 - hx12 * y21, ha12 - hx11 * y12 - hx12 * y22
     lever = case.tilt_lever
+    ball.by_own[0, 0], ball.by_own[0, 1] = hx11, hx12
+    ball.by_own[1, 0], ball.by_own[1, 1] = hx21, hx22
+    ball.by_own[2, 0], ball.by_own[2, 1] = lever * hx11 + mx1, lever * hx12 + mx2
     c1 = h1 + ha11 * gap1 + ha12 * gap2 - hx11 * y1 - hx12 * y2
     c2 = h2 + ha21 * gap1 + ha22 * gap2 - hx21 * y1 - hx22 * y2
     ball.force[0], ball.force[1], ball.force[2] = h1, h2, h3

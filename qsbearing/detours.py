@@ -5,7 +5,7 @@ heavier loads; then from the bearing at rest, and where the full speed is too fa
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
 Where that finds no rest, a path is followed, through its turning points, to a balance from one that cannot fail to
-exist: first from where contacts press every ball, then from the last balance on the way.
+exist, where dead forces press every ball.
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Such
 cases are solved with friction no more than load, and from there without that limit; where that fails, the ball slips.
@@ -22,9 +22,9 @@ from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.descent import descend
 from qsbearing.keeping import ON_THE_WAY, SOLVED, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
-from qsbearing.path_following import follow, press
+from qsbearing.path_following import STARTS, follow, press
 from qsbearing.raceway_control import PER_BALL
-from qsbearing.relaxation import relax
+from qsbearing.relaxation import relax_to_rest
 from qsbearing.solver import deliver, first_guess, prepare, rest
 from qsbearing.start import ring_at_rest, seat_balls
 from qsbearing.verdict import (
@@ -214,16 +214,12 @@ def solve_moving(
             if against == 0 and stride < LEAST_STRIDE:
                 restore(ring, balls, ON_THE_WAY)
                 close_chains(case, ring, balls)
-                total += relax(case, ring, balls, REST_TOLERANCE)
-                converged, iterations, residual = newton(case, ring, balls, tolerance)
+                converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
                 total += iterations
-                for start in range(2):
+                for start in range(STARTS):
                     if converged:
                         break
-                    if start == 0:
-                        press(case, ring, balls)
-                    else:
-                        restore(ring, balls, ON_THE_WAY)
+                    press(case, ring, balls, start)
                     converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
                     total += iterations
                 ring.reached = 1.0

@@ -18,22 +18,37 @@ quotient: the attitude may pass through 90 degrees.
 
 from __future__ import annotations
 
+from math import atan2, cos, sin
+
 from qsbearing.compiled import kernel
+
+# Nearer than this part of its free length, an inner line hardly points anywhere.
+HALFWAY = 0.5
 
 
 @kernel
-def inner_line(si: float, ci: float, so: float, co: float) -> tuple[float, float, bool]:
-    """The inner contact line as rolling sees it: (sin ai, cos ai, whether it is the mirror image).
+def inner_line(si: float, ci: float, so: float, co: float, distance: float) -> tuple[float, float, float, float, float]:
+    """The inner contact line as rolling sees it: (sine, cosine, derivatives of its angle by ai, ao and distance).
 
     Rolling needs contact lines less than a right angle apart; at two right angles the speeds have no bound. A ball
     that has lost the inner raceway may see its groove from further round. Then the line's mirror image on the outer
     line's normal is taken, 2 ao + 180 degrees - ai: speeds pass through the right angle, and through two of them,
     without a jump, and a ball in the middle of its clearance rolls as between two raceways on one line.
+
+    Where its centre comes to the inner groove's own, ai may be anything. So from half the free length on the line
+    turns, with the distance (over that length), into the outer one, which it is where the distance is nothing.
     """
     along = si * so + ci * co
-    if along >= 0.0:
-        return si, ci, False
-    return si - 2.0 * along * so, ci - 2.0 * along * co, True
+    if distance >= HALFWAY:
+        if along >= 0.0:
+            return si, ci, 1.0, 0.0, 0.0
+        return si - 2.0 * along * so, ci - 2.0 * along * co, -1.0, 2.0, 0.0
+    between = atan2(si * co - ci * so, abs(along))
+    part = 4.0 * distance * (1.0 - distance)
+    turn_s, turn_c = sin(part * between), cos(part * between)
+    by_inner = part if along >= 0.0 else -part
+    slope = 4.0 * (1.0 - 2.0 * distance) * between
+    return so * turn_c + co * turn_s, co * turn_c - so * turn_s, by_inner, 1.0 - by_inner, slope
 
 
 @kernel

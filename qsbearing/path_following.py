@@ -5,10 +5,10 @@ the minimum of a convex energy, so there is one only. From there the path is, fo
 
     contacts(d, X) + p inertia(d, X) + (1 - p) dead - (p load + (1 - p) dead load) = 0,
 
-friction no more than p times load included. It cannot come back to p = 0, and where everything is continuous it cannot
+friction no more than p times load included. It cannot come back to p = 0, and all of it is continuous, so it cannot
 end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for infinity
-(Allgower and Georg, Introduction to Numerical Continuation Methods). One place is not continuous: a ball's centre at
-the inner groove's own, where the inner line has no direction; there paths do end.
+(Allgower and Georg, Introduction to Numerical Continuation Methods). In double precision it may still be lost: where
+loads vanish below the resolution of places, or among more corners than are worth their time.
 
 So the path is followed by its own length, not by p: a step along its tangent, then Newton's method across that. The
 sign of the determinant of the derivatives says which way p goes on, with no memory of the way come.
@@ -29,6 +29,7 @@ from qsbearing.ball import (
     carried_friction,
     friction_shares,
     inertia,
+    inertia_of,
     set_outer,
     set_speed,
 )
@@ -47,6 +48,7 @@ from qsbearing.newton import (
     ring_step,
     stop,
 )
+from qsbearing.relaxation import relax_to_rest
 from qsbearing.ring import inner_groove_centre
 from qsbearing.start import resting_thrust, seat_balls
 from qsbearing.verdict import contact_loads
@@ -55,31 +57,42 @@ from qsbearing.verdict import contact_loads
 START = 1e-15
 # Lengths of steps, in units of p and of the inner link: the first, the longest, and what is too short to go on.
 FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-9
-LONGER, SHORTER = 2.0, 0.3
-# Newton's steps across the path: so many at most; after so few the next step along it may be longer.
-CORRECTIONS, FEW = 8, 3
-# Together they may go this many steps' lengths, or this far: further is another path.
-FARTHEST_BACK, NEARBY = 4.0, 1e-4
+# A step that fails is made so much shorter; one that does not, so that the next would stray by this part of its length.
+SHORTER, STRAYING = 0.3, 0.2
+LONGER, SLOWER = 2.0, 0.5
+# Newton's steps across the path: so many at most, all together no longer than the step along it, or than this.
+CORRECTIONS, NEARBY = 8, 1e-4
 # How well balance is known on the path, by the largest force and by each ball's or channel's own.
-BALANCED, OWN_BALANCED = 1e-5, 1e-3
+BALANCED, OWN_BALANCED = 1e-10, 1e-4
 CLOSINGS = 2
 # So many evaluations a path is worth.
-MOST = 4000
+MOST = 40000
 # No line turns further at a step (radians), no groove centre moves further (ball diameters).
 LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
 # Where a path starts balls are pressed by this many times the largest force that acts on one, or by this part of their
 # stiffness where none does.
 PRESSED, LEAST_PRESSED = 3.0, 1e-10
-# Balls that only inertia presses start turned by up to this angle, each by its own: equal ones would turn back at once.
+# The outer contact's part of the approach at the start, from here to there: dead forces then press balls outward, each
+# by its own measure, so that none is ever without force, and equal ones do not turn back at once.
+OUTER_PART, OUTER_PARTS = 0.55, 0.2
+# Balls that only inertia presses start turned by up to this angle, to either side.
 UNEQUAL = 0.025
+# Paths to follow, each from a start of its own.
+STARTS = 2
 GOLDEN = 0.6180339887498949
 # An imbalance from which there is no way.
 NO_PLACE = 1e30
 
 
 @kernel
-def press(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Put ring and balls where contacts press every ball, as far as the ring is free to do so."""
+def own_measure(ball: recarray, start: int) -> float:
+    """A number from 0 to 1 for this ball of a start, evenly spread and unlike its neighbours'."""
+    return ((ball.number + 1.0) * (start + 1.0) * GOLDEN) % 1.0
+
+
+@kernel
+def press(case: recarray, ring: recarray, balls: ndarray, start: int) -> None:
+    """Put ring and balls where contacts press every ball, as far as the ring is free to do so; start: which one."""
     s, c = case.sin_free, case.cos_free
     fc, _, _, mg, _, _ = inertia(case, balls[0].control, s, c, s, c)
     force = PRESSED * max(applied_load(case), fc, abs(mg), LEAST_PRESSED * case.series_stiffness)
@@ -92,10 +105,13 @@ def press(case: recarray, ring: recarray, balls: ndarray) -> None:
     for n in range(ring.balls):
         ball = balls[n]
         if ball.inner_sine != ball.outer_sine or ball.inner_cosine != ball.outer_cosine:  # thrown
-            turn = UNEQUAL * (2.0 * ((ball.number * GOLDEN) % 1.0) - 1.0)
+            turn = UNEQUAL * (2.0 * own_measure(ball, start) - 1.0)
             so, co = ball.outer_sine + turn * ball.outer_cosine, ball.outer_cosine - turn * ball.outer_sine
             size = 1.0 / sqrt(so * so + co * co)
             set_outer(ball, so * size, co * size, ball.outer_approach)
+        else:
+            part = OUTER_PART + OUTER_PARTS * own_measure(ball, start)
+            ball.outer_approach = part * (ball.outer_approach + ball.inner_approach)
 
 
 @kernel
@@ -137,27 +153,34 @@ def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner:
 
 
 @kernel
-def add_rate(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Add to pushes and loads what one more of the part would, at full speed: balance is linear in p."""
+def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float) -> None:
+    """Put in the place of imbalances what one more of the part would add to them: balance is linear in it."""
     grip = UNLIMITED if ring.grip == UNLIMITED else FULL_GRIP
-    for i in range(5):
-        if not case.is_held[i]:
-            case.prescribed[i] += ring.load[i] - ring.dead[i]
+    set_speed(case, 1.0, inner, outer)
+    for p in range(ring.channels):
+        i = ring.channel[p]
+        ring.right[p] = ring.dead[i] - ring.load[i]
     for n in range(ring.balls):
         ball = balls[n]
         si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
         qi, qo = contact_loads(case, ball)
-        fc, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
+        fc, mg = inertia_of(case, ball)
         share_i, share_o = friction_shares(case, ball.control)
         if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
             share_i, share_o = 0.0, 0.0
-        ti, _, _, _ = carried_friction(share_i, mg, 0.0, 0.0, qi, grip)
-        to, _, _, _ = carried_friction(share_o, mg, 0.0, 0.0, qo, grip)
-        ball.push[0] += to * co - ti * ci - ball.dead[0]
-        ball.push[1] += ti * si - to * so + fc - ball.dead[1]
-        moment = case.inner_coefficient * ti - case.tilt_lever * ti * ci
+        ti, _, _ = carried_friction(share_i, mg, qi, grip)
+        to, _, _ = carried_friction(share_o, mg, qo, grip)
+        r1 = to * co - ti * ci - ball.dead[0]
+        r2 = ti * si - to * so + fc - ball.dead[1]
+        h1, h2, h3 = -ti * ci, ti * si, case.inner_coefficient * ti - case.tilt_lever * ti * ci
+        y1 = (ball.own22 * r1 - ball.own12 * r2) * ball.inverse
+        y2 = (ball.own11 * r2 - ball.own21 * r1) * ball.inverse
+        ball.y1, ball.y2 = y1, y2
+        c1 = h1 - ball.by_own[0, 0] * y1 - ball.by_own[0, 1] * y2
+        c2 = h2 - ball.by_own[1, 0] * y1 - ball.by_own[1, 1] * y2
+        c3 = h3 - ball.by_own[2, 0] * y1 - ball.by_own[2, 1] * y2
         for p in range(ring.channels):
-            case.prescribed[ring.channel[p]] -= channel_force(ring, ball, p, -ti * ci, ti * si, moment)
+            ring.right[p] += channel_force(ring, ball, p, c1, c2, c3)
 
 
 @kernel
@@ -172,6 +195,9 @@ def two_steps(
     """
     set_part(case, ring, balls, part, inner, outer)
     residual, own = pass_over_balls(case, ring, balls)
+    for p in range(ring.channels):
+        for q in range(ring.channels):
+            ring.kept_matrix[p, q] = ring.matrix[p, q]
     if not residual < NO_PLACE or ring_step(case, ring, balls) < 0.0:
         return NO_PLACE, NO_PLACE, 0.0
     residual *= ring.scale / max(ring.scale, force)
@@ -184,19 +210,12 @@ def two_steps(
         ball.first[0], ball.first[1] = ball.du1, ball.du2
         if ball.inverse < 0.0:
             sign = -sign
-    # The same derivatives, another right side: the difference of the two steps is linear in what was added.
-    set_speed(case, 1.0, inner, outer)
-    add_rate(case, ring, balls)
-    set_speed(case, sqrt(part), inner, outer)
-    pass_over_balls(case, ring, balls)
+    rate_of_balance(case, ring, balls, inner, outer)
+    for p in range(ring.channels):
+        for q in range(ring.channels):
+            ring.matrix[p, q] = ring.kept_matrix[p, q]
     ring_step(case, ring, balls)
     ball_steps(case, ring, balls)
-    for i in range(5):
-        ring.step[i] -= ring.first[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.du1 -= ball.first[0]
-        ball.du2 -= ball.first[1]
     return residual, own, sign
 
 
@@ -266,15 +285,18 @@ def come_back(
     inner: float,
     outer: float,
     force: float,
-) -> tuple[bool, int, float]:
-    """Newton's method across the tangent: (whether back on a path that leads on, evaluations, part)."""
+) -> tuple[float, int, float, float]:
+    """Newton's method across the tangent.
+
+    Returns:
+        (the sign that turns the rate left in `step`, `du1`, `du2` to where the path leads on, 0 where it is not found
+        or leads back; evaluations; part; the first step's length).
+    """
     weight = weight_of(case, 0)
-    farthest = max(FARTHEST_BACK * stride, NEARBY)
-    closings = 0
+    farthest = max(stride, NEARBY)
+    closings, strayed, before = 0, 0.0, 0.0
     for evaluations in range(1, CORRECTIONS + 2):
         residual, own, sign = two_steps(case, ring, balls, part, inner, outer, force)
-        if sign == 0.0:
-            return False, evaluations, part
         along, rate = 0.0, share  # of Newton's step and of a whole of the part, along the tangent
         for i in range(5):
             product = weight_of(case, i) * ring.tangent[i]
@@ -286,12 +308,12 @@ def come_back(
             rate += weight * (ball.tangent[0] * ball.du1 + ball.tangent[1] * ball.du2)
         if residual <= BALANCED and own <= OWN_BALANCED:
             if closings == CLOSINGS or not is_open(ring, balls):
-                return sign * rate > 0.0, evaluations, part
+                return (sign if sign * rate > 0.0 else 0.0), evaluations, part, strayed
             close_chains(case, ring, balls)
             closings += 1
             continue
-        if evaluations > CORRECTIONS or rate == 0.0:
-            return False, evaluations, part
+        if sign == 0.0 or rate == 0.0 or evaluations > CORRECTIONS:
+            return 0.0, evaluations, part, strayed
         change = -along / rate
         size = change * change
         for i in range(5):
@@ -301,12 +323,15 @@ def come_back(
             ball = balls[n]
             ball.du1, ball.du2 = ball.first[0] + change * ball.du1, ball.first[1] + change * ball.du2
             size += weight * (ball.du1 * ball.du1 + ball.du2 * ball.du2)
+        size = sqrt(size)
         part += change
-        if not (sqrt(size) <= farthest and part > 0.0):
-            return False, evaluations, part
-        if not advance(case, ring, balls, residual < NEAR):
-            return False, evaluations, part
-    return False, CORRECTIONS + 1, part
+        is_lost = not (size <= farthest and part > 0.0) or (evaluations > 2 and size > before)
+        if is_lost or not advance(case, ring, balls, residual < NEAR):
+            return 0.0, evaluations, part, strayed
+        if evaluations == 1:
+            strayed = size
+        before = size
+    return 0.0, CORRECTIONS + 1, part, strayed
 
 
 @kernel
@@ -315,26 +340,41 @@ def step_on(
     ring: recarray,
     balls: ndarray,
     part: float,
+    share: float,
     stride: float,
     legs: int,
     inner: float,
     outer: float,
     force: float,
-) -> tuple[bool, int, float]:
-    """From a point of the path to the next: (whether one was reached, evaluations, its part).
+) -> tuple[float, int, float, float]:
+    """From a point of the path, where the tangent is known, to the next; returns as coming back to the path does.
 
     With two legs past a corner: the second, twice as long, along the tangent found at the end of the first.
     """
-    share = 0.0
+    evaluations = 0
     for leg in range(legs):
-        _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
-        share = tangent(case, ring, balls, sign)
+        if leg > 0:
+            _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
+            share = tangent(case, ring, balls, sign)
+            evaluations += 1
         length = (leg + 1.0) * stride
         part += length * share
         if share == 0.0 or part <= 0.0 or not go_along(case, ring, balls, length):
-            return False, leg + 1, part
-    reached, evaluations, part = come_back(case, ring, balls, part, share, stride, inner, outer, force)
-    return reached, legs + evaluations, part
+            return 0.0, evaluations, part, 0.0
+    sign, more, part, strayed = come_back(case, ring, balls, part, share, stride, inner, outer, force)
+    return sign, evaluations + more, part, strayed
+
+
+@kernel
+def rest_nearby(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
+    """From where a path was lost to a balance under the full loads, if one is near: as Newton's method returns."""
+    restore(ring, balls, PATH)
+    converged, total, residual = newton(case, ring, balls, tolerance)
+    if not converged:
+        restore(ring, balls, PATH)
+        converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
+        total += iterations
+    return converged, total, residual
 
 
 @kernel
@@ -347,30 +387,38 @@ def follow(
     """
     close_chains(case, ring, balls)
     force = hold(case, ring, balls)
-    part, stride, total = START, FIRST, 0
+    part, stride, total = START, FIRST, 1
+    _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
+    share = tangent(case, ring, balls, sign)
     keep(ring, balls, PATH)
     while total < MOST and stride > SHORTEST:
-        reached = False
-        evaluations = 0
+        sign = 0.0
         for legs in range(1, 3):
             restore(ring, balls, PATH)
-            reached, evaluations, next_part = step_on(case, ring, balls, part, stride, legs, inner, outer, force)
+            sign, evaluations, next_part, strayed = step_on(
+                case, ring, balls, part, share, stride, legs, inner, outer, force
+            )
             total += evaluations
-            if reached and next_part >= 1.0:
-                set_part(case, ring, balls, 1.0, inner, outer)
-                converged, iterations, residual = newton(case, ring, balls, tolerance)
-                total += iterations
-                if converged:
-                    return True, total, residual
-                reached = False
-            if reached:
+            if sign != 0.0:
                 break
-        if reached:
+        if sign != 0.0 and next_part < 1.0:
+            share = tangent(case, ring, balls, sign)
             keep(ring, balls, PATH)
             part = next_part
-            if evaluations <= FEW + 1 + legs:
-                stride = min(LONGER * stride, LONGEST)
-        else:
-            stride *= SHORTER
+            longer = sqrt(STRAYING * stride / strayed) if strayed > 0.0 else LONGER
+            stride = min(stride * min(max(longer, SLOWER), LONGER), LONGEST)
+            continue
+        if sign != 0.0:
+            set_part(case, ring, balls, 1.0, inner, outer)
+            converged, iterations, residual = newton(case, ring, balls, tolerance)
+            total += iterations
+            if converged:
+                return True, total, residual
+        stride *= SHORTER
+        restore(ring, balls, PATH)
+        _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
+        share = tangent(case, ring, balls, sign)
+        total += 1
     set_part(case, ring, balls, 1.0, inner, outer)
-    return False, total, 1.0
+    converged, iterations, residual = rest_nearby(case, ring, balls, tolerance)
+    return converged, total + iterations, residual

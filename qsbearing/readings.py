@@ -12,14 +12,15 @@ from qsbearing.ball import (
     evaluate,
     friction_shares,
     groove_stiffness,
-    inertia,
+    inertia_of,
     is_moving,
+    line_to_inner,
     raceway_ellipse,
     take_place,
 )
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load
-from qsbearing.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.newton import FLOOR
 from qsbearing.raceway_control import rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
@@ -40,7 +41,7 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
     if is_moment and ball.inner_approach <= 0.0 and ball.outer_approach <= 0.0:
         return 0.0  # rolled by neither raceway
     if what >= CENTRIFUGAL_FORCE:
-        return read_motion(case, ball.control, si, ci, so, co, what)
+        return read_motion(case, ball, what)
     n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)
     load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
     free = load == 0.0 and not is_moving(case)
@@ -53,7 +54,7 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
     if what == APPROACH:
         return delta
     if what == REQUIRED_FRICTION:
-        _, _, _, mg, _, _ = inertia(case, ball.control, si, ci, so, co)
+        _, mg = inertia_of(case, ball)
         share_i, share_o = friction_shares(case, ball.control)
         friction = abs((share_i if side < 0 else share_o) * mg)
         if friction == 0.0:
@@ -72,15 +73,16 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
 
 
 @kernel
-def read_motion(case: recarray, control: int, si: float, ci: float, so: float, co: float, what: int) -> float:
+def read_motion(case: recarray, ball: recarray, what: int) -> float:
     """Inertia loads and speeds of one ball."""
     if what == CENTRIFUGAL_FORCE:
-        return inertia(case, control, si, ci, so, co)[0]
+        return inertia_of(case, ball)[0]
     if what == GYROSCOPIC_MOMENT:
-        return inertia(case, control, si, ci, so, co)[3]
+        return inertia_of(case, ball)[1]
     g = 1.0 / case.pitch_diameter
-    si, ci, _ = inner_line(si, ci, so, co)
-    axis = rotation_axis(control, g, si, ci, so, co)
+    so, co = ball.outer_sine, ball.outer_cosine
+    si, ci, _, _, _ = line_to_inner(case, ball)
+    axis = rotation_axis(ball.control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     if what == ORBITAL_SPEED:
         return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]

@@ -9,11 +9,13 @@ from __future__ import annotations
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import kernel
-from qsbearing.newton import ball_steps, has_gone_far, move, pass_over_balls, ring_step, step_fraction
+from qsbearing.newton import ball_steps, has_gone_far, move, newton, pass_over_balls, ring_step, step_fraction
 
 # A step may go this part of a contact line's free length; so many steps are worth their time.
 RELAXED = 0.1
 RELAXATIONS = 500
+# How well relaxation must balance for Newton's method to take over.
+AT_EASE = 1e-3
 # An imbalance, or a step, from which there is no way.
 NO_PLACE = 1e30
 
@@ -41,3 +43,11 @@ def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> i
             break
     ring.floor = least
     return iterations
+
+
+@kernel
+def relax_to_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
+    """Relaxation, then Newton's method: (converged, iterations, relative residual)."""
+    relaxations = relax(case, ring, balls, AT_EASE)
+    converged, iterations, residual = newton(case, ring, balls, tolerance)
+    return converged, relaxations + iterations, residual

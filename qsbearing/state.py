@@ -57,7 +57,13 @@ _BALL = np.dtype(
         ("y12", np.float64),
         ("y21", np.float64),
         ("y22", np.float64),
-        ("inverse", np.float64),  # of the determinant of its own derivatives
+        # Derivatives by its own place: of its imbalance, with the inverse of their determinant, and of its force.
+        ("own11", np.float64),
+        ("own12", np.float64),
+        ("own21", np.float64),
+        ("own22", np.float64),
+        ("inverse", np.float64),
+        ("by_own", np.float64, (3, 2)),
         # On a path to a balance: the dead force on it, what of that acts, its share of a tangent and of Newton's step.
         ("dead", np.float64, (2,)),
         ("push", np.float64, (2,)),
@@ -83,6 +89,7 @@ _RING = np.dtype(
         ("imbalance", np.float64, (5,)),  # of the channels solved: the balls' forces less the load
         ("right", np.float64, (5,)),
         ("matrix", np.float64, (5, 5)),
+        ("kept_matrix", np.float64, (5, 5)),  # before it was solved with
         ("orientation", np.float64),  # the sign of its determinant
         ("dead", np.float64, (5,)),  # on a path: as of a ball
         ("tangent", np.float64, (5,)),

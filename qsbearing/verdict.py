@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import friction_shares, groove_stiffness, inertia, is_moving, raceway_ellipse
+from qsbearing.ball import friction_shares, groove_stiffness, inertia_of, is_moving, raceway_ellipse
 from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
@@ -84,7 +84,7 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
     found = 0
     for n in range(ring.balls):
         ball = balls[n]
-        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+        si, ci = ball.inner_sine, ball.inner_cosine
         inner, outer = contact_loads(case, ball)
         if inner > 0.0:
             if case.one_sided and si < -ANGLE_ROUNDING:
@@ -94,7 +94,7 @@ def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) ->
         is_touched = inner > 0.0 or outer > 0.0  # a ball that is not is rolled by neither raceway
         if case.gyroscopic and is_touched and is_moving(case):
             share_i, share_o = friction_shares(case, ball.control)
-            moment = abs(inertia(case, ball.control, si, ci, so, co)[3])
+            moment = abs(inertia_of(case, ball)[1])
             for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
                 is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
                 if is_without or (is_lost and friction > load and friction > NO_FORCE * ring.scale):

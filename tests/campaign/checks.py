@@ -178,8 +178,10 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     bearing = scene.bearing
     g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
     by_inner = solution.raceway_control == "inner"
-    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is mirrored.
-    rolled = outer.angle + np.arcsin(np.sin(inner.angle - outer.angle))
+    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is mirrored, and
+    # one shorter than half its free length is turned to the outer one, with its length.
+    near = np.clip(1.0 + inner.approach / inner.length, 0.0, 0.5)
+    rolled = outer.angle + 4.0 * near * (1.0 - near) * np.arcsin(np.sin(inner.angle - outer.angle))
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
     p = np.where(by_inner, inner_sine, outer.sine)
