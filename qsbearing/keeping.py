@@ -12,9 +12,10 @@ ON_THE_WAY, SOLVED, PATH = 0, 1, 2
 
 @kernel
 def keep(ring: recarray, balls: ndarray, slot: int) -> None:
-    """Note where ring and balls are."""
+    """Note where ring and balls are, and the largest force there."""
     for i in range(5):
         ring.saved[slot, i] = ring.displacement[i]
+    ring.saved_scale[slot] = ring.scale
     for n in range(ring.balls):
         ball = balls[n]
         links = ball.saved[slot]
@@ -28,6 +29,7 @@ def restore(ring: recarray, balls: ndarray, slot: int) -> None:
     """Bring ring and balls back to where they were kept."""
     for i in range(5):
         ring.displacement[i] = ring.saved[slot, i]
+    ring.scale = ring.saved_scale[slot]
     for n in range(ring.balls):
         ball = balls[n]
         links = ball.saved[slot]

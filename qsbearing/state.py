@@ -80,6 +80,7 @@ _RING = np.dtype(
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
         ("saved", np.float64, (3, 5)),  # displacements to come back to, by slot
+        ("saved_scale", np.float64, (3,)),  # and the largest force there
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry

@@ -54,7 +54,7 @@ class Findings:
     tension: NDArray
     """Whether some load is negative, or not exactly where the approach is positive."""
     friction_without_load: NDArray
-    """Whether a contact without load is asked for friction."""
+    """Whether a contact without load is asked for friction, and for more than rounding makes."""
     open_side: NDArray
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
     over_shoulder: NDArray
@@ -142,13 +142,20 @@ def findings(
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = BALANCE * _force_scale(scene, inner, outer, throw, moment)[:, None]
+        no_friction = [np.maximum(small, most) for most in _friction_by_rounding(scene, solution, inner, outer)]
     return Findings(
         imbalance=imbalance,
         expressible=expressible,
         closure=closure,
         hertz=hertz,
         tension=_tension(solution),
-        friction_without_load=_any((~side.loaded & (side.asked > small) & there for side in (inner, outer)), there),
+        friction_without_load=_any(
+            (
+                ~side.loaded & (side.asked > least) & there
+                for side, least in zip((inner, outer), no_friction, strict=True)
+            ),
+            there,
+        ),
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
         & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
         over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
@@ -275,16 +282,27 @@ def _imbalance(
             carried = np.where(np.abs(carried - wanted) <= 4 * EPS * np.abs(wanted), wanted, np.nan)
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
     scale = _force_scale(scene, inner, outer, throw, moment)
+    rounding = np.zeros(scale.shape)
+    for side, of_friction in zip((i, o), _friction_by_rounding(scene, solution, i, o), strict=True):
+        rounding += (4 * EPS * side.load * (1.0 + _turn(scene, solution, i, o, side)) + of_friction).sum(axis=-1)
+    return np.where(worst <= _least_load(scene), 0.0, worst / scale), rounding / scale
+
+
+def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side: Contacts) -> NDArray:
+    """How far a contact line turns when places move by the rounding of what they are made of, over that rounding."""
     moved = np.abs(solution.displacement[:, :3]).sum(axis=-1, keepdims=True)
-    moved = moved + lever * np.abs(solution.displacement[:, 3:]).sum(axis=-1, keepdims=True)
-    # Lines turn by what rounding does to places; friction follows the sine of the controlling one.
+    tilted = np.abs(solution.displacement[:, 3:]).sum(axis=-1, keepdims=True)
+    return (moved + tilt_lever(scene)[..., None] * tilted + i.length + o.length) / side.length
+
+
+def _friction_by_rounding(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts) -> list[NDArray]:
+    """(case, ball), of each contact: the friction that rounding of places makes or takes.
+
+    It follows the sine of the controlling line.
+    """
     sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
     slope = np.maximum(np.abs(i.friction), np.abs(o.friction)) / np.maximum(sine, np.finfo(float).tiny)
-    rounding = np.zeros(scale.shape)
-    for side in (i, o):
-        turn = (moved + i.length + o.length) / side.length
-        rounding += 4 * EPS * (side.load * (1.0 + turn) + slope * turn).sum(axis=-1)
-    return np.where(worst <= _least_load(scene), 0.0, worst / scale), rounding / scale
+    return [4 * EPS * slope * _turn(scene, solution, i, o, side) for side in (i, o)]
 
 
 def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:
