@@ -720,6 +720,34 @@ def test_a_ball_that_slips() -> None:
     assert qs.solve(with_operation(scene, speed=0.02 * scene.operation.speed)).converged
 
 
+@pytest.mark.parametrize("hertz_angle", list(qs.HertzAngle))
+def test_slipping_is_no_balance_however_far_the_way_out_of_it_led(hertz_angle: qs.HertzAngle) -> None:
+    """55 balls, hardly pressed, asked for 13 N of friction each: without the limit Newton's method runs away, and what
+    it met there must not count among the forces of the balance come back to."""
+    bearing = qs.BallBearing(
+        ball_count=55,
+        ball_diameter=24.1 * qs.mm,
+        pitch_diameter=704.3 * qs.mm,
+        inner_groove_radius=13.23 * qs.mm,
+        outer_groove_radius=12.42 * qs.mm,
+        free_contact_angle=58.18 * qs.deg,
+        kind=qs.BearingKind.DEEP_GROOVE,
+    )
+    operation = qs.Operation(
+        speed=1345.0 * qs.rpm,
+        outer_speed=694.0 * qs.rpm,
+        axial_displacement=-2.298e-6,
+        radial_displacement_y=0.2628e-6,
+        radial_load_z=-0.7144,
+        tilt_y=1.443e-6,
+        tilt_z=-3.037e-6,
+    )
+    gyroscopic = qs.GyroscopicMoment(qs.MomentShares.HARRIS)
+    solution = qs.solve(qs.Scene(bearing, operation, (gyroscopic,), INNER, hertz_angle=hertz_angle))
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.FRICTION_WITHOUT_LOAD
+
+
 @pytest.mark.parametrize("control", [OUTER, INNER])
 def test_balls_that_touch_neither_raceway_do_not_roll(control: qs.RacewayControl) -> None:
     """Without centrifugal force balls outside the loaded zone lie free: no moment, no friction; the rest in balance."""
