@@ -5,7 +5,7 @@ heavier loads; then from the bearing at rest, and where the full speed is too fa
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
 Where that finds no rest, a path is followed, through its turning points, to a balance from one that cannot fail to
-exist, where dead forces press every ball.
+exist, where dead forces press every ball; then from the last balance on the way, and once more from pressed balls.
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Such
 cases are solved with friction no more than load, and from there without that limit; where that fails, the ball slips.
@@ -22,7 +22,7 @@ from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.descent import descend
 from qsbearing.keeping import ON_THE_WAY, SOLVED, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
-from qsbearing.path_following import STARTS, follow, press
+from qsbearing.path_following import follow, press
 from qsbearing.raceway_control import PER_BALL
 from qsbearing.relaxation import relax_to_rest
 from qsbearing.solver import deliver, first_guess, prepare, rest
@@ -59,6 +59,8 @@ LEAST_LIGHTER = 1.5
 LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
 SEEN = 1e-3
+# Paths to follow, each from another start; this one from the last balance on the way, the others from pressed balls.
+STARTS, FROM_BALANCE = 3, 1
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -219,7 +221,10 @@ def solve_moving(
                 for start in range(STARTS):
                     if converged:
                         break
-                    press(case, ring, balls, start)
+                    if start == FROM_BALANCE:
+                        restore(ring, balls, ON_THE_WAY)
+                    else:
+                        press(case, ring, balls, start)
                     converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
                     total += iterations
                 ring.reached = 1.0

@@ -59,8 +59,6 @@ FARTHEST = 2.0
 FLOOR = 1e-15
 # Of a double.
 EPSILON = 2.0**-52
-# Of the largest contact's load: what rounding leaves of the balls' sum in a channel, however little that carries.
-ROUNDED = 16.0 * EPSILON
 # From a fair start five to ten do; past this another start is cheaper.
 MOST = 40
 
@@ -129,9 +127,8 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         ring.matrix[p, p] += ring.floor * lever * lever  # a channel that nothing resists keeps a step
         worst = max(worst, abs(ring.imbalance[p]) / lever)
         own = abs(case.prescribed[ring.channel[p]])
-        beyond = abs(ring.imbalance[p]) - ROUNDED * contact * lever
-        if own > least and beyond > worst_own * own:
-            worst_own = beyond / own
+        if own > least and abs(ring.imbalance[p]) > worst_own * own:
+            worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
     scale = max(applied_load(case), inertial)
     if scale == 0.0 and case.centrifugal and not ring.at_rest:

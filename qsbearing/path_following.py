@@ -66,7 +66,7 @@ CORRECTIONS, NEARBY = 8, 1e-4
 BALANCED, OWN_BALANCED = 1e-10, 1e-4
 CLOSINGS = 2
 # So many evaluations a path is worth.
-MOST = 40000
+MOST = 25000
 # No line turns further at a step (radians), no groove centre moves further (ball diameters).
 LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
 # Where a path starts balls are pressed by this many times the largest force that acts on one, or by this part of their
@@ -77,8 +77,6 @@ PRESSED, LEAST_PRESSED = 3.0, 1e-10
 OUTER_PART, OUTER_PARTS = 0.55, 0.2
 # Balls that only inertia presses start turned by up to this angle, to either side.
 UNEQUAL = 0.025
-# Paths to follow, each from a start of its own.
-STARTS = 2
 GOLDEN = 0.6180339887498949
 # An imbalance from which there is no way.
 NO_PLACE = 1e30

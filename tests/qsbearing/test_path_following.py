@@ -115,11 +115,38 @@ def light_at_speed() -> qs.Scene:
     return qs.Scene(bearing, operation, (qs.CentrifugalForce(),), OUTER, tilt_lever=qs.TiltLever.GROOVE_CENTRE)
 
 
+def rings_against_each_other() -> qs.Scene:
+    """Light balls between rings that turn against each other: a ball's centre passes the inner groove's own."""
+    bearing = qs.BallBearing(
+        ball_count=25,
+        ball_diameter=1.886 * qs.mm,
+        pitch_diameter=15.65 * qs.mm,
+        inner_groove_radius=0.9569 * qs.mm,
+        outer_groove_radius=1.027 * qs.mm,
+        free_contact_angle=36.76 * qs.deg,
+        ball_material=qs.Material(79.57e9, 0.1053, 2934.0),
+        ring_material=qs.Material(253.1e9, 0.05327, 1.693e4),
+    )
+    operation = qs.Operation(
+        speed=31030.0 * qs.rpm,
+        outer_speed=-23730.0 * qs.rpm,
+        axial_load=0.0,
+        radial_load_y=-0.0007574,
+        radial_load_z=-1.613e-05,
+        moment_y=0.0,
+        moment_z=0.0,
+    )
+    return qs.Scene(
+        bearing, operation, BOTH_HARRIS, INNER, hertz_angle=qs.HertzAngle.ACTUAL, tilt_lever=qs.TiltLever.GROOVE_CENTRE
+    )
+
+
 BEHIND_TURNING_POINTS = {
     "fast": fast_balls(),
     "held": held_aside(),
     "pulled": pulled_down(),
     "light": light_at_speed(),
+    "against": rings_against_each_other(),
 }
 
 

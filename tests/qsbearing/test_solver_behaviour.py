@@ -16,6 +16,7 @@ import qsbearing as qs
 from qsbearing.ball import inertia
 from qsbearing.case import CaseMaker
 from qsbearing.compiled import COMPILED, entry
+from qsbearing.kinematics import inner_line
 from qsbearing.outcome import warnings
 from qsbearing.raceway_control import CONTROL_CODES
 
@@ -800,15 +801,22 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
 
 @entry
 def fill_inertia(cases: NDArray, control: int, inner_angle: float, outer_angle: float, out: NDArray) -> None:
-    """(Fc, Mg) and their derivatives by the inner and the outer angle, as the solver has them."""
+    """(Fc, Mg) and their derivatives by the two angles that rolling sees, as the solver has them."""
     si, ci, so, co = np.sin(inner_angle), np.cos(inner_angle), np.sin(outer_angle), np.cos(outer_angle)
     out[0], out[1], out[2], out[3], out[4], out[5] = inertia(cases[0], control, si, ci, so, co)
 
 
+@entry
+def fill_inner_line(inner_angle: float, outer_angle: float, distance: float, out: NDArray) -> None:
+    """The inner line as rolling sees it, and its angle's derivatives by both angles and the distance."""
+    si, ci, so, co = np.sin(inner_angle), np.cos(inner_angle), np.sin(outer_angle), np.cos(outer_angle)
+    out[0], out[1], out[2], out[3], out[4] = inner_line(si, ci, so, co, distance)
+
+
 @pytest.mark.parametrize("control", [OUTER, INNER])
-@pytest.mark.parametrize("inner_degrees", [40.0, 120.0, 179.0, -150.0])
+@pytest.mark.parametrize("inner_degrees", [40.0, 100.0, -60.0])
 def test_inertia_changes_with_the_angles_as_differences_say(control: qs.RacewayControl, inner_degrees: float) -> None:
-    """From whatever side the ball sees the inner groove: the mirror image turns against it, and with the outer line."""
+    """Lines as rolling sees them, less than a right angle apart."""
     cases = CaseMaker(turning(10_000.0, axial_load=1.0)).make()
     inner, outer, step = np.radians(inner_degrees), np.radians(20.0), 1e-5
 
@@ -825,6 +833,28 @@ def test_inertia_changes_with_the_angles_as_differences_say(control: qs.RacewayC
         size = np.abs(values).max()
         assert values[k + 1] == pytest.approx(by_inner[k], abs=1e-8 * size)
         assert values[k + 2] == pytest.approx(by_outer[k], abs=1e-8 * size)
+
+
+@pytest.mark.parametrize("distance", [1.0, 0.6, 0.4, 0.02])
+@pytest.mark.parametrize("inner_degrees", [40.0, 120.0, 179.0, -150.0])
+def test_the_line_that_rolling_sees_turns_as_differences_say(inner_degrees: float, distance: float) -> None:
+    """From whatever side the ball sees the inner groove, and however near its centre: the mirror image turns against
+    it and with the outer line; near the groove's centre it turns less, and with the distance."""
+    place = np.array([np.radians(inner_degrees), np.radians(20.0), distance])
+    out, step = np.empty(5), 1e-5
+
+    def angle(change: NDArray) -> float:
+        fill_inner_line(*(place + change), out)
+        assert np.hypot(out[0], out[1]) == pytest.approx(1.0, rel=1e-14)
+        return float(np.arctan2(out[0], out[1]))
+
+    assert (
+        abs(np.sin(0.5 * (angle(np.zeros(3)) - place[1]))) <= np.sin(np.pi / 4) + 1e-12
+    )  # a right angle apart at most
+    slopes = out[2:].copy()
+    for k, change in enumerate(step * np.eye(3)):
+        difference = np.arctan2(np.sin(angle(change) - angle(-change)), np.cos(angle(change) - angle(-change)))
+        assert slopes[k] == pytest.approx(difference / (2.0 * step), abs=1e-8)
 
 
 @pytest.mark.parametrize("control", [OUTER, INNER])
