@@ -161,7 +161,7 @@ def solve_moving(
     """
     inner, outer = case.inner_speed, case.outer_speed
     attempt = WARM if is_warm else LOADS
-    total, solved_residual = 0, -1.0
+    total, solved_residual, solved_grip = 0, -1.0, UNLIMITED
     reached, stride = 0.0, 1.0
     while True:
         part = 1.0
@@ -190,7 +190,7 @@ def solve_moving(
         ring.reached = part
         if attempt == RELEASE and not (converged and objections(case, ring, balls, not converged) == 0):
             restore(ring, balls, SOLVED)
-            ring.grip = FULL_GRIP
+            ring.grip = solved_grip
             return True, total, solved_residual, 0
         if attempt == CONTINUATION:
             against = 0
@@ -233,7 +233,7 @@ def solve_moving(
                 if solved_residual < 0.0:
                     return False, total, residual, against
                 restore(ring, balls, SOLVED)
-                ring.reached = 1.0
+                ring.grip, ring.reached = solved_grip, 1.0
                 return True, total, solved_residual, NO_CONSISTENT_CONTROL
             if not converged or reached < 1.0:
                 continue
@@ -245,7 +245,7 @@ def solve_moving(
         notes = 0
         if case.control == PER_BALL:
             keep(ring, balls, SOLVED)
-            solved_residual = residual
+            solved_residual, solved_grip = residual, ring.grip
             wrong, changed = contradicted_controls(case, ring, balls)
             if changed > 0:
                 attempt = WARM
@@ -254,7 +254,7 @@ def solve_moving(
                 notes = NO_CONSISTENT_CONTROL
         if ring.grip != UNLIMITED and slips(case, ring, balls):
             keep(ring, balls, SOLVED)
-            solved_residual = residual
+            solved_residual, solved_grip = residual, ring.grip
             ring.grip, attempt = UNLIMITED, RELEASE
         elif objections(case, ring, balls, not converged) & FRICTION_WITHOUT_LOAD != 0:
             ring.grip, attempt, solved_residual = FULL_GRIP, GUESS, -1.0

@@ -125,6 +125,9 @@ def findings(
     bearing = scene.bearing
     diameter = _column(bearing.ball_diameter)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
+    idle = ~(inner.loaded | outer.loaded)
+    for side in (inner, outer):  # at rest a ball that touches neither raceway has no place, whatever is told of it
+        side.placed &= ~(idle & is_still(scene))
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
@@ -177,6 +180,18 @@ def _any(which: Any, there: NDArray) -> NDArray:
 # Motion ---------------------------------------------------------------------------------------------------------------
 
 
+def speeds(scene: qs.Scene) -> tuple[NDArray, NDArray]:
+    """Of the inner and of the outer ring."""
+    outer = scene.operation.outer_speed
+    return _column(scene.operation.speed), _column(0.0 if outer is None else outer)
+
+
+def is_still(scene: qs.Scene) -> NDArray:
+    """Whether neither ring turns."""
+    inner, outer = speeds(scene)
+    return (inner == 0.0) & (outer == 0.0)
+
+
 def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts) -> tuple[NDArray, NDArray]:
     """(Fc, Mg), of the effects that the scene names; fills in the shares of the moment."""
     zero = np.zeros_like(inner.load)
@@ -197,8 +212,7 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     sin_beta, cos_beta = p / length, q / length
     u = (outer.cosine * cos_beta + outer.sine * sin_beta) / (1.0 + g * outer.cosine)
     v = (inner_cosine * cos_beta + inner_sine * sin_beta) / (1.0 - g * inner_cosine)
-    wi = _column(scene.operation.speed)
-    wo = _column(0.0 if scene.operation.outer_speed is None else scene.operation.outer_speed)
+    wi, wo = speeds(scene)
     orbit = (u * wi + v * wo) / (u + v)
     rotation = -(wi - wo) / (g * (u + v))
     throw, moment = zero, zero
@@ -209,9 +223,8 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
         own = 1.0 if scene.gyroscopic_moment.moment_shares is qs.MomentShares.HARRIS else 2.0
         inner.share = np.where(by_inner, own, 0.0)
         outer.share = 2.0 - inner.share
-    still = (wi == 0.0) & (wo == 0.0)
-    there = inner.placed & outer.placed
-    return np.where(there & ~still, throw, 0.0), np.where(there & ~still, moment, 0.0)
+    turns = inner.placed & outer.placed & ~is_still(scene)
+    return np.where(turns, throw, 0.0), np.where(turns, moment, 0.0)
 
 
 # Balance --------------------------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ from tests.campaign.__main__ import scene_text
 from tests.campaign.campaign import run_campaign
 from tests.campaign.certificates import (
     as_left,
+    certify,
     null_motion,
     pushes,
     restrictions_broken,
@@ -250,6 +251,18 @@ def test_no_certificate_for_what_has_an_equilibrium() -> None:
             assert not (broken[name] & good).any(), name
 
 
+@pytest.mark.parametrize("named", ["172/34", "245/667", "375/434"])
+def test_a_balance_at_rest_that_no_speed_outlives_is_a_certificate(named: str) -> None:
+    """Balls at rest that touch neither raceway have no place: what is told of one speaks against no balance."""
+    chunk, index = map(int, named.split("/"))
+    group = chunk_groups(1, chunk)[index // GROUP].part([index % GROUP])
+    solution = qs.solve(group.scene(), threads=1)
+    assert solution.status == [qs.Status.NO_EQUILIBRIUM]
+    assert solution.speed_reached == [0.0]
+    (certificate,) = certify(group, solution, np.array([0]))
+    assert certificate.kind == "open side, followed up in speed"
+
+
 # Keeping count ------------------------------------------------------------------------------------------------------
 
 
@@ -356,6 +369,18 @@ def test_a_ball_leaves_the_outer_raceway(named: str, tmp_path: Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_text(scene_text(1, named), encoding="utf-8")
     assert qs.solve(qs.load_scene(path)).converged
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["144/838", "187/294"])
+def test_a_balance_come_back_to_keeps_its_own_law_of_friction(named: str, tmp_path: Path) -> None:
+    """Two scenes with a balance and no consistent control: other controls were tried with friction limited, and the
+    balance come back to, which was found without, was then refused for slipping."""
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_text(1, named), encoding="utf-8")
+    solution = qs.solve(qs.load_scene(path))
+    assert solution.converged
+    assert not solution.control_is_consistent
 
 
 @compiled_only
