@@ -5,10 +5,11 @@ the minimum of a convex energy, so there is one only. From there the path is, fo
 
     contacts(d, X) + p inertia(d, X) + (1 - p) dead - (p load + (1 - p) dead load) = 0,
 
-friction no more than p times load included. It cannot come back to p = 0, and all of it is continuous, so it cannot
+friction no more than p times load included. It cannot come back to p = 0, and all of that is continuous, so it cannot
 end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for infinity
 (Allgower and Georg, Introduction to Numerical Continuation Methods). In double precision it may still be lost: where
-loads vanish below the resolution of places, or among more corners than are worth their time.
+loads vanish below the resolution of places, or among more corners than are worth their time. Friction whatever the load
+is not continuous, where a ball leaves both raceways: there the path may end.
 
 So the path is followed by its own length, not by p: a step along its tangent, then Newton's method across that. The
 sign of the determinant of the derivatives says which way p goes on, with no memory of the way come.
@@ -60,7 +61,7 @@ FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-9
 # A step that fails is made so much shorter; one that does not, so that the next would stray by this part of its length.
 SHORTER, STRAYING = 0.3, 0.2
 LONGER, SLOWER = 2.0, 0.5
-# Newton's steps across the path: so many at most, all together no longer than the step along it, or than this.
+# Newton's steps across the path: so many at most, none longer than the step along it, or than this.
 CORRECTIONS, NEARBY = 8, 1e-4
 # How well balance is known on the path, by the largest force and by each ball's or channel's own.
 BALANCED, OWN_BALANCED = 1e-10, 1e-4
@@ -72,8 +73,8 @@ LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
 # Where a path starts balls are pressed by this many times the largest force that acts on one, or by this part of their
 # stiffness where none does.
 PRESSED, LEAST_PRESSED = 3.0, 1e-10
-# The outer contact's part of the approach at the start, from here to there: dead forces then press balls outward, each
-# by its own measure, so that none is ever without force, and equal ones do not turn back at once.
+# The outer contact's part of the approach at the start, and up to how much more: dead forces then press balls outward,
+# each by its own measure, so that none is ever without force, and equal ones do not turn back at once.
 OUTER_PART, OUTER_PARTS = 0.55, 0.2
 # Balls that only inertia presses start turned by up to this angle, to either side.
 UNEQUAL = 0.025
