@@ -140,12 +140,13 @@ def findings(
                 side.friction = np.sign(side.friction) * np.minimum(side.asked, side.load)
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
-        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions)
+        by_rounding = _friction_by_rounding(scene, solution, inner, outer)
+        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions, by_rounding)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = BALANCE * _force_scale(scene, inner, outer, throw, moment)[:, None]
-        no_friction = [np.maximum(small, most) for most in _friction_by_rounding(scene, solution, inner, outer)]
+        no_friction = [np.maximum(small, most) for most in by_rounding]
     return Findings(
         imbalance=imbalance,
         expressible=expressible,
@@ -272,6 +273,7 @@ def _imbalance(
     moment: NDArray,
     psi: NDArray,
     reactions: bool,
+    by_rounding: list[NDArray],
 ) -> tuple[NDArray, NDArray]:
     i, o = inner, outer
     axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
@@ -296,7 +298,7 @@ def _imbalance(
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
     scale = _force_scale(scene, inner, outer, throw, moment)
     rounding = np.zeros(scale.shape)
-    for side, of_friction in zip((i, o), _friction_by_rounding(scene, solution, i, o), strict=True):
+    for side, of_friction in zip((i, o), by_rounding, strict=True):
         rounding += (4 * EPS * side.load * (1.0 + _turn(scene, solution, i, o, side)) + of_friction).sum(axis=-1)
     return np.where(worst <= _least_load(scene), 0.0, worst / scale), rounding / scale
 
