@@ -41,8 +41,10 @@ STRAIGHT = 0.2
 ROUNDING = 4e-15
 # No limit to the friction that a contact carries.
 UNLIMITED = 0.0
-# The most friction over load where it is limited: no material carries more.
-FULL_GRIP = 1.0
+# The most friction over load where it is limited: what oiled steel carries (0.06 to 0.1); what no material exceeds.
+OILED_GRIP, FULL_GRIP = 0.1, 1.0
+# An approach, in ball diameters, that is none: the rounding of a place.
+TOUCHING = 2.0**-52
 # Lengths below this many ball diameters have no direction.
 SHORTEST = 1e-12
 
@@ -57,6 +59,12 @@ def is_moving(case: recarray) -> bool:
 def set_speed(case: recarray, part: float, inner: float, outer: float) -> None:
     """Turn the rings at this part of these speeds."""
     case.inner_speed, case.outer_speed = part * inner, part * outer
+
+
+@kernel
+def limit_friction(ring: recarray, limit: float) -> None:
+    """Let contacts carry no more friction than this many times their load."""
+    ring.limit, ring.grip = limit, limit
 
 
 @kernel
@@ -120,6 +128,12 @@ def inertia_of(case: recarray, ball: recarray) -> tuple[float, float]:
     s, c, _, _, _ = line_to_inner(case, ball)
     fc, _, _, mg, _, _ = inertia(case, ball.control, s, c, ball.outer_sine, ball.outer_cosine)
     return fc, mg
+
+
+@kernel
+def is_rolled(ball: recarray) -> bool:
+    """Whether some raceway rolls the ball: it must be pressed by more than the rounding of its place."""
+    return bool(max(ball.inner_approach, ball.outer_approach) > TOUCHING)
 
 
 @kernel
@@ -216,8 +230,8 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     In a corner both contact lines have their free length: two circles meet, outward or inward of the line between the
     grooves' centres, and Qi ni - Qo no + f = 0 gives the loads. The ball lies in the corner where both press. Where
     friction lets neither press, Newton's method starts from the outward one and the centrifugal force alone. Where the
-    inner groove's circle lies within the outer one's, the ball never gets to the outer groove: the far side of the
-    inner one holds it.
+    top of the inner groove's circle lies within the outer one's, the ball does not get to the outer groove: the far
+    side of the inner one holds it.
     """
     s, c = case.sin_free, case.cos_free
     li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
@@ -229,14 +243,15 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
         set_outer(ball, 0.0, 1.0, (fc / case.outer_stiffness) ** (2.0 / 3.0))
         close_chain(case, ball, False, a1, a2)
         return
-    square = p1 * p1 + p2 * p2
-    distance = sqrt(square)
-    if distance + li <= lo:
-        fc, _, _, _, _, _ = inertia(case, ball.control, 0.0, 1.0, 0.0, 1.0)
-        set_inner(ball, 0.0, -1.0, (fc / case.inner_stiffness) ** (2.0 / 3.0))
+    if p1 * p1 + (p2 + li) * (p2 + li) < lo * lo:
         approach, so, co, _ = direction(lo, s, c, p1 - lo * s, p2 + li - lo * c)
+        s_seen, c_seen, _, _, _ = inner_line(0.0, -1.0, so, co, 1.0)
+        fc, _, _, _, _, _ = inertia(case, ball.control, s_seen, c_seen, so, co)
+        set_inner(ball, 0.0, -1.0, (fc / case.inner_stiffness) ** (2.0 / 3.0))
         set_outer(ball, so, co, approach)
         return
+    square = p1 * p1 + p2 * p2
+    distance = sqrt(square)
     along = min(0.5 * (square + lo * lo - li * li) / distance, lo)
     across = sqrt(lo * lo - along * along)
     d1, d2 = p1 / distance, p2 / distance
@@ -303,7 +318,7 @@ def moving_ball(
     fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
     mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
     share_i, share_o = friction_shares(case, ball.control)
-    if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
+    if not is_rolled(ball):
         share_i, share_o = 0.0, 0.0
     ti, ti_m, ti_q = carried_friction(share_i, mg, qi, grip)
     to, to_m, to_q = carried_friction(share_o, mg, qo, grip)

@@ -1,4 +1,4 @@
-"""Ways round, for the few cases that the direct way leaves: other starts, descent, continuation in load and in speed.
+"""Ways round to a balance, where the direct way finds none: other starts, descent, continuation in load and in speed.
 
 At rest the problem is convex, and descent cannot fail. At speed Newton's method starts once more from a solution under
 heavier loads; then from the bearing at rest, and where the full speed is too far from there, by continuation in speed.
@@ -7,8 +7,7 @@ groove, or where it turns back, and the bearing would jump to another balance. T
 Where that finds no rest, a path is followed, through its turning points, to a balance from one that cannot fail to
 exist, where dead forces press every ball; then from the last balance on the way, and once more from pressed balls.
 
-Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Such
-cases are solved with friction no more than load, and from there without that limit; where that fails, the ball slips.
+Where none of these arrives, and balls slip in the last balance on the way up, they slip from that speed on.
 """
 
 from __future__ import annotations
@@ -17,36 +16,22 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import FULL_GRIP, UNLIMITED, is_moving, set_speed
-from qsbearing.compiled import entry, inlined, kernel
+from qsbearing.ball import UNLIMITED, set_speed
+from qsbearing.compiled import kernel
 from qsbearing.descent import descend
-from qsbearing.keeping import ON_THE_WAY, SOLVED, keep, restore
+from qsbearing.keeping import ON_THE_WAY, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
 from qsbearing.path_following import follow, press
-from qsbearing.raceway_control import PER_BALL
 from qsbearing.relaxation import relax_to_rest
-from qsbearing.solver import deliver, first_guess, prepare, rest
+from qsbearing.solver import first_guess, rest
 from qsbearing.start import ring_at_rest, seat_balls
-from qsbearing.verdict import (
-    CONVERGED,
-    FRICTION_WITHOUT_LOAD,
-    NO_CONSISTENT_CONTROL,
-    NO_EQUILIBRIUM,
-    NOT_CONVERGED,
-    OPEN_SIDE,
-    OVER_SHOULDER,
-    RUNAWAY,
-    UNLOADED_RING,
-    contradicted_controls,
-    is_unloaded,
-    objections,
-)
+from qsbearing.verdict import FRICTION_WITHOUT_LOAD, MORE_THAN_LOAD, RUNAWAY, is_asked_for, objections
 
-# Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest; and from a
-# balance with limited friction, to one without that limit.
-WARM, GUESS, LOADS, REST, CONTINUATION, RELEASE = 0, 1, 2, 3, 4, 5
-# The part of the speed below which continuation takes no smaller step.
+# Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest.
+WARM, GUESS, LOADS, REST = 0, 1, 2, 3
+# The part of the speed below which continuation takes no smaller step, and how much longer or shorter the next one is.
 LEAST_STRIDE = 1e-4
+LONGER, SHORTER = 1.5, 0.4
 # How well the balance at rest must be known for Newton to start from it.
 REST_TOLERANCE = 1e-3
 # How far descent goes, before Newton's method takes the last steps.
@@ -54,7 +39,7 @@ FOOT = 1e-8
 # Loads that press balls by this many diameters at rest are heavy; on the way down from them each is so much lighter.
 HEAVY_APPROACH = 1e-3
 LIGHTER = 10.0
-LEAST_LIGHTER = 1.5
+LEAST_LIGHTER = 1.005
 # At speed loads may become far lighter than inertia, and must still be balanced on that way, so well.
 LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
@@ -105,8 +90,9 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
         total += iterations
         if converged:
             keep(ring, balls, ON_THE_WAY)
-            if factor <= LIGHTER:
+            if factor <= 1.0:
                 break
+            lighter = min(lighter**1.5, LIGHTER)
         else:
             restore(ring, balls, ON_THE_WAY)
             factor *= lighter
@@ -140,178 +126,109 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
 
 
 @kernel
-def slips(case: recarray, ring: recarray, balls: ndarray) -> bool:
-    """Whether some contact is asked for more friction than its load."""
-    return objections(case, ring, balls, True) & FRICTION_WITHOUT_LOAD != 0
+def speed_up(
+    case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float, tolerance: float
+) -> tuple[float, int, int]:
+    """Follow the balance from rest up in speed: (the part of the speed reached, what forbids to go on, iterations).
 
-
-@inlined
-def solve_moving(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[bool, int, float, int]:
-    """Equilibrium at speed: (converged, iterations, relative residual, notes); `ring.reached` is the speed it is for.
-
-    One loop, one Newton: each turn first puts ring and balls where the present attempt starts. With per-ball control a
-    converged turn may change the controls that Jones's criterion contradicts and go on from where it stands. Controls
-    that have no solution are no choice: the last balance found stands, and is not consistent.
-
-    The gyroscopic moment asks for friction whatever the load. Where that has no balance at hand, one is sought in which
-    no contact carries more friction than load, and from there one without that limit. If there is none, the limited
-    balance tells why: the ball slips.
+    The last balance is kept; where it is one that has come to an end, ring and balls are left in it.
     """
-    inner, outer = case.inner_speed, case.outer_speed
-    attempt = WARM if is_warm else LOADS
-    total, solved_residual, solved_grip = 0, -1.0, UNLIMITED
-    reached, stride = 0.0, 1.0
-    while True:
-        part = 1.0
-        if attempt == WARM or attempt == RELEASE:
-            close_chains(case, ring, balls)
-        elif attempt == GUESS:
-            first_guess(case, ring, balls)
-        elif attempt == LOADS:
-            total += from_above(case, ring, balls, True)
-            close_chains(case, ring, balls)
+    reached, stride, total, against = 0.0, 1.0, 0, 0
+    while reached < 1.0 and stride >= LEAST_STRIDE and against == 0:
+        part = min(1.0, reached + stride)
+        set_speed(case, part, inner, outer)
+        restore(ring, balls, ON_THE_WAY)
+        close_chains(case, ring, balls)
+        converged, iterations, _ = newton(case, ring, balls, tolerance)
+        total += iterations
+        if converged:
+            keep(ring, balls, ON_THE_WAY)
+            reached, stride = part, LONGER * stride
+            against = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD
         else:
-            if attempt == REST:
-                _, iterations, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
-                total += iterations
-                if ring.ran_away:
-                    return False, total, 1.0, RUNAWAY
-                seat_balls(case, ring, balls)
-                keep(ring, balls, ON_THE_WAY)
-                attempt, reached, stride = CONTINUATION, 0.0, 1.0
-            part = min(1.0, reached + stride)
-            set_speed(case, part, inner, outer)
+            stride *= SHORTER
+    if reached < 1.0 and against == 0:
+        set_speed(case, reached, inner, outer)
+        if reached > 0.0:
             restore(ring, balls, ON_THE_WAY)
+        else:
+            _, iterations, _ = settle_at_rest(case, ring, balls, tolerance)
+            total += iterations
+            seat_balls(case, ring, balls)
+        against = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD
+    return reached, against, total
+
+
+@kernel
+def from_rest(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, starts: int
+) -> tuple[bool, int, float, int]:
+    """From rest by continuation in speed, then by relaxation, then along paths; returns as for finding a balance."""
+    inner, outer = case.inner_speed, case.outer_speed
+    _, total, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
+    if ring.ran_away:
+        return False, total, 1.0, RUNAWAY
+    seat_balls(case, ring, balls)
+    keep(ring, balls, ON_THE_WAY)
+    reached, against, iterations = speed_up(case, ring, balls, inner, outer, tolerance)
+    total += iterations
+    set_speed(case, 1.0, inner, outer)
+    ring.reached = reached
+    if against != 0:
+        return False, total, 1.0, against
+    restore(ring, balls, ON_THE_WAY)
+    close_chains(case, ring, balls)
+    converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
+    total += iterations
+    for start in range(starts):
+        if converged:
+            break
+        if start == FROM_BALANCE:
+            restore(ring, balls, ON_THE_WAY)
+        else:
+            press(case, ring, balls, start)
+        converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
+        total += iterations
+    if converged:
+        ring.reached = 1.0
+    elif case.gyroscopic and reached > 0.0 and starts > 0:
+        restore(ring, balls, ON_THE_WAY)
+        set_speed(case, reached, inner, outer)
+        if is_asked_for(case, ring, balls, MORE_THAN_LOAD):
+            against = FRICTION_WITHOUT_LOAD
+        set_speed(case, 1.0, inner, outer)
+    return converged, total, residual, against
+
+
+@kernel
+def find_balance(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, starts: int
+) -> tuple[bool, int, float, int]:
+    """A balance at speed with controls and limit of friction as they are, by the way numbered first, then the others.
+
+    Of paths, the last of the ways, so many are followed, each from its own start.
+
+    Friction without limit is not sought on the way from rest, which seldom leads to it.
+
+    Returns:
+        (converged, iterations, relative residual, what forbids a balance: 0 where nothing is known to);
+        `ring.reached` is the part of the speed that ring and balls stand for.
+    """
+    ring.reached = 1.0
+    total, residual = 0, 1.0
+    for way in range(first, REST):
+        if way == WARM:
+            close_chains(case, ring, balls)
+        elif way == GUESS:
+            first_guess(case, ring, balls)
+        else:
+            total += from_above(case, ring, balls, True)
             close_chains(case, ring, balls)
         converged, iterations, residual = newton(case, ring, balls, tolerance)
         total += iterations
-        ring.reached = part
-        if attempt == RELEASE and not (converged and objections(case, ring, balls, not converged) == 0):
-            restore(ring, balls, SOLVED)
-            ring.grip = solved_grip
-            return True, total, solved_residual, 0
-        if attempt == CONTINUATION:
-            against = 0
-            if converged:
-                against = objections(case, ring, balls, not converged)
-                keep(ring, balls, ON_THE_WAY)
-                reached, stride = part, 1.5 * stride
-            else:
-                stride *= 0.4
-                if stride < LEAST_STRIDE:
-                    set_speed(case, reached, inner, outer)
-                    ring.reached = reached
-                    if reached > 0.0:
-                        restore(ring, balls, ON_THE_WAY)
-                    else:
-                        _, iterations, _ = settle_at_rest(case, ring, balls, tolerance)
-                        total += iterations
-                        seat_balls(case, ring, balls)
-                    against = objections(case, ring, balls, not converged)
-            if ring.grip != UNLIMITED:
-                against &= ~FRICTION_WITHOUT_LOAD
-            set_speed(case, 1.0, inner, outer)
-            if against == 0 and stride < LEAST_STRIDE:
-                restore(ring, balls, ON_THE_WAY)
-                close_chains(case, ring, balls)
-                converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
-                total += iterations
-                for start in range(STARTS):
-                    if converged:
-                        break
-                    if start == FROM_BALANCE:
-                        restore(ring, balls, ON_THE_WAY)
-                    else:
-                        press(case, ring, balls, start)
-                    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
-                    total += iterations
-                ring.reached = 1.0
-                reached = 1.0
-            if against != 0 or (stride < LEAST_STRIDE and not converged):
-                if solved_residual < 0.0:
-                    return False, total, residual, against
-                restore(ring, balls, SOLVED)
-                ring.grip, ring.reached = solved_grip, 1.0
-                return True, total, solved_residual, NO_CONSISTENT_CONTROL
-            if not converged or reached < 1.0:
-                continue
-        elif not converged:
-            attempt += 1
-            if attempt == REST and case.gyroscopic and ring.grip == UNLIMITED:
-                ring.grip, attempt = FULL_GRIP, GUESS
-            continue
-        notes = 0
-        if case.control == PER_BALL:
-            keep(ring, balls, SOLVED)
-            solved_residual, solved_grip = residual, ring.grip
-            wrong, changed = contradicted_controls(case, ring, balls)
-            if changed > 0:
-                attempt = WARM
-                continue
-            if wrong > 0:
-                notes = NO_CONSISTENT_CONTROL
-        if ring.grip != UNLIMITED and slips(case, ring, balls):
-            keep(ring, balls, SOLVED)
-            solved_residual, solved_grip = residual, ring.grip
-            ring.grip, attempt = UNLIMITED, RELEASE
-        elif objections(case, ring, balls, not converged) & FRICTION_WITHOUT_LOAD != 0:
-            ring.grip, attempt, solved_residual = FULL_GRIP, GUESS, -1.0
-        else:
-            return True, total, residual, notes
-
-
-@inlined
-def solve_with_detours(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[int, int, int, float]:
-    """Solve one case, ring and balls in place: (status, notes, iterations, relative residual)."""
-    notes = 0
-    if is_moving(case):
-        converged, iterations, residual, notes = solve_moving(case, ring, balls, tolerance, is_warm)
-        if converged and ring.grip != UNLIMITED and slips(case, ring, balls):
-            notes |= FRICTION_WITHOUT_LOAD
-    else:
-        converged, iterations, residual = settle_at_rest(case, ring, balls, tolerance)
-        if ring.ran_away and not converged:
-            notes = RUNAWAY
-        seat_balls(case, ring, balls)
-        if not converged and residual <= SEEN:
-            notes |= objections(case, ring, balls, converged)
-    if is_unloaded(case):
-        notes |= UNLOADED_RING
-    if converged:
-        notes |= objections(case, ring, balls, not converged)
-    if notes & (OPEN_SIDE | OVER_SHOULDER | FRICTION_WITHOUT_LOAD | RUNAWAY):
-        return NO_EQUILIBRIUM, notes, iterations, residual
-    return CONVERGED if converged else NOT_CONVERGED, notes, iterations, residual
-
-
-@entry
-def solve_hard_cases(
-    which: ndarray,
-    cases: ndarray,
-    rings: ndarray,
-    balls: ndarray,
-    tolerance: float,
-    is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-    status: ndarray,
-    notes: ndarray,
-    iterations: ndarray,
-    residual: ndarray,
-    reached: ndarray,
-) -> None:
-    """Solve the cases of these numbers by detours; arguments as for the direct way, iterations added to its own."""
-    ring = rings[0]
-    for k in which:
-        case = cases[k]
-        prepare(case, ring, balls, is_warm, displacement[k], position[k], control[k])
-        status[k], notes[k], more, residual[k] = solve_with_detours(case, ring, balls, tolerance, is_warm)
-        iterations[k] += more
-        reached[k] = ring.reached
-        deliver(case, ring, balls, displacement[k], position[k], control[k], load[k])
+        if converged:
+            return True, total, residual, 0
+    if case.gyroscopic and ring.limit == UNLIMITED:
+        return False, total, residual, 0
+    converged, iterations, residual, against = from_rest(case, ring, balls, tolerance, starts)
+    return converged, total + iterations, residual, against

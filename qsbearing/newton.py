@@ -55,8 +55,9 @@ STALLED = 1e-10
 OWN_TOLERANCE = 1e-12
 # No solution worth having lies this many ball diameters (or radians) away.
 FARTHEST = 2.0
-# Of a contact's typical stiffness: far below any, it keeps a ball out of contact, or an idle channel, solvable.
-FLOOR = 1e-15
+# Of the stiffness of a contact under the largest force: little more than the rounding of such stiffnesses, it keeps a
+# ball out of contact, or an idle channel, solvable, and hardly counts beside what resists the turning of a line, Q/l.
+FLOOR = 1e-14
 # Of a double.
 EPSILON = 2.0**-52
 # From a fair start five to ten do; past this another start is cheaper.
@@ -140,6 +141,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
     if any_held(case):
         scale = max(scale, contact)
     ring.scale = scale
+    ring.floor = FLOOR * case.series_stiffness * (scale / case.series_stiffness) ** (1.0 / 3.0)
     if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
         return inf, inf
     return worst / scale, worst_own
@@ -350,8 +352,10 @@ def newton(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> 
             if is_last or is_stalled or residual_own <= max(OWN_TOLERANCE, tolerance):
                 return True, iterations, residual
             is_last = True
-        elif is_last or iterations >= MOST:
+        elif iterations >= MOST:
             return False, iterations, residual
+        else:
+            is_last = False
         largest = ring_step(case, ring, balls)
         turn = ball_steps(case, ring, balls)
         if not (0.0 <= largest < inf and turn < inf):

@@ -5,11 +5,11 @@ the minimum of a convex energy, so there is one only. From there the path is, fo
 
     contacts(d, X) + p inertia(d, X) + (1 - p) dead - (p load + (1 - p) dead load) = 0,
 
-friction no more than p times load included. It cannot come back to p = 0, and all of that is continuous, so it cannot
-end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for infinity
-(Allgower and Georg, Introduction to Numerical Continuation Methods). In double precision it may still be lost: where
-loads vanish below the resolution of places, or among more corners than are worth their time. Friction whatever the load
-is not continuous, where a ball leaves both raceways: there the path may end.
+with p times the limit of friction, where it has one. It cannot come back to p = 0, and all of that is continuous, so it
+cannot end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for
+infinity (Allgower and Georg, Introduction to Numerical Continuation Methods). In double precision it may still be lost:
+where loads vanish below the resolution of places, or among more corners than are worth their time. Friction whatever
+the load is not continuous, where a ball leaves both raceways: there the path may end.
 
 So the path is followed by its own length, not by p: a step along its tangent, then Newton's method across that. The
 sign of the determinant of the derivatives says which way p goes on, with no memory of the way come.
@@ -25,12 +25,11 @@ from math import sqrt
 from numpy import ndarray, recarray
 
 from qsbearing.ball import (
-    FULL_GRIP,
-    UNLIMITED,
     carried_friction,
     friction_shares,
     inertia,
     inertia_of,
+    is_rolled,
     set_outer,
     set_speed,
 )
@@ -140,37 +139,38 @@ def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
 @kernel
 def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Let this part of loads and inertia act, and dead forces for the rest. Inertia grows as the square of speed."""
+    rest = 1.0 - part
+    rest = rest * rest * rest * rest
     set_speed(case, sqrt(part), inner, outer)
-    if ring.grip != UNLIMITED:
-        ring.grip = part * FULL_GRIP
+    ring.grip = part * ring.limit
     for i in range(5):
         if not case.is_held[i]:
-            case.prescribed[i] = part * ring.load[i] + (1.0 - part) * ring.dead[i]
+            case.prescribed[i] = part * ring.load[i] + rest * ring.dead[i]
     for n in range(ring.balls):
         ball = balls[n]
-        ball.push[0], ball.push[1] = (1.0 - part) * ball.dead[0], (1.0 - part) * ball.dead[1]
+        ball.push[0], ball.push[1] = rest * ball.dead[0], rest * ball.dead[1]
 
 
 @kernel
-def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float) -> None:
+def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Put in the place of imbalances what one more of the part would add to them: balance is linear in it."""
-    grip = UNLIMITED if ring.grip == UNLIMITED else FULL_GRIP
     set_speed(case, 1.0, inner, outer)
+    slope = 4.0 * (1.0 - part) ** 3
     for p in range(ring.channels):
         i = ring.channel[p]
-        ring.right[p] = ring.dead[i] - ring.load[i]
+        ring.right[p] = slope * ring.dead[i] - ring.load[i]
     for n in range(ring.balls):
         ball = balls[n]
         si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
         qi, qo = contact_loads(case, ball)
         fc, mg = inertia_of(case, ball)
         share_i, share_o = friction_shares(case, ball.control)
-        if qi == 0.0 and qo == 0.0:  # rolled by neither raceway
+        if not is_rolled(ball):
             share_i, share_o = 0.0, 0.0
-        ti, _, _ = carried_friction(share_i, mg, qi, grip)
-        to, _, _ = carried_friction(share_o, mg, qo, grip)
-        r1 = to * co - ti * ci - ball.dead[0]
-        r2 = ti * si - to * so + fc - ball.dead[1]
+        ti, _, _ = carried_friction(share_i, mg, qi, ring.limit)
+        to, _, _ = carried_friction(share_o, mg, qo, ring.limit)
+        r1 = to * co - ti * ci - slope * ball.dead[0]
+        r2 = ti * si - to * so + fc - slope * ball.dead[1]
         h1, h2, h3 = -ti * ci, ti * si, case.inner_coefficient * ti - case.tilt_lever * ti * ci
         y1 = (ball.own22 * r1 - ball.own12 * r2) * ball.inverse
         y2 = (ball.own11 * r2 - ball.own21 * r1) * ball.inverse
@@ -209,7 +209,7 @@ def two_steps(
         ball.first[0], ball.first[1] = ball.du1, ball.du2
         if ball.inverse < 0.0:
             sign = -sign
-    rate_of_balance(case, ring, balls, inner, outer)
+    rate_of_balance(case, ring, balls, part, inner, outer)
     for p in range(ring.channels):
         for q in range(ring.channels):
             ring.matrix[p, q] = ring.kept_matrix[p, q]

@@ -14,6 +14,7 @@ from qsbearing.ball import (
     groove_stiffness,
     inertia_of,
     is_moving,
+    is_rolled,
     line_to_inner,
     raceway_ellipse,
     take_place,
@@ -21,12 +22,13 @@ from qsbearing.ball import (
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import contact_load
 from qsbearing.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
-from qsbearing.newton import FLOOR
 from qsbearing.raceway_control import rotation_axis
 from qsbearing.ring import add_ball, couple, inner_groove_centre, place_balls, start_sums
 from qsbearing.verdict import CONVERGED
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
+# Of a contact's stiffness: far below any, it lets a ball out of contact be eliminated.
+NOTHING = 1e-30
 CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
 
 
@@ -38,8 +40,8 @@ def read_ball(case: recarray, ball: recarray, side: float, what: int) -> float:
     """
     si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
     is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION
-    if is_moment and ball.inner_approach <= 0.0 and ball.outer_approach <= 0.0:
-        return 0.0  # rolled by neither raceway
+    if is_moment and not is_rolled(ball):
+        return 0.0
     if what >= CENTRIFUGAL_FORCE:
         return read_motion(case, ball, what)
     n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)
@@ -157,7 +159,7 @@ def stiffness_of_cases(
             ball = balls[j]
             put_back(case, ball, displacement[k], position[k, j], control[k, j])
             a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
-            evaluate(case, ball, a1, a2, FLOOR * case.series_stiffness, UNLIMITED)
+            evaluate(case, ball, a1, a2, NOTHING * case.series_stiffness, UNLIMITED)
             add_ball(ring, ball)
         for p in range(5):
             for q in range(5):

@@ -23,14 +23,13 @@ NO_PLACE = 1e30
 @kernel
 def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> int:
     """Let ring and balls give way from where they are; returns the iterations taken."""
-    least = ring.floor
     reach = RELAXED * (min(case.inner_coefficient, case.outer_coefficient) - 0.5)
     iterations = 0
     while iterations < RELAXATIONS:
         residual, _ = pass_over_balls(case, ring, balls)
         if residual <= tolerance or not residual < NO_PLACE:
             break
-        ring.floor = max(least, residual * ring.scale / reach)
+        ring.floor = max(ring.floor, residual * ring.scale / reach)
         pass_over_balls(case, ring, balls)
         largest = ring_step(case, ring, balls)
         turn = ball_steps(case, ring, balls)
@@ -41,7 +40,6 @@ def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> i
         if has_gone_far(ring):
             ring.ran_away = True
             break
-    ring.floor = least
     return iterations
 
 

@@ -1,7 +1,7 @@
 """One case, the direct way: a start from closed forms, Newton's method, the verdict.
 
-That is all for nearly every case. What does not end in a balance that stands is left to the detours, which are compiled
-only when a case first needs them.
+That is all for nearly every case. What does not end in a balance that stands is left to the detours of hard cases,
+which are compiled only when a case first needs them.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import UNLIMITED, evaluate, is_moving, set_inner, set_outer, take_place, tell_place
+from qsbearing.ball import UNLIMITED, evaluate, is_moving, limit_friction, set_inner, set_outer, take_place, tell_place
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.contact import direction
 from qsbearing.newton import FLOOR, any_held, close_chains, newton, stop
@@ -95,7 +95,8 @@ def prepare(
     find_equals(case, ring, balls)
     ring.floor = FLOOR * case.series_stiffness
     ring.ran_away, ring.at_rest = False, False
-    ring.reached, ring.grip = 1.0, UNLIMITED
+    ring.reached = 1.0
+    limit_friction(ring, UNLIMITED)
     for i in range(5):
         ring.load[i] = 0.0 if case.is_held[i] else case.prescribed[i]
         ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
@@ -143,7 +144,7 @@ def solve_directly(
                 wrong, changed = contradicted_controls(case, ring, balls)
                 if wrong > 0 and changed == 0:
                     notes |= NO_CONSISTENT_CONTROL
-    stands = converged and objections(case, ring, balls, not converged) == 0
+    stands = converged and objections(case, ring, balls) == 0
     return stands, notes, total, residual
 
 

@@ -96,7 +96,7 @@ def solve(
         )
         solve_cases(*given)
         if codes[part].max() == UNFINISHED:
-            from qsbearing.detours import solve_hard_cases  # compiled only when a case first needs it
+            from qsbearing.hard_cases import solve_hard_cases  # compiled only when a case first needs it
 
             solve_hard_cases(np.flatnonzero(codes[part] == UNFINISHED), *given)
         return records

@@ -46,8 +46,8 @@ _BALL = np.dtype(
         ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
-        ("saved", np.float64, (3, 6)),  # links to come back to, by slot
-        ("saved_control", np.int64, (3,)),
+        ("saved", np.float64, (4, 6)),  # links to come back to, by slot
+        ("saved_control", np.int64, (4,)),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -79,8 +79,8 @@ _RING = np.dtype(
         ("displacement", np.float64, (5,)),
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
-        ("saved", np.float64, (3, 5)),  # displacements to come back to, by slot
-        ("saved_scale", np.float64, (3,)),  # and the largest force there
+        ("saved", np.float64, (4, 5)),  # displacements to come back to, by slot
+        ("saved_scale", np.float64, (4,)),  # and the largest force there
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
@@ -96,7 +96,8 @@ _RING = np.dtype(
         ("tangent", np.float64, (5,)),
         ("first", np.float64, (5,)),
         ("floor", np.float64),  # least stiffness of anything
-        ("grip", np.float64),  # the most friction that contacts carry, over their load; 0 for no limit
+        ("limit", np.float64),  # the most friction that contacts may carry, over their load; 0 for no limit
+        ("grip", np.float64),  # what of that they do, less on a path
         ("scale", np.float64),  # the largest force
         ("reached", np.float64),  # the part of the speed that ring and balls stand for
         ("at_rest", np.bool_),  # no inertia: each ball is one link

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import friction_shares, groove_stiffness, inertia_of, is_moving, raceway_ellipse
+from qsbearing.ball import friction_shares, groove_stiffness, inertia_of, is_moving, is_rolled, raceway_ellipse
 from qsbearing.compiled import kernel
 from qsbearing.contact import contact_load
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
@@ -22,8 +22,8 @@ CONTROL_CHANGES = 2
 ANGLE_ROUNDING = 1e-9
 # Of the largest force: what no balance resolves.
 NO_FORCE = 1e-12
-# A load below this part of the friction asked of it is none: what rounding leaves, since no material carries that much.
-NO_LOAD = 1e-6
+# No material carries more friction than load; one asked for far more has no load but what rounding leaves.
+MORE_THAN_LOAD, FAR_MORE_THAN_LOAD = 1.0, 1e6
 
 
 @kernel
@@ -73,30 +73,48 @@ def contradicted_controls(case: recarray, ring: recarray, balls: ndarray) -> tup
 
 
 @kernel
-def objections(case: recarray, ring: recarray, balls: ndarray, is_lost: bool) -> int:
+def asks_for(case: recarray, ring: recarray, ball: recarray, most: float, least: float) -> bool:
+    """Whether a ball asks a contact for more friction than `most` times its load, and `least` times the largest force.
+
+    One that no raceway rolls asks for none.
+    """
+    if not is_rolled(ball):
+        return False
+    inner, outer = contact_loads(case, ball)
+    share_i, share_o = friction_shares(case, ball.control)
+    moment = abs(inertia_of(case, ball)[1])
+    at_inner, at_outer = share_i * moment, share_o * moment
+    small = least * ring.scale
+    return (at_inner > most * inner and at_inner > small) or (at_outer > most * outer and at_outer > small)
+
+
+@kernel
+def is_asked_for(case: recarray, ring: recarray, balls: ndarray, most: float) -> bool:
+    """Whether some contact is asked for more friction than so many times its load."""
+    if not case.gyroscopic or not is_moving(case):
+        return False
+    for n in range(ring.balls):
+        if asks_for(case, ring, balls[n], most, NO_FORCE):
+            return True
+    return False
+
+
+@kernel
+def objections(case: recarray, ring: recarray, balls: ndarray) -> int:
     """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
 
     A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing; beyond a right
-    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist, and no contact
-    carries more friction than load: where the balance was lost on the way up in speed (`is_lost`) at such a place, the
-    hypothesis that puts friction there has come to its end. Friction below the solver's accuracy is none.
+    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist; friction below
+    the solver's accuracy is none.
     """
     found = 0
     for n in range(ring.balls):
         ball = balls[n]
-        si, ci = ball.inner_sine, ball.inner_cosine
-        inner, outer = contact_loads(case, ball)
-        if inner > 0.0:
-            if case.one_sided and si < -ANGLE_ROUNDING:
+        if ball.inner_approach > 0.0:
+            if case.one_sided and ball.inner_sine < -ANGLE_ROUNDING:
                 found |= OPEN_SIDE
-            if ci < -ANGLE_ROUNDING:
+            if ball.inner_cosine < -ANGLE_ROUNDING:
                 found |= OVER_SHOULDER
-        is_touched = inner > 0.0 or outer > 0.0  # a ball that is not is rolled by neither raceway
-        if case.gyroscopic and is_touched and is_moving(case):
-            share_i, share_o = friction_shares(case, ball.control)
-            moment = abs(inertia_of(case, ball)[1])
-            for friction, load in ((share_i * moment, inner), (share_o * moment, outer)):
-                is_without = load < NO_LOAD * friction and friction > STALLED * ring.scale
-                if is_without or (is_lost and friction > load and friction > NO_FORCE * ring.scale):
-                    found |= FRICTION_WITHOUT_LOAD
+        if case.gyroscopic and is_moving(case) and asks_for(case, ring, ball, FAR_MORE_THAN_LOAD, STALLED):
+            found |= FRICTION_WITHOUT_LOAD
     return found

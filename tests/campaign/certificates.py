@@ -21,9 +21,9 @@ open side, over the shoulder, friction without load: a balance (evidence)
     gyroscopic moment, have a balance, checked as any other, that breaks one of these restrictions. That there is no
     other balance is not proved.
 friction above the load, a balance (evidence)
-    With friction that is never more than the contact's load there is a balance, checked as any other, and in it some
-    contact is asked for more: the ball slips. That the equations, which ask whatever the load, have no balance
-    elsewhere is not proved.
+    With friction that is never more than the contact's load, or than a tenth of it, there is a balance, checked as any
+    other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
+    whatever the load, have no balance elsewhere is not proved.
 the same, followed up in speed (evidence)
     So it is at a part of the speed, on the way up from rest: the balance is checked at that part. Beyond it the balance
     that comes from rest is none of a bearing.
@@ -53,6 +53,9 @@ NONE = "none"
 
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
+
+FRICTION_LIMITS = (None, 1.0, 0.1)
+"""Of friction over load: none, what no material exceeds, what oiled steel carries."""
 
 LEAST_REMAINDER = 1e-9
 """Of the load: a remainder smaller than this might be rounding of the cone's vectors."""
@@ -215,8 +218,8 @@ def as_left(solution: qs.Solution) -> qs.Solution:
 def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArray]:
     """By restriction: whether each case was left in a sound balance that breaks it.
 
-    A balance of the equations as they stand, or with friction no more than load. Sound
-    at the part of the speed at which it was left. What a solution says of reactions is not asked of such a state.
+    A balance of the equations as they stand, or with limited friction; sound at the part of the speed at which it was
+    left. What a solution says of reactions is not asked of such a state.
     """
     scene = group.scene()
     part = np.asarray(solution.speed_reached, float)
@@ -224,12 +227,12 @@ def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArra
     speeds = {name: part * np.asarray(getattr(operation, name), float) for name in ("speed", "outer_speed")}
     scene = replace(scene, operation=replace(operation, **speeds))
     broken = {name: np.zeros(solution.shape, bool) for name in RESTRICTIONS}
-    for is_limited in (False, True):
-        found = findings(scene, as_left(solution), reactions=False, friction_at_most_load=is_limited)
+    for limit in FRICTION_LIMITS:
+        found = findings(scene, as_left(solution), reactions=False, friction_limit=limit)
         failed = found.failed()
         sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)
         for name in RESTRICTIONS:
             # more friction than load is nothing that the equations as they stand forbid
-            if is_limited or name != "friction_above_load":
+            if limit is not None or name != "friction_above_load":
                 broken[name] |= sound & getattr(found, name)
     return broken

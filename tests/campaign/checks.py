@@ -106,6 +106,7 @@ class Contacts:
         self.share = np.zeros_like(self.load)
         self.friction = np.zeros_like(self.load)
         self.asked = np.zeros_like(self.load)
+        self.orbit_by_rounding = np.zeros_like(self.load)
 
 
 def _column(value: Any) -> NDArray:
@@ -113,14 +114,14 @@ def _column(value: Any) -> NDArray:
 
 
 def findings(
-    scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True, friction_at_most_load: bool = False
+    scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True, friction_limit: float | None = None
 ) -> Findings:
     """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
 
     Args:
         scene: the solution's, or one that differs from it in speed alone.
         reactions: whether the loads of held channels are to be the balls' sums.
-        friction_at_most_load: whether a contact asked for more friction than its load gives only as much.
+        friction_limit: over load: a contact asked for more gives only as much; None for whatever is asked.
     """
     bearing = scene.bearing
     diameter = _column(bearing.ball_diameter)
@@ -132,12 +133,13 @@ def findings(
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
         throw, moment = inertia_loads(scene, solution, inner, outer)
-        moment = np.where(inner.loaded | outer.loaded, moment, 0.0)  # what touches neither raceway does not roll
+        # What touches neither raceway does not roll, nor does what only the rounding of its place presses.
+        moment = np.where(np.maximum(inner.approach, outer.approach) > EPS * diameter, moment, 0.0)
         for side in (inner, outer):
             side.friction = side.share * moment / diameter
             side.asked = np.abs(side.friction)
-            if friction_at_most_load:
-                side.friction = np.sign(side.friction) * np.minimum(side.asked, side.load)
+            if friction_limit is not None:
+                side.friction = np.sign(side.friction) * np.minimum(side.asked, friction_limit * side.load)
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
         by_rounding = _friction_by_rounding(scene, solution, inner, outer)
@@ -194,7 +196,11 @@ def is_still(scene: qs.Scene) -> NDArray:
 
 
 def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts) -> tuple[NDArray, NDArray]:
-    """(Fc, Mg), of the effects that the scene names; fills in the shares of the moment."""
+    """(Fc, Mg), of the effects that the scene names; fills in the shares of the moment.
+
+    And how much more than itself the rounding of lines changes a speed: without bound where the orbit comes to rest,
+    the rings turning against each other, and where the lines stand at right angles.
+    """
     zero = np.zeros_like(inner.load)
     if solution.raceway_control is None:
         return zero, zero
@@ -216,6 +222,9 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     wi, wo = speeds(scene)
     orbit = (u * wi + v * wo) / (u + v)
     rotation = -(wi - wo) / (g * (u + v))
+    sensitivity = (np.abs(wi) + np.abs(wo)) / np.abs(u * wi + v * wo) + 2.0 / np.abs(u + v)
+    for side in (inner, outer):
+        side.orbit_by_rounding = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     throw, moment = zero, zero
     if scene.centrifugal_force is not None:
         throw = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
@@ -313,11 +322,12 @@ def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side
 def _friction_by_rounding(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of places makes or takes.
 
-    It follows the sine of the controlling line.
+    It follows the sine of the controlling line and the speeds.
     """
     sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
-    slope = np.maximum(np.abs(i.friction), np.abs(o.friction)) / np.maximum(sine, np.finfo(float).tiny)
-    return [4 * EPS * slope * _turn(scene, solution, i, o, side) for side in (i, o)]
+    most = np.maximum(np.abs(i.friction), np.abs(o.friction))
+    slope = most / np.maximum(sine, np.finfo(float).tiny)
+    return [4 * EPS * (slope + most * side.orbit_by_rounding) * _turn(scene, solution, i, o, side) for side in (i, o)]
 
 
 def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:

@@ -251,7 +251,7 @@ def test_no_certificate_for_what_has_an_equilibrium() -> None:
             assert not (broken[name] & good).any(), name
 
 
-@pytest.mark.parametrize("named", ["172/34", "245/667", "375/434"])
+@pytest.mark.parametrize("named", ["172/34", "375/434"])
 def test_a_balance_at_rest_that_no_speed_outlives_is_a_certificate(named: str) -> None:
     """Balls at rest that touch neither raceway have no place: what is told of one speaks against no balance."""
     chunk, index = map(int, named.split("/"))

@@ -694,11 +694,11 @@ def test_the_speed_at_which_a_balance_has_ended() -> None:
     """Where the way up in speed ends early, the part of the speed that is told has no equilibrium, a slow turn has."""
     tight = replace(
         B218,
-        free_contact_angle=15 * qs.deg,
+        free_contact_angle=20 * qs.deg,
         inner_groove_radius=0.5005 * B218.ball_diameter,
         outer_groove_radius=0.5005 * B218.ball_diameter,
     )
-    operation = qs.Operation(speed=30_000 * qs.rpm, axial_load=2000.0, radial_load_y=300.0, **UPRIGHT)
+    operation = qs.Operation(speed=20_000 * qs.rpm, axial_load=5000.0, radial_load_y=300.0, **UPRIGHT)
     scene = qs.Scene(tight, operation, (qs.CentrifugalForce(),), OUTER)
     solution = qs.solve(scene)
     assert solution.status is qs.Status.NO_EQUILIBRIUM
@@ -721,7 +721,7 @@ def test_a_ball_that_slips() -> None:
     assert qs.solve(with_operation(scene, speed=0.02 * scene.operation.speed)).converged
 
 
-@pytest.mark.parametrize("hertz_angle", list(qs.HertzAngle))
+@pytest.mark.parametrize("hertz_angle", [qs.HertzAngle.FREE, qs.HertzAngle.ZERO])
 def test_slipping_is_no_balance_however_far_the_way_out_of_it_led(hertz_angle: qs.HertzAngle) -> None:
     """55 balls, hardly pressed, asked for 13 N of friction each: without the limit Newton's method runs away, and what
     it met there must not count among the forces of the balance come back to."""
