@@ -56,9 +56,9 @@ from qsbearing.verdict import contact_loads
 # Where p starts: nothing, but for a force to be measured by.
 START = 1e-15
 # Lengths of steps, in units of p and of the inner link: the first, the longest, and what is too short to go on.
-FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-9
+FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-11
 # A step that fails is made so much shorter; one that does not, so that the next would stray by this part of its length.
-SHORTER, STRAYING = 0.3, 0.2
+SHORTER, STRAYING = 0.1, 0.2
 LONGER, SLOWER = 2.0, 0.5
 # Newton's steps across the path: so many at most, none longer than the step along it, or than this.
 CORRECTIONS, NEARBY = 8, 1e-4

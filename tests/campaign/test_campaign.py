@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -325,16 +324,9 @@ def test_a_campaign_is_resumed_where_it_stopped(tmp_path: Path) -> None:
         Journal(tmp_path, 6, "abc", resume=True)
 
 
-MISSING_OF_TEN_THOUSAND = {"converged": 1, "no": 0, "not": 3}
-"""By what they are said to be: as many of the scenes of seed 1 may fail."""
-
-
 @compiled_only
 def test_ten_thousand_scenes(tmp_path: Path) -> None:
-    """Nearly every one converged and checked, or refused and certified; and the same summary from its journal.
-
-    What is still missing is bounded here, so that it can only grow less.
-    """
+    """Every one converged and checked, or refused and certified; and the same summary from its journal."""
     before = memory_MB()  # what this process took for other tests counts in the campaign's peak
     summary = run_campaign(10_000, 1, tmp_path, workers=2)
     assert summary["count"] == 10_000
@@ -343,9 +335,8 @@ def test_ten_thousand_scenes(tmp_path: Path) -> None:
     assert {**again, **dict.fromkeys(changing)} == {**summary, **dict.fromkeys(changing)}
     assert json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))["digest"] == summary["digest"]
     assert summary["peak_memory_MB"] - before <= 900
-    missing = Counter(path.name.split("_")[0] for path in (tmp_path / "failures").glob("*.toml"))
-    for kind, most in MISSING_OF_TEN_THOUSAND.items():
-        assert missing[kind] <= most, (kind, missing)
+    assert [path.name for path in (tmp_path / "failures").glob("*.toml")] == []
+    assert summary["failures_total"] == 0
     assert summary["largest"]["residual"] <= STALLED
     iterations = summary["iterations_of_converged"]
     assert iterations["median"] <= 7
