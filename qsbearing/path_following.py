@@ -3,7 +3,7 @@
 Dead forces on balls and ring, the same wherever these go, hold any place whose contacts press. Balance under them is
 the minimum of a convex energy, so there is one only. From there the path is, for a part p that grows from 0 to 1,
 
-    contacts(d, X) + p inertia(d, X) + (1 - p) dead - (p load + (1 - p) dead load) = 0,
+    contacts(d, X) + p inertia(d, X) + r dead - (p load + r dead load) = 0,      r = (1 - p)^4,
 
 with p times the limit of friction, where it has one. It cannot come back to p = 0, and all of that is continuous, so it
 cannot end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for
@@ -137,10 +137,20 @@ def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
 
 
 @kernel
+def dead_part(part: float) -> tuple[float, float]:
+    """The part of the dead forces that still acts, and how fast it falls.
+
+    Were it 1 - p, loads a billionth of the dead forces would count in the last billionth of the way only.
+    """
+    rest = 1.0 - part
+    cube = rest * rest * rest
+    return rest * cube, 4.0 * cube
+
+
+@kernel
 def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Let this part of loads and inertia act, and dead forces for the rest. Inertia grows as the square of speed."""
-    rest = 1.0 - part
-    rest = rest * rest * rest * rest
+    rest, _ = dead_part(part)
     set_speed(case, sqrt(part), inner, outer)
     ring.grip = part * ring.limit
     for i in range(5):
@@ -153,9 +163,9 @@ def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner:
 
 @kernel
 def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
-    """Put in the place of imbalances what one more of the part would add to them: balance is linear in it."""
+    """Put in the place of imbalances what one more of the part would add to them."""
     set_speed(case, 1.0, inner, outer)
-    slope = 4.0 * (1.0 - part) ** 3
+    _, slope = dead_part(part)
     for p in range(ring.channels):
         i = ring.channel[p]
         ring.right[p] = slope * ring.dead[i] - ring.load[i]

@@ -215,7 +215,9 @@ def as_left(solution: qs.Solution) -> qs.Solution:
     return left
 
 
-def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArray]:
+def restrictions_broken(
+    group: Group, solution: qs.Solution, limits: tuple[float | None, ...] = FRICTION_LIMITS
+) -> dict[str, NDArray]:
     """By restriction: whether each case was left in a sound balance that breaks it.
 
     A balance of the equations as they stand, or with limited friction; sound at the part of the speed at which it was
@@ -227,7 +229,7 @@ def restrictions_broken(group: Group, solution: qs.Solution) -> dict[str, NDArra
     speeds = {name: part * np.asarray(getattr(operation, name), float) for name in ("speed", "outer_speed")}
     scene = replace(scene, operation=replace(operation, **speeds))
     broken = {name: np.zeros(solution.shape, bool) for name in RESTRICTIONS}
-    for limit in FRICTION_LIMITS:
+    for limit in limits:
         found = findings(scene, as_left(solution), reactions=False, friction_limit=limit)
         failed = found.failed()
         sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)

@@ -362,6 +362,62 @@ def test_a_ball_leaves_the_outer_raceway(named: str, tmp_path: Path) -> None:
     assert qs.solve(qs.load_scene(path)).converged
 
 
+def one_case(named: str) -> tuple[Group, qs.Solution]:
+    """A scene of seed 1 as the campaign has it, and its solution."""
+    chunk, index = map(int, named.split("/"))
+    group = chunk_groups(1, chunk)[index // GROUP].part([index % GROUP])
+    return group, qs.solve(group.scene(), threads=1)
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["527/965", "703/801", "551/612", "261/496", "886/319"])
+def test_contacts_so_light_that_next_to_nothing_resists_their_turning(named: str) -> None:
+    """What keeps an unloaded ball solvable must not resist it either: Newton's method squares the error here too."""
+    group, solution = one_case(named)
+    assert solution.converged.all()
+    assert not any(bad.any() for bad in findings(group.scene(), solution).failed().values())
+    assert solution.iterations[0] <= 10
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["506/485", "135/256", "315/215", "88/874"])
+def test_a_ball_on_top_of_the_inner_groove(named: str) -> None:
+    """Where that lies below the outer groove's top, the ball thrown there goes no further: over the inner shoulder."""
+    group, solution = one_case(named)
+    assert solution.reason == [qs.Reason.OVER_SHOULDER]
+    (certificate,) = certify(group, solution, np.array([0]))
+    assert certificate.kind == "over the shoulder, a balance"
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["115/255", "132/838", "304/114"])
+def test_balls_that_slip_at_a_tenth_of_their_load(named: str) -> None:
+    """No balance with friction as large as load is found, one with a tenth is, and its balls are asked for more."""
+    group, solution = one_case(named)
+    assert solution.reason == [qs.Reason.FRICTION_WITHOUT_LOAD]
+    assert solution.speed_reached == [1.0]
+    assert not restrictions_broken(group, solution, (None, 1.0))["friction_above_load"].any()
+    assert restrictions_broken(group, solution)["friction_above_load"].all()
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["529/807", "544/838"])
+def test_loads_lightened_to_the_last(named: str) -> None:
+    """Balances that heavier loads lead to, if the last steps down are as short as they must be."""
+    group, solution = one_case(named)
+    (certificate,) = certify(group, solution, np.array([0]))
+    assert certificate.kind == "over the shoulder, a balance"
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["44/46", "49/907"])
+def test_loads_far_below_the_dead_forces_of_a_path(named: str) -> None:
+    """They must come into their own while there is still way to go."""
+    group, solution = one_case(named)
+    (certificate,) = certify(group, solution, np.array([0]))
+    assert certificate.kind == "over the shoulder, a balance"
+
+
 @compiled_only
 @pytest.mark.parametrize("named", ["144/838", "187/294"])
 def test_a_balance_come_back_to_keeps_its_own_law_of_friction(named: str, tmp_path: Path) -> None:
