@@ -206,9 +206,8 @@ def find_balance(
 ) -> tuple[bool, int, float, int]:
     """A balance at speed with controls and limit of friction as they are, by the way numbered first, then the others.
 
-    Of paths, the last of the ways, so many are followed, each from its own start.
-
-    Friction without limit is not sought on the way from rest, which seldom leads to it.
+    Of paths, the last of the ways, so many are followed, each from its own start. Friction without limit is not sought
+    on the way from rest, which seldom leads to it.
 
     Returns:
         (converged, iterations, relative residual, what forbids a balance: 0 where nothing is known to);

@@ -38,7 +38,6 @@ def relax(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> i
         move(case, ring, balls, step_fraction(case, largest, turn), False, False)
         iterations += 1
         if has_gone_far(ring):
-            ring.ran_away = True
             break
     return iterations
 

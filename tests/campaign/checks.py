@@ -28,6 +28,9 @@ BALANCE = 1e-10
 
 EPS = float(np.finfo(float).eps)
 
+GAP = 4e-15
+"""Of lengths: as much may the solver's lines lack of a closed chain, which is told closed; they turn by it."""
+
 CLOSURE = 64 * EPS
 """Of lengths that must add up, over the largest of them: a few roundings each of a sine, a product and a sum."""
 
@@ -265,12 +268,21 @@ def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, throw: NDArr
             scale = np.maximum(scale, np.broadcast_to(force, cases))
     if is_any_held:
         scale = np.maximum(scale, np.maximum(inner.load, outer.load).max(axis=-1))
-    return np.maximum(scale, _least_load(scene))
+    return np.maximum(scale, _least_load(scene, inner, outer))
 
 
-def _least_load(scene: qs.Scene) -> NDArray:
-    """What a contact would carry if it were pressed by the rounding of a ball diameter; less is no load."""
-    return EPS**1.5 * np.asarray(scene.bearing.effective_modulus * np.asarray(scene.bearing.ball_diameter) ** 2)
+def _least_load(scene: qs.Scene, inner: Contacts, outer: Contacts) -> NDArray:
+    """What a contact would carry if it were pressed by the rounding of a ball diameter; less is no load.
+
+    By the stiffness of the contacts that are pressed, and that of a ball on a plane.
+    """
+    diameter = np.asarray(scene.bearing.ball_diameter, float)
+    stiffness = np.asarray(scene.bearing.effective_modulus * np.sqrt(diameter), float)
+    for side in (inner, outer):
+        pressed = side.loaded & (side.approach > LEAST_PRESSED)
+        own = side.load / np.where(pressed, side.approach, 1.0) ** 1.5
+        stiffness = np.maximum(stiffness, np.where(pressed, own, 0.0).max(axis=-1))
+    return np.asarray(stiffness * (EPS * diameter) ** 1.5)
 
 
 def _imbalance(
@@ -308,8 +320,9 @@ def _imbalance(
     scale = _force_scale(scene, inner, outer, throw, moment)
     rounding = np.zeros(scale.shape)
     for side, of_friction in zip((i, o), by_rounding, strict=True):
-        rounding += (4 * EPS * side.load * (1.0 + _turn(scene, solution, i, o, side)) + of_friction).sum(axis=-1)
-    return np.where(worst <= _least_load(scene), 0.0, worst / scale), rounding / scale
+        turned = GAP * _turn(scene, solution, i, o, side)
+        rounding += (side.load * (4 * EPS + turned) + of_friction).sum(axis=-1)
+    return np.where(worst <= _least_load(scene, i, o), 0.0, worst / scale), rounding / scale
 
 
 def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side: Contacts) -> NDArray:
@@ -327,7 +340,7 @@ def _friction_by_rounding(scene: qs.Scene, solution: qs.Solution, i: Contacts, o
     sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
     most = np.maximum(np.abs(i.friction), np.abs(o.friction))
     slope = most / np.maximum(sine, np.finfo(float).tiny)
-    return [4 * EPS * (slope + most * side.orbit_by_rounding) * _turn(scene, solution, i, o, side) for side in (i, o)]
+    return [GAP * (slope + most * side.orbit_by_rounding) * _turn(scene, solution, i, o, side) for side in (i, o)]
 
 
 def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:
