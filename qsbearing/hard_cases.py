@@ -1,9 +1,10 @@
 """Cases that the direct way leaves: by ways round, under the law of friction and the raceway control that they admit.
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Where
-that has none at hand, one is sought with friction limited to what oiled steel carries, which is not far from a bearing
-without friction; and from there one with friction no more than load, and one without a limit. If that is not found the
-ball slips, and the limited balance tells it.
+that has none at hand, one is sought with friction no more than load; then with what oiled steel carries, a tenth, which
+is not far from a bearing without friction, and now along paths too; last along paths with friction no more than load.
+From a balance found so Newton's method goes to looser limits. Where it gets to no balance without a limit the ball
+slips, and the limited balance tells it.
 """
 
 from __future__ import annotations
