@@ -215,10 +215,13 @@ def set_inner_by_places(ball: recarray, sine: float, cosine: float, approach: fl
 
 @kernel
 def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> None:
-    """Let the inner link be what ring and outer link leave; one that is so but for rounding stays as it is."""
+    """Let the inner link be what ring and outer link leave; one that is so but for rounding stays as it is.
+
+    One taken over from another length may close the chain with less than none of its own: that points the other way.
+    """
     length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
     gap1, gap2 = inner_gap(case, ball, length, w1, w2)
-    if gap1 != 0.0 or gap2 != 0.0:
+    if gap1 != 0.0 or gap2 != 0.0 or length + ball.inner_approach < 0.0:
         approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
         set_inner_by_places(ball, n1, n2, approach, length + abs(w1) + abs(w2))
 

@@ -379,6 +379,14 @@ def test_contacts_so_light_that_next_to_nothing_resists_their_turning(named: str
     assert solution.iterations[0] <= 10
 
 
+def test_no_link_is_shorter_than_nothing() -> None:
+    """Balls without load whose centre lies beyond the inner groove's: their one link at rest parts into two, and the
+    inner one points the other way."""
+    group, solution = one_case("676/346")
+    assert solution.converged.all()
+    assert not any(bad.any() for bad in findings(group.scene(), solution).failed().values())
+
+
 @compiled_only
 @pytest.mark.parametrize("named", ["506/485", "135/256", "315/215", "88/874"])
 def test_a_ball_on_top_of_the_inner_groove(named: str) -> None:
