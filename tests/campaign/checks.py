@@ -109,7 +109,6 @@ class Contacts:
         self.share = np.zeros_like(self.load)
         self.friction = np.zeros_like(self.load)
         self.asked = np.zeros_like(self.load)
-        self.orbit_by_rounding = np.zeros_like(self.load)
 
 
 def _column(value: Any) -> NDArray:
@@ -135,7 +134,7 @@ def findings(
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
-        throw, moment = inertia_loads(scene, solution, inner, outer)
+        throw, moment, sensitivity = inertia_loads(scene, solution, inner, outer)
         # What touches neither raceway does not roll, nor does what only the rounding of its place presses.
         moment = np.where(np.maximum(inner.approach, outer.approach) > EPS * diameter, moment, 0.0)
         for side in (inner, outer):
@@ -145,7 +144,7 @@ def findings(
                 side.friction = np.sign(side.friction) * np.minimum(side.asked, friction_limit * side.load)
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
-        by_rounding = _friction_by_rounding(scene, solution, inner, outer)
+        by_rounding = _friction_by_rounding(scene, solution, inner, outer, sensitivity)
         imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions, by_rounding)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
@@ -198,15 +197,17 @@ def is_still(scene: qs.Scene) -> NDArray:
     return (inner == 0.0) & (outer == 0.0)
 
 
-def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts) -> tuple[NDArray, NDArray]:
-    """(Fc, Mg), of the effects that the scene names; fills in the shares of the moment.
+def inertia_loads(
+    scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts
+) -> tuple[NDArray, NDArray, NDArray]:
+    """(Fc, Mg, sensitivity), of the effects that the scene names; fills in the shares of the moment.
 
-    And how much more than itself the rounding of lines changes a speed: without bound where the orbit comes to rest,
-    the rings turning against each other, and where the lines stand at right angles.
+    The sensitivity is how much more than itself the rounding of lines changes a speed: without bound where the orbit
+    comes to rest, the rings turning against each other, and where the lines stand at right angles.
     """
     zero = np.zeros_like(inner.load)
     if solution.raceway_control is None:
-        return zero, zero
+        return zero, zero, zero
     bearing = scene.bearing
     g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
     by_inner = solution.raceway_control == "inner"
@@ -226,8 +227,6 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
     orbit = (u * wi + v * wo) / (u + v)
     rotation = -(wi - wo) / (g * (u + v))
     sensitivity = (np.abs(wi) + np.abs(wo)) / np.abs(u * wi + v * wo) + 2.0 / np.abs(u + v)
-    for side in (inner, outer):
-        side.orbit_by_rounding = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     throw, moment = zero, zero
     if scene.centrifugal_force is not None:
         throw = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
@@ -237,7 +236,9 @@ def inertia_loads(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer
         inner.share = np.where(by_inner, own, 0.0)
         outer.share = 2.0 - inner.share
     turns = inner.placed & outer.placed & ~is_still(scene)
-    return np.where(turns, throw, 0.0), np.where(turns, moment, 0.0)
+    # An orbit wholly at rest has no moment that could be rounding's.
+    sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
+    return np.where(turns, throw, 0.0), np.where(turns, moment, 0.0), sensitivity
 
 
 # Balance --------------------------------------------------------------------------------------------------------------
@@ -332,7 +333,9 @@ def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side
     return (moved + tilt_lever(scene)[..., None] * tilted + i.length + o.length) / side.length
 
 
-def _friction_by_rounding(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts) -> list[NDArray]:
+def _friction_by_rounding(
+    scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, sensitivity: NDArray
+) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of places makes or takes.
 
     It follows the sine of the controlling line and the speeds.
@@ -340,7 +343,7 @@ def _friction_by_rounding(scene: qs.Scene, solution: qs.Solution, i: Contacts, o
     sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
     most = np.maximum(np.abs(i.friction), np.abs(o.friction))
     slope = most / np.maximum(sine, np.finfo(float).tiny)
-    return [GAP * (slope + most * side.orbit_by_rounding) * _turn(scene, solution, i, o, side) for side in (i, o)]
+    return [GAP * (slope + most * sensitivity) * _turn(scene, solution, i, o, side) for side in (i, o)]
 
 
 def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:

@@ -45,6 +45,24 @@ def same(one: Group, other: Group) -> bool:
     )
 
 
+def one_case(named: str) -> tuple[Group, qs.Solution]:
+    """A scene of seed 1 as the campaign has it, and its solution."""
+    chunk, index = map(int, named.split("/"))
+    group = chunk_groups(1, chunk)[index // GROUP].part([index % GROUP])
+    return group, qs.solve(group.scene(), threads=1)
+
+
+def assert_sound(group: Group, solution: qs.Solution) -> None:
+    """That the one case converged and passes every check."""
+    assert solution.converged.all()
+    assert not any(bad.any() for bad in findings(group.scene(), solution).failed().values())
+
+
+def certificate_of(group: Group, solution: qs.Solution) -> str:
+    """The kind of certificate of the one case's refusal."""
+    return certify(group, solution, np.array([0]))[0].kind
+
+
 # Drawing ------------------------------------------------------------------------------------------------------------
 
 
@@ -253,13 +271,10 @@ def test_no_certificate_for_what_has_an_equilibrium() -> None:
 @pytest.mark.parametrize("named", ["172/34", "375/434"])
 def test_a_balance_at_rest_that_no_speed_outlives_is_a_certificate(named: str) -> None:
     """Balls at rest that touch neither raceway have no place: what is told of one speaks against no balance."""
-    chunk, index = map(int, named.split("/"))
-    group = chunk_groups(1, chunk)[index // GROUP].part([index % GROUP])
-    solution = qs.solve(group.scene(), threads=1)
+    group, solution = one_case(named)
     assert solution.status == [qs.Status.NO_EQUILIBRIUM]
     assert solution.speed_reached == [0.0]
-    (certificate,) = certify(group, solution, np.array([0]))
-    assert certificate.kind == "open side, followed up in speed"
+    assert certificate_of(group, solution) == "open side, followed up in speed"
 
 
 # Keeping count ------------------------------------------------------------------------------------------------------
@@ -362,29 +377,19 @@ def test_a_ball_leaves_the_outer_raceway(named: str, tmp_path: Path) -> None:
     assert qs.solve(qs.load_scene(path)).converged
 
 
-def one_case(named: str) -> tuple[Group, qs.Solution]:
-    """A scene of seed 1 as the campaign has it, and its solution."""
-    chunk, index = map(int, named.split("/"))
-    group = chunk_groups(1, chunk)[index // GROUP].part([index % GROUP])
-    return group, qs.solve(group.scene(), threads=1)
-
-
 @compiled_only
 @pytest.mark.parametrize("named", ["527/965", "703/801", "551/612", "261/496", "886/319"])
 def test_contacts_so_light_that_next_to_nothing_resists_their_turning(named: str) -> None:
     """What keeps an unloaded ball solvable must not resist it either: Newton's method squares the error here too."""
     group, solution = one_case(named)
-    assert solution.converged.all()
-    assert not any(bad.any() for bad in findings(group.scene(), solution).failed().values())
+    assert_sound(group, solution)
     assert solution.iterations[0] <= 10
 
 
 def test_no_link_is_shorter_than_nothing() -> None:
     """Balls without load whose centre lies beyond the inner groove's: their one link at rest parts into two, and the
     inner one points the other way."""
-    group, solution = one_case("676/346")
-    assert solution.converged.all()
-    assert not any(bad.any() for bad in findings(group.scene(), solution).failed().values())
+    assert_sound(*one_case("676/346"))
 
 
 @compiled_only
@@ -393,8 +398,7 @@ def test_a_ball_on_top_of_the_inner_groove(named: str) -> None:
     """Where that lies below the outer groove's top, the ball thrown there goes no further: over the inner shoulder."""
     group, solution = one_case(named)
     assert solution.reason == [qs.Reason.OVER_SHOULDER]
-    (certificate,) = certify(group, solution, np.array([0]))
-    assert certificate.kind == "over the shoulder, a balance"
+    assert certificate_of(group, solution) == "over the shoulder, a balance"
 
 
 @compiled_only
@@ -412,18 +416,14 @@ def test_balls_that_slip_at_a_tenth_of_their_load(named: str) -> None:
 @pytest.mark.parametrize("named", ["529/807", "544/838"])
 def test_loads_lightened_to_the_last(named: str) -> None:
     """Balances that heavier loads lead to, if the last steps down are as short as they must be."""
-    group, solution = one_case(named)
-    (certificate,) = certify(group, solution, np.array([0]))
-    assert certificate.kind == "over the shoulder, a balance"
+    assert certificate_of(*one_case(named)) == "over the shoulder, a balance"
 
 
 @compiled_only
 @pytest.mark.parametrize("named", ["44/46", "49/907"])
 def test_loads_far_below_the_dead_forces_of_a_path(named: str) -> None:
     """They must come into their own while there is still way to go."""
-    group, solution = one_case(named)
-    (certificate,) = certify(group, solution, np.array([0]))
-    assert certificate.kind == "over the shoulder, a balance"
+    assert certificate_of(*one_case(named)) == "over the shoulder, a balance"
 
 
 @compiled_only
