@@ -195,20 +195,27 @@ def inner_rest(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
 
 
 @kernel
+def longer_link(case: recarray, length: float) -> float:
+    """The longer of the outer link and the inner one, of this length: its rounding is in what is left to the other."""
+    return max(length, case.outer_coefficient - 0.5)
+
+
+@kernel
 def inner_gap(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> tuple[float, float]:
     """What the inner link, of this free length, lacks of what the ring leaves it, w."""
     n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     v1, v2 = link(length, case.sin_free, case.cos_free, n1, n2, approach)
-    return gap_in_chain(length, w1, w2, v1, v2)
+    return gap_in_chain(longer_link(case, length), w1, w2, v1, v2)
 
 
 @kernel
-def set_inner_by_places(ball: recarray, sine: float, cosine: float, approach: float, lengths: float) -> None:
-    """Give the inner link what places of these lengths say, but keep an approach that differs by their rounding only.
+def set_inner_by_places(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> None:
+    """Give the inner link what the ring leaves it, but keep an approach that differs by the rounding of places only.
 
     Steps give the approach more digits than places have: read off places, light loads would never come to rest.
     """
-    if abs(approach - ball.inner_approach) <= ROUNDING * lengths:
+    approach, sine, cosine, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
+    if abs(approach - ball.inner_approach) <= ROUNDING * (longer_link(case, length) + abs(w1) + abs(w2)):
         approach = ball.inner_approach
     set_inner(ball, sine, cosine, approach)
 
@@ -222,8 +229,7 @@ def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: fl
     length, w1, w2 = inner_rest(case, ball, at_rest, a1, a2)
     gap1, gap2 = inner_gap(case, ball, length, w1, w2)
     if gap1 != 0.0 or gap2 != 0.0 or length + ball.inner_approach < 0.0:
-        approach, n1, n2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
-        set_inner_by_places(ball, n1, n2, approach, length + abs(w1) + abs(w2))
+        set_inner_by_places(case, ball, length, w1, w2)
 
 
 @kernel

@@ -264,7 +264,7 @@ def settle_link(
         return  # the next step closes it
     approach, n1, n2, _ = direction(length, s, c, w1, w2)
     if approach <= 0.0 or (is_small and (gap1 != 0.0 or gap2 != 0.0)):
-        set_inner_by_places(ball, n1, n2, approach, length + abs(w1) + abs(w2))
+        set_inner_by_places(case, ball, length, w1, w2)
     elif ball.inner_approach <= 0.0:
         set_inner(ball, n1, n2, min(approach, most))
 
