@@ -4,8 +4,10 @@ At rest the problem is convex, and descent cannot fail. At speed Newton's method
 heavier loads; then from the bearing at rest, and where the full speed is too far from there, by continuation in speed.
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
-Where that finds no rest, a path is followed, through its turning points, to a balance from one that cannot fail to
-exist, where dead forces press every ball; then from the last balance on the way, and once more from pressed balls.
+Where that finds no rest, paths are followed, through their turning points, to a balance from one that cannot fail to
+exist: under heavy thrust, from balls that dead forces press, under the case's own loads made heavy. Then these loads
+are made ever lighter, and relaxation goes on where a balance ends; then a path starts from the last balance on the way
+up in speed, and more from pressed balls. Each is lost in other cases than the others.
 
 Where none of these arrives, and balls slip in the last balance on the way up, they slip from that speed on.
 """
@@ -19,7 +21,7 @@ from numpy import ndarray, recarray
 from qsbearing.ball import UNLIMITED, set_speed
 from qsbearing.compiled import kernel
 from qsbearing.descent import descend
-from qsbearing.keeping import ON_THE_WAY, keep, restore
+from qsbearing.keeping import OBJECTED, ON_THE_WAY, PATH, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
 from qsbearing.path_following import follow, press
 from qsbearing.relaxation import relax_to_rest
@@ -40,12 +42,19 @@ FOOT = 1e-8
 HEAVY_APPROACH = 1e-3
 LIGHTER = 10.0
 LEAST_LIGHTER = 1.005
+# Where a balance is to snap into another: loads lighter by less than this make it, and by so much at once.
+SNAPPING, SNAPPED = 1.05, 1.5
+# Heavy thrust is this many times the heavy loads beside it.
+THRUST = 3.0
 # At speed loads may become far lighter than inertia, and must still be balanced on that way, so well.
 LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
 SEEN = 1e-3
-# Paths to follow, each from another start; this one from the last balance on the way, the others from pressed balls.
-STARTS, FROM_BALANCE = 3, 1
+# Ways round, in the order of trying, and how many there are: the last are from balls pressed in other ways.
+UNDER_THRUST, FROM_PRESSED, UNDER_LOADS, BY_SNAPS, FROM_BALANCE = 0, 1, 2, 3, 4
+WAYS_ROUND = 8
+# So many of them are tried although there is a balance already: on the open side, or over the shoulder.
+FOR_A_BETTER = 3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -59,20 +68,28 @@ def set_loads(case: recarray, ring: recarray, factor: float) -> None:
 
 
 @kernel
-def heavy_factor(case: recarray) -> float:
-    """How many times the loads would press the balls hard."""
-    own = applied_load(case)
-    return HEAVY_APPROACH**1.5 * case.ball_count * case.series_stiffness / own if own > 0.0 else 1.0
+def heavy_load(case: recarray) -> float:
+    """A load that would press the balls hard."""
+    return HEAVY_APPROACH**1.5 * case.ball_count * case.series_stiffness
 
 
 @kernel
-def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool) -> int:
+def heavy_factor(case: recarray) -> float:
+    """How many times the loads would press the balls hard."""
+    own = applied_load(case)
+    return heavy_load(case) / own if own > 0.0 else 1.0
+
+
+@kernel
+def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool, may_snap: bool) -> int:
     """Bring ring and balls to balance under loads ever lighter, down to nearly their own; returns the iterations taken.
 
     Loads so heavy that every ball is pressed, and inertia hardly counts, are easy. Light loads leave open which few
-    balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer.
+    balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer; or
+    where it may snap, relaxation goes where the bearing would.
     """
     factor, lighter, total = heavy_factor(case), LIGHTER, 0
+    least = SNAPPING if may_snap else LEAST_LIGHTER
     if factor <= 1.0:
         return 0
     set_loads(case, ring, factor)
@@ -80,7 +97,7 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
     if is_at_speed:
         _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
         seat_balls(case, ring, balls)
-    keep(ring, balls, ON_THE_WAY)
+    keep(ring, balls, PATH)
     while True:
         set_loads(case, ring, factor)
         if is_at_speed:
@@ -88,22 +105,28 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
         else:
             converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
         total += iterations
+        if not converged and may_snap and lighter < least:
+            restore(ring, balls, PATH)
+            close_chains(case, ring, balls)
+            converged, iterations, _ = relax_to_rest(case, ring, balls, LIGHT_TOLERANCE)
+            total += iterations
+            lighter = SNAPPED if converged else lighter
         if converged:
-            keep(ring, balls, ON_THE_WAY)
+            keep(ring, balls, PATH)
             if factor <= 1.0:
                 break
             lighter = min(lighter**1.5, LIGHTER)
+        elif lighter < least:
+            break
         else:
-            restore(ring, balls, ON_THE_WAY)
+            restore(ring, balls, PATH)
             factor *= lighter
             lighter = sqrt(lighter)
-            if lighter < LEAST_LIGHTER:
-                break
         factor = max(factor / lighter, 1.0)
         if is_at_speed:
             close_chains(case, ring, balls)
     set_loads(case, ring, 1.0)
-    restore(ring, balls, ON_THE_WAY)
+    restore(ring, balls, PATH)
     return total
 
 
@@ -111,7 +134,7 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
 def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
-    total = from_above(case, ring, balls, False)
+    total = from_above(case, ring, balls, False, False)
     converged, iterations, residual = rest(case, ring, balls, tolerance)
     total += iterations
     if not converged:
@@ -160,10 +183,55 @@ def speed_up(
 
 
 @kernel
+def under_heavy_loads(case: recarray, ring: recarray, balls: ndarray, thrust: float) -> tuple[bool, int]:
+    """Balance at speed under the case's own loads made heavy, and so many times as much thrust: (found, iterations)."""
+    set_loads(case, ring, max(heavy_factor(case), 1.0))
+    if thrust > 0.0:
+        case.prescribed[0] = thrust * max(heavy_load(case), applied_load(case))
+    ring_at_rest(case, ring.displacement)
+    _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
+    seat_balls(case, ring, balls)
+    close_chains(case, ring, balls)
+    converged, iterations, _ = newton(case, ring, balls, LIGHT_TOLERANCE)
+    return converged, total + iterations
+
+
+@kernel
+def go_round(
+    case: recarray, ring: recarray, balls: ndarray, way: int, inner: float, outer: float, tolerance: float
+) -> tuple[bool, int, float]:
+    """To a balance by one of the ways round: (converged, iterations, residual)."""
+    total = 0
+    if way == BY_SNAPS:
+        total = from_above(case, ring, balls, True, True)
+        close_chains(case, ring, balls)
+        converged, iterations, residual = newton(case, ring, balls, tolerance)
+        return converged, total + iterations, residual
+    is_under_load = way == UNDER_THRUST or way == UNDER_LOADS
+    if is_under_load:
+        if way == UNDER_THRUST and case.is_held[0]:
+            return False, 0, 1.0
+        found, total = under_heavy_loads(case, ring, balls, THRUST if way == UNDER_THRUST else 0.0)
+        if not found:
+            set_loads(case, ring, 1.0)
+            return False, total, 1.0
+    elif way == FROM_BALANCE:
+        restore(ring, balls, ON_THE_WAY)
+    else:
+        press(case, ring, balls, way)
+    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, not is_under_load)
+    return converged, total + iterations, residual
+
+
+@kernel
 def from_rest(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, starts: int
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, ways: int
 ) -> tuple[bool, int, float, int]:
-    """From rest by continuation in speed, then by relaxation, then along paths; returns as for finding a balance."""
+    """From rest by continuation in speed, then relaxation, then these ways round; returns as for finding a balance.
+
+    A balance with a contact where no groove is stands only if none of the next ways finds a better; not where no ways
+    are given, for then others are to come.
+    """
     inner, outer = case.inner_speed, case.outer_speed
     _, total, _ = settle_at_rest(case, ring, balls, REST_TOLERANCE)
     if ring.ran_away:
@@ -180,18 +248,23 @@ def from_rest(
     close_chains(case, ring, balls)
     converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
     total += iterations
-    for start in range(starts):
+    is_sound, objected = False, -1.0
+    for way in range(ways + 1):
         if converged:
+            is_sound = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0
+            if not is_sound:
+                keep(ring, balls, OBJECTED)
+                objected = residual
+        if is_sound or way == ways or (objected >= 0.0 and way >= FOR_A_BETTER):
             break
-        if start == FROM_BALANCE:
-            restore(ring, balls, ON_THE_WAY)
-        else:
-            press(case, ring, balls, start)
-        converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance)
+        converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance)
         total += iterations
+    if not is_sound and objected >= 0.0:
+        restore(ring, balls, OBJECTED)
+        converged, residual = ways > 0, objected
     if converged:
         ring.reached = 1.0
-    elif case.gyroscopic and reached > 0.0 and starts > 0:
+    elif case.gyroscopic and reached > 0.0 and ways > 0:
         restore(ring, balls, ON_THE_WAY)
         set_speed(case, reached, inner, outer)
         if is_asked_for(case, ring, balls, MORE_THAN_LOAD):
@@ -202,12 +275,12 @@ def from_rest(
 
 @kernel
 def find_balance(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, starts: int
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, ways: int
 ) -> tuple[bool, int, float, int]:
     """A balance at speed with controls and limit of friction as they are, by the way numbered first, then the others.
 
-    Of paths, the last of the ways, so many are followed, each from its own start. Friction without limit is not sought
-    on the way from rest, which seldom leads to it.
+    At last so many ways round are tried. Friction without limit is not sought on the way from rest, which seldom leads
+    to it.
 
     Returns:
         (converged, iterations, relative residual, what forbids a balance: 0 where nothing is known to);
@@ -221,7 +294,7 @@ def find_balance(
         elif way == GUESS:
             first_guess(case, ring, balls)
         else:
-            total += from_above(case, ring, balls, True)
+            total += from_above(case, ring, balls, True, False)
             close_chains(case, ring, balls)
         converged, iterations, residual = newton(case, ring, balls, tolerance)
         total += iterations
@@ -229,5 +302,5 @@ def find_balance(
             return True, total, residual, 0
     if case.gyroscopic and ring.limit == UNLIMITED:
         return False, total, residual, 0
-    converged, iterations, residual, against = from_rest(case, ring, balls, tolerance, starts)
+    converged, iterations, residual, against = from_rest(case, ring, balls, tolerance, ways)
     return converged, total + iterations, residual, against

@@ -13,7 +13,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, inlined, kernel
-from qsbearing.detours import GUESS, LOADS, SEEN, STARTS, WARM, find_balance, settle_at_rest
+from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
 from qsbearing.keeping import SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
@@ -89,8 +89,8 @@ def solve_moving(
     while True:
         notes = 0
         if first != SETTLED:
-            starts = STARTS if law >= PATHS_FROM or not case.gyroscopic else 0
-            converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, starts)
+            ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
+            converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, ways)
             total += iterations
             if not converged and notes == 0 and case.gyroscopic and law < LAST_LAW:
                 law += 1

@@ -6,9 +6,9 @@ from numpy import ndarray, recarray
 
 from qsbearing.compiled import kernel
 
-# The last balance on the way to the one sought; the last found for all balls' controls; the last point of a path; the
-# last balance that needs no limit of friction.
-ON_THE_WAY, SOLVED, PATH, STANDING = 0, 1, 2, 3
+# The last balance on the way to the one sought; the last found for all balls' controls; the last point of a path,
+# or way to lighter loads; the last balance that needs no limit of friction; the last with a contact where no groove is.
+ON_THE_WAY, SOLVED, PATH, STANDING, OBJECTED = 0, 1, 2, 3, 4
 
 
 @kernel

@@ -3,13 +3,16 @@
 Dead forces on balls and ring, the same wherever these go, hold any place whose contacts press. Balance under them is
 the minimum of a convex energy, so there is one only. From there the path is, for a part p that grows from 0 to 1,
 
-    contacts(d, X) + p inertia(d, X) + r dead - (p load + r dead load) = 0,      r = (1 - p)^4,
+    contacts(d, X) + p inertia(d, X) + r dead - (p load + r dead load) = 0,      r = 1 - p,
 
 with p times the limit of friction, where it has one. It cannot come back to p = 0, and all of that is continuous, so it
 cannot end: it turns back in p where a balance does, as often as it must, and arrives at p = 1 unless it leaves for
 infinity (Allgower and Georg, Introduction to Numerical Continuation Methods). In double precision it may still be lost:
 where loads vanish below the resolution of places, or among more corners than are worth their time. Friction whatever
 the load is not continuous, where a ball leaves both raceways: there the path may end.
+
+Under loads beside which inertia hardly counts there is one balance only, too. A path from there needs no dead forces on
+the balls: inertia acts in full all the way, and r = (1 - p)^4 makes loads ever lighter.
 
 So the path is followed by its own length, not by p: a step along its tangent, then Newton's method across that. The
 sign of the determinant of the derivatives says which way p goes on, with no memory of the way come.
@@ -60,10 +63,12 @@ FIRST, LONGEST, SHORTEST = 0.05, 0.5, 1e-11
 # A step that fails is made so much shorter; one that does not, so that the next would stray by this part of its length.
 SHORTER, STRAYING = 0.1, 0.2
 LONGER, SLOWER = 2.0, 0.5
-# Newton's steps across the path: so many at most, none longer than the step along it, or than this.
-CORRECTIONS, NEARBY = 8, 1e-4
-# How well balance is known on the path, by the largest force and by each ball's or channel's own.
-BALANCED, OWN_BALANCED = 1e-10, 1e-4
+# Newton's steps across the path: so many at most, none longer than the step along it, or than this. A contact that just
+# comes into touch takes many: each takes two thirds off its approach (that root of load is not simple).
+CORRECTIONS, NEARBY = 16, 1e-4
+# How well balance is known on the path, by the largest force and by each ball's or channel's own. An imbalance of a few
+# roundings of the largest force is none, however light the load of the ball or channel that feels it.
+BALANCED, OWN_BALANCED, ROUNDED = 1e-10, 1e-4, 1e-15
 CLOSINGS = 2
 # So many evaluations a path is worth.
 MOST = 25000
@@ -77,6 +82,7 @@ PRESSED, LEAST_PRESSED = 3.0, 1e-10
 OUTER_PART, OUTER_PARTS = 0.55, 0.2
 # Balls that only inertia presses start turned by up to this angle, to either side.
 UNEQUAL = 0.025
+# Its multiples leave evenly spread rests.
 GOLDEN = 0.6180339887498949
 # An imbalance from which there is no way.
 NO_PLACE = 1e30
@@ -84,8 +90,8 @@ NO_PLACE = 1e30
 
 @kernel
 def own_measure(ball: recarray, start: int) -> float:
-    """A number from 0 to 1 for this ball of a start, evenly spread and unlike its neighbours'."""
-    return ((ball.number + 1.0) * (start + 1.0) * GOLDEN) % 1.0
+    """A number from 0 to 1 for this ball of a start, evenly spread and unlike any other's."""
+    return ((ball.number + 1.0) * (start + 2.0) * GOLDEN) % 1.0
 
 
 @kernel
@@ -121,7 +127,11 @@ def channel_force(ring: recarray, ball: recarray, p: int, axial: float, radial: 
 
 @kernel
 def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
-    """Choose the dead forces that balance the contacts where ring and balls are; returns the largest load."""
+    """Choose the dead forces that balance the contacts where ring and balls are, without inertia.
+
+    Returns the largest load.
+    """
+    ring.inertia_grows = True
     largest = 0.0
     for i in range(5):
         ring.dead[i] = 0.0
@@ -137,12 +147,24 @@ def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
 
 
 @kernel
-def dead_part(part: float) -> tuple[float, float]:
+def hold_loads(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Let the loads that act now be the dead ones, and inertia act in full."""
+    ring.inertia_grows = False
+    for i in range(5):
+        ring.dead[i] = case.prescribed[i]
+    for n in range(ring.balls):
+        balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
+
+
+@kernel
+def dead_part(ring: recarray, part: float) -> tuple[float, float]:
     """The part of the dead forces that still acts, and how fast it falls.
 
-    Were it 1 - p, loads a billionth of the dead forces would count in the last billionth of the way only.
+    Were it 1 - p for heavy loads, lighter ones by a billion would count in the last billionth of the way only.
     """
     rest = 1.0 - part
+    if ring.inertia_grows:
+        return rest, 1.0
     cube = rest * rest * rest
     return rest * cube, 4.0 * cube
 
@@ -150,9 +172,10 @@ def dead_part(part: float) -> tuple[float, float]:
 @kernel
 def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Let this part of loads and inertia act, and dead forces for the rest. Inertia grows as the square of speed."""
-    rest, _ = dead_part(part)
-    set_speed(case, sqrt(part), inner, outer)
-    ring.grip = part * ring.limit
+    rest, _ = dead_part(ring, part)
+    grown = part if ring.inertia_grows else 1.0
+    set_speed(case, sqrt(grown), inner, outer)
+    ring.grip = grown * ring.limit
     for i in range(5):
         if not case.is_held[i]:
             case.prescribed[i] = part * ring.load[i] + rest * ring.dead[i]
@@ -165,12 +188,15 @@ def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner:
 def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, part: float, inner: float, outer: float) -> None:
     """Put in the place of imbalances what one more of the part would add to them."""
     set_speed(case, 1.0, inner, outer)
-    _, slope = dead_part(part)
+    _, slope = dead_part(ring, part)
     for p in range(ring.channels):
         i = ring.channel[p]
         ring.right[p] = slope * ring.dead[i] - ring.load[i]
     for n in range(ring.balls):
         ball = balls[n]
+        if not ring.inertia_grows:  # nothing that acts on it changes
+            ball.y1, ball.y2 = 0.0, 0.0
+            continue
         si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
         qi, qo = contact_loads(case, ball)
         fc, mg = inertia_of(case, ball)
@@ -315,7 +341,7 @@ def come_back(
             ball = balls[n]
             along += weight * (ball.tangent[0] * ball.first[0] + ball.tangent[1] * ball.first[1])
             rate += weight * (ball.tangent[0] * ball.du1 + ball.tangent[1] * ball.du2)
-        if residual <= BALANCED and own <= OWN_BALANCED:
+        if residual <= ROUNDED or (residual <= BALANCED and own <= OWN_BALANCED):
             if closings == CLOSINGS or not is_open(ring, balls):
                 return (sign if sign * rate > 0.0 else 0.0), evaluations, part, strayed
             close_chains(case, ring, balls)
@@ -388,14 +414,20 @@ def rest_nearby(case: recarray, ring: recarray, balls: ndarray, tolerance: float
 
 @kernel
 def follow(
-    case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float, tolerance: float
+    case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float, tolerance: float, is_pressed: bool
 ) -> tuple[bool, int, float]:
     """Follow the path that starts where ring and balls are: (converged at the speeds given, iterations, residual).
 
-    Loads, speeds and the limit of friction, if there is one, are the case's own again at the end, found or not.
+    It starts in any place that presses balls, with dead forces on these, or else in a balance at speed under the loads
+    that are prescribed now. Loads, speeds and the limit of friction, if there is one, are the case's own again at the
+    end, found or not.
     """
     close_chains(case, ring, balls)
-    force = hold(case, ring, balls)
+    force = 0.0
+    if is_pressed:
+        force = hold(case, ring, balls)
+    else:
+        hold_loads(case, ring, balls)
     part, stride, total = START, FIRST, 1
     _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
     share = tangent(case, ring, balls, sign)

@@ -46,8 +46,8 @@ _BALL = np.dtype(
         ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
-        ("saved", np.float64, (4, 6)),  # links to come back to, by slot
-        ("saved_control", np.int64, (4,)),
+        ("saved", np.float64, (5, 6)),  # links to come back to, by slot
+        ("saved_control", np.int64, (5,)),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -79,8 +79,8 @@ _RING = np.dtype(
         ("displacement", np.float64, (5,)),
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
-        ("saved", np.float64, (4, 5)),  # displacements to come back to, by slot
-        ("saved_scale", np.float64, (4,)),  # and the largest force there
+        ("saved", np.float64, (5, 5)),  # displacements to come back to, by slot
+        ("saved_scale", np.float64, (5,)),  # and the largest force there
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
@@ -92,6 +92,7 @@ _RING = np.dtype(
         ("matrix", np.float64, (5, 5)),
         ("kept_matrix", np.float64, (5, 5)),  # before it was solved with
         ("orientation", np.float64),  # the sign of its determinant
+        ("inertia_grows", np.bool_),  # on a path: with the part, as dead forces on the balls fade
         ("dead", np.float64, (5,)),  # on a path: as of a ball
         ("tangent", np.float64, (5,)),
         ("first", np.float64, (5,)),
