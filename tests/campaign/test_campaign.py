@@ -426,6 +426,35 @@ def test_loads_far_below_the_dead_forces_of_a_path(named: str) -> None:
     assert certificate_of(*one_case(named)) == "over the shoulder, a balance"
 
 
+@pytest.mark.parametrize("named", ["28/423", "755/903"])
+def test_an_inner_link_far_shorter_than_the_outer_one(named: str) -> None:
+    """What the outer link's rounding leaves to the inner one is no gap, though it is many roundings of that one's own."""
+    group, solution = one_case(named)
+    assert_sound(group, solution)
+    assert solution.iterations[0] <= 10
+
+
+@compiled_only
+@pytest.mark.parametrize(
+    ("named", "certificate"), [("634/554", "friction above the load"), ("862/423", "over the shoulder")]
+)
+def test_a_path_among_loads_near_the_rounding_of_inertia(named: str, certificate: str) -> None:
+    """Rounding of the largest force is more of these balls' loads than balance on a path asks for elsewhere."""
+    assert certificate_of(*one_case(named)) == f"{certificate}, a balance"
+
+
+@compiled_only
+def test_loads_made_lighter_through_snaps() -> None:
+    """Where each balance on the way down ends, relaxation finds the next; paths are lost here."""
+    assert_sound(*one_case("695/25"))
+
+
+@compiled_only
+def test_a_path_from_the_last_balance_on_the_way_up_in_speed() -> None:
+    """Paths from heavy loads and from pressed balls are lost here."""
+    assert certificate_of(*one_case("852/868")) == "open side, a balance"
+
+
 @compiled_only
 @pytest.mark.parametrize("named", ["144/838", "187/294"])
 def test_a_balance_come_back_to_keeps_its_own_law_of_friction(named: str, tmp_path: Path) -> None:
