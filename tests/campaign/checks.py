@@ -214,7 +214,7 @@ def inertia_loads(
     # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is mirrored, and
     # one shorter than half its free length is turned to the outer one, with its length.
     near = np.clip(1.0 + inner.approach / inner.length, 0.0, 0.5)
-    rolled = outer.angle + 4.0 * near * (1.0 - near) * np.arcsin(np.sin(inner.angle - outer.angle))
+    rolled = outer.angle + 4.0 * near * (1.0 - near) * _mirrored(inner.angle - outer.angle)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
     p = np.where(by_inner, inner_sine, outer.sine)
@@ -239,6 +239,12 @@ def inertia_loads(
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     return np.where(turns, throw, 0.0), np.where(turns, moment, 0.0), sensitivity
+
+
+def _mirrored(angle: NDArray) -> NDArray:
+    """The angle of the same sine at most a right angle from zero, with all digits near one, where an arcsine has half."""
+    near = np.remainder(angle + np.pi, 2.0 * np.pi) - np.pi
+    return np.where(np.abs(near) <= 0.5 * np.pi, near, np.copysign(np.pi, near) - near)
 
 
 # Balance --------------------------------------------------------------------------------------------------------------
