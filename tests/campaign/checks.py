@@ -242,7 +242,7 @@ def inertia_loads(
 
 
 def _mirrored(angle: NDArray) -> NDArray:
-    """The angle of the same sine at most a right angle from zero, with all digits near one, where an arcsine has half."""
+    """The angle of the same sine at most a right angle from zero, with all digits also near one, unlike an arcsine."""
     near = np.remainder(angle + np.pi, 2.0 * np.pi) - np.pi
     return np.where(np.abs(near) <= 0.5 * np.pi, near, np.copysign(np.pi, near) - near)
 

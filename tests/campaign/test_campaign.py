@@ -428,7 +428,7 @@ def test_loads_far_below_the_dead_forces_of_a_path(named: str) -> None:
 
 @pytest.mark.parametrize("named", ["28/423", "755/903"])
 def test_an_inner_link_far_shorter_than_the_outer_one(named: str) -> None:
-    """What the outer link's rounding leaves to the inner one is no gap, though it is many roundings of that one's own."""
+    """What the outer link's rounding leaves to the inner one is no gap, though it is many roundings of its own."""
     group, solution = one_case(named)
     assert_sound(group, solution)
     assert solution.iterations[0] <= 10
