@@ -85,10 +85,11 @@ def kernel(function: F) -> F:
 
 
 def inlined(function: F) -> F:
-    """Compile a function of the kernel into its one caller.
+    """Compile a function of the kernel into those, few, that call it.
 
     For the topmost: each level of calls compiles all that lies below it again, and these hold the most (three levels
-    less: 9.8 s of compilation instead of 11.3, the same time a point).
+    less: 9.8 s of compilation instead of 11.3, the same time a point; four functions more: 14.3 instead of 15.3 on a
+    slower day).
     """
     return cast(F, _njit(**_OPTIONS, no_cpython_wrapper=True, inline="always")(function))
 

@@ -46,7 +46,7 @@ def is_thrust_like(case: recarray) -> bool:
     return sqrt(side) < THRUST_REACH * case.prescribed[0]
 
 
-@kernel
+@inlined
 def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual).
 
@@ -56,7 +56,7 @@ def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
     return newton(case, ring, balls, tolerance)
 
 
-@kernel
+@inlined
 def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Place ring and balls for Newton's first iteration, by closed forms alone.
 
@@ -80,7 +80,7 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
         set_inner(balls[n], si, ci, inner_approach)
 
 
-@kernel
+@inlined
 def prepare(
     case: recarray,
     ring: recarray,
@@ -148,7 +148,7 @@ def solve_directly(
     return stands, notes, total, residual
 
 
-@kernel
+@inlined
 def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> None:
     """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
     reaction = ring.before
