@@ -11,6 +11,7 @@ slower by a factor of hundreds, the same equations.
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import os
 import sys
@@ -114,7 +115,8 @@ class _Compilation(numba_event.Listener):
     """Watches our entries being compiled: says so once, on stderr, and chooses how hard to optimise.
 
     numba fires only when no cached copy was found. LLVM's lowest level of optimisation makes the kernel as fast as its
-    highest (9.3 and 9.8 µs a point, measured in turn) and compiles it a sixth sooner.
+    highest (9.3 and 9.8 µs a point, measured in turn) and compiles it a sixth sooner. Python's search for garbage waits
+    meanwhile: there is little, among millions of live objects (6.9 s instead of 7.7, for 55 MB more).
     """
 
     OPTIMISATION = 1
@@ -122,6 +124,7 @@ class _Compilation(numba_event.Listener):
     def __init__(self) -> None:
         self._said = False
         self._levels: list[Any] = []
+        self._collects = False
 
     @staticmethod
     def _is_ours(event: numba_event.Event) -> bool:
@@ -130,6 +133,9 @@ class _Compilation(numba_event.Listener):
     def on_start(self, event: numba_event.Event) -> None:
         if not self._is_ours(event):
             return
+        if not self._levels:
+            self._collects = gc.isenabled()
+            gc.disable()
         level = numba_config.OPT  # type: ignore[attr-defined]
         self._levels.append(level)
         numba_config.OPT = type(level)(self.OPTIMISATION)  # type: ignore[attr-defined]
@@ -141,6 +147,8 @@ class _Compilation(numba_event.Listener):
     def on_end(self, event: numba_event.Event) -> None:
         if self._is_ours(event):
             numba_config.OPT = self._levels.pop()  # type: ignore[attr-defined]
+            if self._collects and not self._levels:
+                gc.enable()
 
 
 if COMPILED:
