@@ -4,10 +4,11 @@ At rest the problem is convex, and descent cannot fail. At speed Newton's method
 heavier loads; then from the bearing at rest, and where the full speed is too far from there, by continuation in speed.
 On that way a balance is followed until the full speed is reached, or to where it ends: where a contact leaves its
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
-Where that finds no rest, paths are followed, through their turning points, to a balance from one that cannot fail to
-exist: under heavy thrust, from balls that dead forces press, under the case's own loads made heavy. Then these loads
-are made ever lighter, and relaxation goes on where a balance ends; then a path starts from the last balance on the way
-up in speed, and more from pressed balls. Each is lost in other cases than the others.
+Where that finds no rest, inertia and friction are frozen, and thawed by and by, which is lost in one case of a hundred
+thousand. For these, paths are followed, through their turning points, to a balance from one that cannot fail to exist:
+under heavy thrust, from balls that dead forces press, under the case's own loads made heavy. Then these loads are made
+ever lighter, and relaxation goes on where a balance ends; then a path starts from the last balance on the way up in
+speed, and more from pressed balls. Each is lost in other cases than the others.
 
 Where none of these arrives, and balls slip in the last balance on the way up, they slip from that speed on.
 """
@@ -20,9 +21,11 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import UNLIMITED, set_speed
 from qsbearing.compiled import kernel
+from qsbearing.dead_forces import set_loads
 from qsbearing.descent import descend
+from qsbearing.freezing import thaw
 from qsbearing.keeping import OBJECTED, ON_THE_WAY, PATH, keep, restore
-from qsbearing.newton import applied_load, close_chains, newton
+from qsbearing.newton import applied_load, close_chains, newton, stop
 from qsbearing.path_following import follow, press
 from qsbearing.relaxation import relax_to_rest
 from qsbearing.solver import first_guess, rest
@@ -51,20 +54,12 @@ LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
 SEEN = 1e-3
 # Ways round, in the order of trying, and how many there are: the last are from balls pressed in other ways.
-UNDER_THRUST, FROM_PRESSED, UNDER_LOADS, BY_SNAPS, FROM_BALANCE = 0, 1, 2, 3, 4
-WAYS_ROUND = 8
+FROM_FROZEN, UNDER_THRUST, FROM_PRESSED, UNDER_LOADS, BY_SNAPS, FROM_BALANCE = 0, 1, 2, 3, 4, 5
+WAYS_ROUND = 9
 # So many of them are tried although there is a balance already: on the open side, or over the shoulder.
 FOR_A_BETTER = 3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
-
-
-@kernel
-def set_loads(case: recarray, ring: recarray, factor: float) -> None:
-    """Load the ring with this many times its loads."""
-    for i in range(5):
-        if not case.is_held[i]:
-            case.prescribed[i] = factor * ring.load[i]
 
 
 @kernel
@@ -81,6 +76,15 @@ def heavy_factor(case: recarray) -> float:
 
 
 @kernel
+def seat_at_rest(case: recarray, ring: recarray, balls: ndarray) -> int:
+    """Put balls at speed where they lie at rest under the loads that act; returns the iterations taken."""
+    ring_at_rest(case, ring.displacement)
+    _, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
+    seat_balls(case, ring, balls)
+    return iterations
+
+
+@kernel
 def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool, may_snap: bool) -> int:
     """Bring ring and balls to balance under loads ever lighter, down to nearly their own; returns the iterations taken.
 
@@ -93,10 +97,10 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
     if factor <= 1.0:
         return 0
     set_loads(case, ring, factor)
-    ring_at_rest(case, ring.displacement)
     if is_at_speed:
-        _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
-        seat_balls(case, ring, balls)
+        total = seat_at_rest(case, ring, balls)
+    else:
+        ring_at_rest(case, ring.displacement)
     keep(ring, balls, PATH)
     while True:
         set_loads(case, ring, factor)
@@ -139,6 +143,7 @@ def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: fl
     total += iterations
     if not converged:
         ring_at_rest(case, ring.displacement)
+        stop(case, ring, balls)
         _, before, _ = descend(case, ring, balls, FOOT)
         converged, iterations, residual = rest(case, ring, balls, tolerance)
         total += before + iterations
@@ -183,17 +188,17 @@ def speed_up(
 
 
 @kernel
-def under_heavy_loads(case: recarray, ring: recarray, balls: ndarray, thrust: float) -> tuple[bool, int]:
-    """Balance at speed under the case's own loads made heavy, and so many times as much thrust: (found, iterations)."""
+def seat_under_heavy_loads(case: recarray, ring: recarray, balls: ndarray, thrust: float) -> int:
+    """Put balls where the case's own loads made heavy, and so many times as much thrust, press them at rest.
+
+    Leaves these loads; returns the iterations taken.
+    """
     set_loads(case, ring, max(heavy_factor(case), 1.0))
     if thrust > 0.0:
         case.prescribed[0] = thrust * max(heavy_load(case), applied_load(case))
-    ring_at_rest(case, ring.displacement)
-    _, total, _ = rest(case, ring, balls, REST_TOLERANCE)
-    seat_balls(case, ring, balls)
+    iterations = seat_at_rest(case, ring, balls)
     close_chains(case, ring, balls)
-    converged, iterations, _ = newton(case, ring, balls, LIGHT_TOLERANCE)
-    return converged, total + iterations
+    return iterations
 
 
 @kernel
@@ -202,6 +207,11 @@ def go_round(
 ) -> tuple[bool, int, float]:
     """To a balance by one of the ways round: (converged, iterations, residual)."""
     total = 0
+    if way == FROM_FROZEN:
+        total = seat_under_heavy_loads(case, ring, balls, 0.0)
+        set_loads(case, ring, 1.0)
+        converged, iterations, residual = thaw(case, ring, balls, tolerance)
+        return converged, total + iterations, residual
     if way == BY_SNAPS:
         total = from_above(case, ring, balls, True, True)
         close_chains(case, ring, balls)
@@ -211,7 +221,9 @@ def go_round(
     if is_under_load:
         if way == UNDER_THRUST and case.is_held[0]:
             return False, 0, 1.0
-        found, total = under_heavy_loads(case, ring, balls, THRUST if way == UNDER_THRUST else 0.0)
+        total = seat_under_heavy_loads(case, ring, balls, THRUST if way == UNDER_THRUST else 0.0)
+        found, iterations, _ = newton(case, ring, balls, LIGHT_TOLERANCE)
+        total += iterations
         if not found:
             set_loads(case, ring, 1.0)
             return False, total, 1.0

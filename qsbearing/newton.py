@@ -96,7 +96,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
 
     Returns:
         (residual, the same of the ball or channel worst off beside its own load). The residual is the largest
-        imbalance over the largest force: applied or inertial, or of a contact where a displacement is prescribed,
+        imbalance over the largest force: applied, dead or inertial, or of a contact where a displacement is prescribed,
         since then contacts make the reaction. It is infinite where something is not a number, and where no force at
         all acts at speed: a root where no ball orbits, no place of a ball.
     """
@@ -120,7 +120,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         if imbalance > worst_own * max(lighter, least):
             worst_own = imbalance / max(lighter, least)
         total += imbalance
-        inertial = max(inertial, fc, friction)
+        inertial = max(inertial, fc, friction, abs(ball.push[0]), abs(ball.push[1]))
         contact = max(contact, load)
         add_ball(ring, ball)
     for p in range(ring.channels):

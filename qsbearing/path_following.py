@@ -27,16 +27,9 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import (
-    carried_friction,
-    friction_shares,
-    inertia,
-    inertia_of,
-    is_rolled,
-    set_outer,
-    set_speed,
-)
+from qsbearing.ball import inertia, set_outer, set_speed
 from qsbearing.compiled import kernel
+from qsbearing.dead_forces import channel_force, hold, hold_loads, inertia_and_friction
 from qsbearing.keeping import PATH, keep, restore
 from qsbearing.newton import (
     NEAR,
@@ -54,7 +47,6 @@ from qsbearing.newton import (
 from qsbearing.relaxation import relax_to_rest
 from qsbearing.ring import inner_groove_centre
 from qsbearing.start import resting_thrust, seat_balls
-from qsbearing.verdict import contact_loads
 
 # Where p starts: nothing, but for a force to be measured by.
 START = 1e-15
@@ -119,44 +111,6 @@ def press(case: recarray, ring: recarray, balls: ndarray, start: int) -> None:
 
 
 @kernel
-def channel_force(ring: recarray, ball: recarray, p: int, axial: float, radial: float, moment: float) -> float:
-    """What a solved channel feels of a force in a ball's plane and a moment about the groove centres' circle."""
-    row = ring.row[p]
-    return ball.factor[p] * (axial if row == 0 else radial if row == 1 else moment)
-
-
-@kernel
-def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
-    """Choose the dead forces that balance the contacts where ring and balls are, without inertia.
-
-    Returns the largest load.
-    """
-    ring.inertia_grows = True
-    largest = 0.0
-    for i in range(5):
-        ring.dead[i] = 0.0
-    for n in range(ring.balls):
-        ball = balls[n]
-        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
-        qi, qo = contact_loads(case, ball)
-        ball.dead[0], ball.dead[1] = qo * so - qi * si, qo * co - qi * ci
-        largest = max(largest, qi, qo)
-        for p in range(ring.channels):
-            ring.dead[ring.channel[p]] += channel_force(ring, ball, p, qi * si, qi * ci, qi * si * case.tilt_lever)
-    return largest
-
-
-@kernel
-def hold_loads(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Let the loads that act now be the dead ones, and inertia act in full."""
-    ring.inertia_grows = False
-    for i in range(5):
-        ring.dead[i] = case.prescribed[i]
-    for n in range(ring.balls):
-        balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
-
-
-@kernel
 def dead_part(ring: recarray, part: float) -> tuple[float, float]:
     """The part of the dead forces that still acts, and how fast it falls.
 
@@ -197,17 +151,8 @@ def rate_of_balance(case: recarray, ring: recarray, balls: ndarray, part: float,
         if not ring.inertia_grows:  # nothing that acts on it changes
             ball.y1, ball.y2 = 0.0, 0.0
             continue
-        si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
-        qi, qo = contact_loads(case, ball)
-        fc, mg = inertia_of(case, ball)
-        share_i, share_o = friction_shares(case, ball.control)
-        if not is_rolled(ball):
-            share_i, share_o = 0.0, 0.0
-        ti, _, _ = carried_friction(share_i, mg, qi, ring.limit)
-        to, _, _ = carried_friction(share_o, mg, qo, ring.limit)
-        r1 = to * co - ti * ci - slope * ball.dead[0]
-        r2 = ti * si - to * so + fc - slope * ball.dead[1]
-        h1, h2, h3 = -ti * ci, ti * si, case.inner_coefficient * ti - case.tilt_lever * ti * ci
+        r1, r2, h1, h2, h3 = inertia_and_friction(case, ball, ring.limit)
+        r1, r2 = r1 - slope * ball.dead[0], r2 - slope * ball.dead[1]
         y1 = (ball.own22 * r1 - ball.own12 * r2) * ball.inverse
         y2 = (ball.own11 * r2 - ball.own21 * r1) * ball.inverse
         ball.y1, ball.y2 = y1, y2

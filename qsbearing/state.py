@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from qsbearing.keeping import SLOTS
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -46,8 +48,8 @@ _BALL = np.dtype(
         ("gap2", np.float64),
         ("turn", np.float64),  # the larger turn of its contact lines by the step
         ("is_idle", np.bool_),  # its place is its inertia's more than the ring's
-        ("saved", np.float64, (5, 6)),  # links to come back to, by slot
-        ("saved_control", np.int64, (5,)),
+        ("saved", np.float64, (SLOTS, 6)),  # links to come back to, by slot
+        ("saved_control", np.int64, (SLOTS,)),
         ("force", np.float64, (3,)),  # on the ring: axial, radial, and moment about the groove centres' circle
         ("condensed", np.float64, (3,)),  # the same with the ball's own step taken out
         ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
@@ -64,7 +66,7 @@ _BALL = np.dtype(
         ("own22", np.float64),
         ("inverse", np.float64),
         ("by_own", np.float64, (3, 2)),
-        # On a path to a balance: the dead force on it, what of that acts, its share of a tangent and of Newton's step.
+        # On ways to a balance: the dead force on it, what of that acts; its share of a tangent and of Newton's step.
         ("dead", np.float64, (2,)),
         ("push", np.float64, (2,)),
         ("tangent", np.float64, (2,)),
@@ -79,8 +81,8 @@ _RING = np.dtype(
         ("displacement", np.float64, (5,)),
         ("step", np.float64, (5,)),
         ("before", np.float64, (5,)),
-        ("saved", np.float64, (5, 5)),  # displacements to come back to, by slot
-        ("saved_scale", np.float64, (5,)),  # and the largest force there
+        ("saved", np.float64, (SLOTS, 5)),  # displacements to come back to, by slot
+        ("saved_scale", np.float64, (SLOTS,)),  # and the largest force there
         ("load", np.float64, (5,)),  # the case's own, while others stand in for it
         ("balls", np.int64),  # how many balls are solved
         ("channels", np.int64),  # how many channels are solved: free, and in the plane of symmetry
@@ -93,7 +95,7 @@ _RING = np.dtype(
         ("kept_matrix", np.float64, (5, 5)),  # before it was solved with
         ("orientation", np.float64),  # the sign of its determinant
         ("inertia_grows", np.bool_),  # on a path: with the part, as dead forces on the balls fade
-        ("dead", np.float64, (5,)),  # on a path: as of a ball
+        ("dead", np.float64, (5,)),  # on ways to a balance: as of a ball
         ("tangent", np.float64, (5,)),
         ("first", np.float64, (5,)),
         ("floor", np.float64),  # least stiffness of anything

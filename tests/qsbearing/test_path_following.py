@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from qsbearing.case import CaseMaker
 from qsbearing.compiled import entry
+from qsbearing.dead_forces import hold
 from qsbearing.linear import solve_in_place
 from qsbearing.newton import close_chains
-from qsbearing.path_following import START, hold, press, two_steps
+from qsbearing.path_following import START, press, two_steps
 from qsbearing.solver import prepare
 from qsbearing.state import working_memory
 

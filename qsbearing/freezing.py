@@ -1,0 +1,123 @@
+"""To a balance at speed by freezing: inertia and friction are held as they are, and the bearing settles under them.
+
+Under forces that stay the problem is convex, as at rest: one balance only, and descent cannot fail to reach it. There
+inertia and friction are another's, by little, since they change with the contact angles only; half the difference is
+made up, and the bearing settles anew (a fixed-point iteration, damped because it may swing). No turning point or
+slipping ball is on that way. Where Newton's method does not take over in the end, a path is followed from the frozen
+balance to the one sought: a short one, for what must still change is little.
+
+What makes a light bearing hard is that its contacts hardly give way: which of fifty balls carry is all or nothing. So
+the frozen forces are made so heavy first that every contact counts, and then ever lighter, a few steps each time.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from numpy import ndarray, recarray
+
+from qsbearing.ball import set_speed
+from qsbearing.compiled import kernel
+from qsbearing.dead_forces import freeze, let_act, release
+from qsbearing.descent import descend
+from qsbearing.keeping import FROZEN, PATH, keep, restore
+from qsbearing.newton import close_chains, newton
+from qsbearing.path_following import follow
+from qsbearing.ring import channel_scale
+
+# So often forces are frozen anew, each time by this part of what they have changed.
+FREEZINGS, PART = 16, 0.5
+# Forces that press balls by this many diameters are heavy; on the way down from them each is so much lighter.
+HEAVY_APPROACH, LIGHTER, LEAST_LIGHTER = 1e-3, 10.0, 1.01
+# How well balance is known under frozen forces; how badly at least, for they are not the last.
+TOLERANCE, SETTLED = 1e-12, 1e-6
+
+
+@kernel
+def largest_dead_force(case: recarray, ring: recarray, balls: ndarray) -> float:
+    """On any ball, or in any channel, moments over the pitch radius."""
+    largest = 0.0
+    for i in range(5):
+        if not case.is_held[i]:
+            largest = max(largest, abs(ring.dead[i]) / channel_scale(case, i))
+    for n in range(ring.balls):
+        largest = max(largest, abs(balls[n].dead[0]), abs(balls[n].dead[1]))
+    return largest
+
+
+@kernel
+def settle_from(case: recarray, ring: recarray, balls: ndarray, slot: int, is_heavy: bool) -> tuple[bool, int]:
+    """Balance under the forces that act, from a place kept: (found, iterations).
+
+    By Newton's method, or else by descent; under heavy forces descent is the surer from the beginning.
+    """
+    restore(ring, balls, slot)
+    total = 0
+    if not is_heavy:
+        close_chains(case, ring, balls)
+        converged, total, _ = newton(case, ring, balls, TOLERANCE)
+        if converged:
+            return True, total
+        restore(ring, balls, slot)
+    converged, iterations, residual = descend(case, ring, balls, TOLERANCE)
+    return converged or residual <= SETTLED, total + iterations
+
+
+@kernel
+def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool, int]:
+    """The one balance under the dead forces, from the place kept as frozen: (found, iterations)."""
+    let_act(case, ring, balls, 1.0)
+    close_chains(case, ring, balls)
+    converged, total, _ = newton(case, ring, balls, TOLERANCE)
+    if converged:
+        return True, total
+    largest = largest_dead_force(case, ring, balls)
+    if largest == 0.0:
+        return False, total
+    factor = max(HEAVY_APPROACH**1.5 * case.series_stiffness / largest, 1.0)
+    let_act(case, ring, balls, factor)
+    found, iterations = settle_from(case, ring, balls, FROZEN, True)
+    total += iterations
+    lighter = LIGHTER if found else 0.0
+    keep(ring, balls, PATH)
+    while factor > 1.0 and lighter > LEAST_LIGHTER:
+        let_act(case, ring, balls, max(factor / lighter, 1.0))
+        found, iterations = settle_from(case, ring, balls, PATH, False)
+        total += iterations
+        if found:
+            factor, lighter = max(factor / lighter, 1.0), LIGHTER
+            keep(ring, balls, PATH)
+        else:
+            lighter = sqrt(lighter)
+    return found, total
+
+
+@kernel
+def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
+    """From anywhere to a balance at speed: (converged, iterations, residual)."""
+    inner, outer = case.inner_speed, case.outer_speed
+    total, trial, residual = 0, 1, 1.0
+    for n in range(ring.balls):
+        balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
+    for i in range(5):
+        ring.dead[i] = 0.0
+    for freezing in range(FREEZINGS + 1):
+        freeze(case, ring, balls, PART if freezing > 0 else 1.0)
+        keep(ring, balls, FROZEN)
+        if freezing == trial:
+            trial *= 2
+            close_chains(case, ring, balls)
+            converged, iterations, residual = newton(case, ring, balls, tolerance)
+            total += iterations
+            if converged:
+                return True, total, residual
+            restore(ring, balls, FROZEN)
+        set_speed(case, 0.0, inner, outer)
+        found, iterations = settle_frozen(case, ring, balls)
+        set_speed(case, 1.0, inner, outer)
+        release(case, ring, balls)
+        total += iterations
+        if not found:
+            return False, total, residual
+    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, True)
+    return converged, total + iterations, residual
