@@ -75,17 +75,22 @@ def hold_loads(case: recarray, ring: recarray, balls: ndarray) -> None:
 
 
 @kernel
-def freeze(case: recarray, ring: recarray, balls: ndarray, part: float) -> None:
-    """Bring the dead forces nearer, by this part, to the loads and to inertia and friction where ring and balls are."""
-    left = 1.0 - part
+def freeze(case: recarray, ring: recarray, balls: ndarray, part: float) -> float:
+    """Bring the dead forces nearer, by this part, to the loads and to inertia and friction where ring and balls are.
+
+    Returns what they lacked on the ball that lacked most.
+    """
+    left, lack = 1.0 - part, 0.0
     for i in range(5):
         ring.dead[i] = part * case.prescribed[i] + left * ring.dead[i]
     for n in range(ring.balls):
         ball = balls[n]
         f1, f2, h1, h2, h3 = inertia_and_friction(case, ball, ring.grip)
+        lack = max(lack, abs(f1 - ball.dead[0]), abs(f2 - ball.dead[1]))
         ball.dead[0], ball.dead[1] = part * f1 + left * ball.dead[0], part * f2 + left * ball.dead[1]
         for p in range(ring.channels):
             ring.dead[ring.channel[p]] -= part * channel_force(ring, ball, p, h1, h2, h3)
+    return lack
 
 
 @kernel
@@ -94,14 +99,17 @@ def let_act(case: recarray, ring: recarray, balls: ndarray, factor: float) -> No
     for i in range(5):
         if not case.is_held[i]:
             case.prescribed[i] = factor * ring.dead[i]
+    ring.frozen = 0.0
     for n in range(ring.balls):
         ball = balls[n]
         ball.push[0], ball.push[1] = factor * ball.dead[0], factor * ball.dead[1]
+        ring.frozen = max(ring.frozen, abs(ball.push[0]), abs(ball.push[1]))
 
 
 @kernel
 def release(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Let no dead forces act, and the loads that are the case's own."""
     set_loads(case, ring, 1.0)
+    ring.frozen = 0.0
     for n in range(ring.balls):
         balls[n].push[0], balls[n].push[1] = 0.0, 0.0

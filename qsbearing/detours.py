@@ -230,7 +230,7 @@ def go_round(
     elif way == FROM_BALANCE:
         restore(ring, balls, ON_THE_WAY)
     else:
-        press(case, ring, balls, way)
+        press(case, ring, balls, way - FROM_PRESSED)
     converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, not is_under_load)
     return converged, total + iterations, residual
 

@@ -21,28 +21,16 @@ from qsbearing.compiled import kernel
 from qsbearing.dead_forces import freeze, let_act, release
 from qsbearing.descent import descend
 from qsbearing.keeping import FROZEN, PATH, keep, restore
-from qsbearing.newton import close_chains, newton
+from qsbearing.newton import applied_load, close_chains, newton
 from qsbearing.path_following import follow
-from qsbearing.ring import channel_scale
 
-# So often forces are frozen anew, each time by this part of what they have changed.
-FREEZINGS, PART = 16, 0.5
+# So often forces are frozen anew, each time by this part of what they lack; by so much less where that hardly falls.
+FREEZINGS, PART, SMALLER, HARDLY = 24, 0.5, 0.85, 0.9
+LEAST_PART = 0.15
 # Forces that press balls by this many diameters are heavy; on the way down from them each is so much lighter.
 HEAVY_APPROACH, LIGHTER, LEAST_LIGHTER = 1e-3, 10.0, 1.01
 # How well balance is known under frozen forces; how badly at least, for they are not the last.
 TOLERANCE, SETTLED = 1e-12, 1e-6
-
-
-@kernel
-def largest_dead_force(case: recarray, ring: recarray, balls: ndarray) -> float:
-    """On any ball, or in any channel, moments over the pitch radius."""
-    largest = 0.0
-    for i in range(5):
-        if not case.is_held[i]:
-            largest = max(largest, abs(ring.dead[i]) / channel_scale(case, i))
-    for n in range(ring.balls):
-        largest = max(largest, abs(balls[n].dead[0]), abs(balls[n].dead[1]))
-    return largest
 
 
 @kernel
@@ -71,7 +59,7 @@ def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool,
     converged, total, _ = newton(case, ring, balls, TOLERANCE)
     if converged:
         return True, total
-    largest = largest_dead_force(case, ring, balls)
+    largest = max(applied_load(case), ring.frozen)
     if largest == 0.0:
         return False, total
     factor = max(HEAVY_APPROACH**1.5 * case.series_stiffness / largest, 1.0)
@@ -97,12 +85,16 @@ def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
     """From anywhere to a balance at speed: (converged, iterations, residual)."""
     inner, outer = case.inner_speed, case.outer_speed
     total, trial, residual = 0, 1, 1.0
+    part, before = PART, 0.0
     for n in range(ring.balls):
         balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
     for i in range(5):
         ring.dead[i] = 0.0
     for freezing in range(FREEZINGS + 1):
-        freeze(case, ring, balls, PART if freezing > 0 else 1.0)
+        lack = freeze(case, ring, balls, part if freezing > 0 else 1.0)
+        if freezing > 1 and lack > HARDLY * before:
+            part = max(SMALLER * part, LEAST_PART)
+        before = lack
         keep(ring, balls, FROZEN)
         if freezing == trial:
             trial *= 2

@@ -2,7 +2,8 @@
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Where
 that has none at hand, one is sought with friction no more than load; then with what oiled steel carries, a tenth, which
-is not far from a bearing without friction, and now along paths too; last along paths with friction no more than load.
+is not far from a bearing without friction, and now by all ways round; last by these with friction no more than load. A
+balance with a contact where no groove is, under a tenth of it, stands only if the last law has none, or no better.
 From a balance found so Newton's method goes to looser limits. Where it gets to no balance without a limit the ball
 slips, and the limited balance tells it.
 """
@@ -14,7 +15,7 @@ from numpy import ndarray, recarray
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
-from qsbearing.keeping import SOLVED, STANDING, keep, restore
+from qsbearing.keeping import OBJECTED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
 from qsbearing.solver import deliver, prepare
@@ -84,7 +85,7 @@ def solve_moving(
     stands, and is not consistent.
     """
     law, total, residual, notes, converged, is_free = 0, 0, 1.0, 0, False, False
-    solved_residual, solved_limit, standing_residual = -1.0, UNLIMITED, -1.0
+    solved_residual, solved_limit, standing_residual, objected_residual = -1.0, UNLIMITED, -1.0, -1.0
     first = WARM if is_warm else LOADS
     while True:
         notes = 0
@@ -92,11 +93,20 @@ def solve_moving(
             ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
             converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, ways)
             total += iterations
-            if not converged and notes == 0 and case.gyroscopic and law < LAST_LAW:
+            is_refused = law == PATHS_FROM and converged and objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD != 0
+            if is_refused:
+                keep(ring, balls, OBJECTED)
+                objected_residual = residual
+            is_lost = not converged and notes == 0 and case.gyroscopic
+            if (is_lost or is_refused) and law < LAST_LAW:
                 law += 1
                 limit_friction(ring, LAWS[law])
                 first = GUESS
                 continue
+            if not converged and objected_residual >= 0.0:
+                restore(ring, balls, OBJECTED)
+                limit_friction(ring, LAWS[PATHS_FROM])
+                converged, residual, notes, law = True, objected_residual, 0, LAST_LAW
             if not converged:
                 is_free = False
                 if solved_residual >= 0.0:

@@ -96,9 +96,9 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
 
     Returns:
         (residual, the same of the ball or channel worst off beside its own load). The residual is the largest
-        imbalance over the largest force: applied, dead or inertial, or of a contact where a displacement is prescribed,
-        since then contacts make the reaction. It is infinite where something is not a number, and where no force at
-        all acts at speed: a root where no ball orbits, no place of a ball.
+        imbalance over the largest force: applied, inertial or frozen, or of a contact where a displacement is
+        prescribed, since then contacts make the reaction. It is infinite where something is not a number, and where no
+        force at all acts at speed: a root where no ball orbits, no place of a ball.
     """
     start_sums(case, ring)
     ring.largest_approach = 0.0
@@ -120,7 +120,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         if imbalance > worst_own * max(lighter, least):
             worst_own = imbalance / max(lighter, least)
         total += imbalance
-        inertial = max(inertial, fc, friction, abs(ball.push[0]), abs(ball.push[1]))
+        inertial = max(inertial, fc, friction)
         contact = max(contact, load)
         add_ball(ring, ball)
     for p in range(ring.channels):
@@ -131,7 +131,7 @@ def pass_over_balls(case: recarray, ring: recarray, balls: ndarray) -> tuple[flo
         if own > least and abs(ring.imbalance[p]) > worst_own * own:
             worst_own = abs(ring.imbalance[p]) / own
         total += ring.imbalance[p]
-    scale = max(applied_load(case), inertial)
+    scale = max(applied_load(case), inertial, ring.frozen)
     if scale == 0.0 and case.centrifugal and not ring.at_rest:
         return inf, inf
     if scale <= least:

@@ -83,7 +83,7 @@ NO_PLACE = 1e30
 @kernel
 def own_measure(ball: recarray, start: int) -> float:
     """A number from 0 to 1 for this ball of a start, evenly spread and unlike any other's."""
-    return ((ball.number + 1.0) * (start + 2.0) * GOLDEN) % 1.0
+    return ((ball.number + 1.0) * (start + 3.0) * GOLDEN) % 1.0
 
 
 @kernel

@@ -96,6 +96,7 @@ _RING = np.dtype(
         ("orientation", np.float64),  # the sign of its determinant
         ("inertia_grows", np.bool_),  # on a path: with the part, as dead forces on the balls fade
         ("dead", np.float64, (5,)),  # on ways to a balance: as of a ball
+        ("frozen", np.float64),  # the largest force on a ball that stands in for inertia, while it does
         ("tangent", np.float64, (5,)),
         ("first", np.float64, (5,)),
         ("floor", np.float64),  # least stiffness of anything
