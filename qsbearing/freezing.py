@@ -34,21 +34,11 @@ TOLERANCE, SETTLED = 1e-12, 1e-6
 
 
 @kernel
-def settle_from(case: recarray, ring: recarray, balls: ndarray, slot: int, is_heavy: bool) -> tuple[bool, int]:
-    """Balance under the forces that act, from a place kept: (found, iterations).
-
-    By Newton's method, or else by descent; under heavy forces descent is the surer from the beginning.
-    """
+def descend_from(case: recarray, ring: recarray, balls: ndarray, slot: int) -> tuple[bool, int]:
+    """Balance under the forces that act by descent from a place kept: (found, iterations)."""
     restore(ring, balls, slot)
-    total = 0
-    if not is_heavy:
-        close_chains(case, ring, balls)
-        converged, total, _ = newton(case, ring, balls, TOLERANCE)
-        if converged:
-            return True, total
-        restore(ring, balls, slot)
     converged, iterations, residual = descend(case, ring, balls, TOLERANCE)
-    return converged or residual <= SETTLED, total + iterations
+    return converged or residual <= SETTLED, iterations
 
 
 @kernel
@@ -56,24 +46,27 @@ def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool,
     """The one balance under the dead forces, from the place kept as frozen: (found, iterations)."""
     let_act(case, ring, balls, 1.0)
     close_chains(case, ring, balls)
-    converged, total, _ = newton(case, ring, balls, TOLERANCE)
-    if converged:
-        return True, total
+    found, total, _ = newton(case, ring, balls, TOLERANCE)
     largest = max(applied_load(case), ring.frozen)
-    if largest == 0.0:
-        return False, total
-    factor = max(HEAVY_APPROACH**1.5 * case.series_stiffness / largest, 1.0)
-    let_act(case, ring, balls, factor)
-    found, iterations = settle_from(case, ring, balls, FROZEN, True)
+    if found or largest == 0.0:
+        return found, total
+    heavy = max(HEAVY_APPROACH**1.5 * case.series_stiffness / largest, 1.0)
+    let_act(case, ring, balls, heavy)
+    found, iterations = descend_from(case, ring, balls, FROZEN)
     total += iterations
     lighter = LIGHTER if found else 0.0
     keep(ring, balls, PATH)
-    while factor > 1.0 and lighter > LEAST_LIGHTER:
-        let_act(case, ring, balls, max(factor / lighter, 1.0))
-        found, iterations = settle_from(case, ring, balls, PATH, False)
+    while heavy > 1.0 and lighter > LEAST_LIGHTER:
+        let_act(case, ring, balls, max(heavy / lighter, 1.0))
+        restore(ring, balls, PATH)
+        close_chains(case, ring, balls)
+        found, iterations, _ = newton(case, ring, balls, TOLERANCE)
         total += iterations
+        if not found:
+            found, iterations = descend_from(case, ring, balls, PATH)
+            total += iterations
         if found:
-            factor, lighter = max(factor / lighter, 1.0), LIGHTER
+            heavy, lighter = max(heavy / lighter, 1.0), LIGHTER
             keep(ring, balls, PATH)
         else:
             lighter = sqrt(lighter)

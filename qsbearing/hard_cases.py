@@ -15,7 +15,7 @@ from numpy import ndarray, recarray
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, inlined, kernel
 from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
-from qsbearing.keeping import OBJECTED, SOLVED, STANDING, keep, restore
+from qsbearing.keeping import REFUSED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
 from qsbearing.solver import deliver, prepare
@@ -74,6 +74,28 @@ def loosen(case: recarray, ring: recarray, balls: ndarray, tolerance: float, res
     return total, residual
 
 
+@kernel
+def find_better(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, residual: float
+) -> tuple[bool, int, float]:
+    """Instead of a balance with a contact where no groove is, one under the last law: (found, iterations, residual).
+
+    Where there is no better one, that one is left, of this residual, under its own law.
+    """
+    if objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0:
+        return False, 0, residual
+    keep(ring, balls, REFUSED)
+    limit = ring.limit
+    limit_friction(ring, LAWS[LAST_LAW])
+    found, iterations, better, _ = find_balance(case, ring, balls, tolerance, GUESS, WAYS_ROUND)
+    if found and objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0:
+        return True, iterations, better
+    restore(ring, balls, REFUSED)
+    limit_friction(ring, limit)
+    ring.reached = 1.0
+    return False, iterations, residual
+
+
 @inlined
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
@@ -85,7 +107,7 @@ def solve_moving(
     stands, and is not consistent.
     """
     law, total, residual, notes, converged, is_free = 0, 0, 1.0, 0, False, False
-    solved_residual, solved_limit, standing_residual, objected_residual = -1.0, UNLIMITED, -1.0, -1.0
+    solved_residual, solved_limit, standing_residual = -1.0, UNLIMITED, -1.0
     first = WARM if is_warm else LOADS
     while True:
         notes = 0
@@ -93,20 +115,15 @@ def solve_moving(
             ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
             converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, ways)
             total += iterations
-            is_refused = law == PATHS_FROM and converged and objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD != 0
-            if is_refused:
-                keep(ring, balls, OBJECTED)
-                objected_residual = residual
-            is_lost = not converged and notes == 0 and case.gyroscopic
-            if (is_lost or is_refused) and law < LAST_LAW:
+            if not converged and notes == 0 and case.gyroscopic and law < LAST_LAW:
                 law += 1
                 limit_friction(ring, LAWS[law])
                 first = GUESS
                 continue
-            if not converged and objected_residual >= 0.0:
-                restore(ring, balls, OBJECTED)
-                limit_friction(ring, LAWS[PATHS_FROM])
-                converged, residual, notes, law = True, objected_residual, 0, LAST_LAW
+            if law == PATHS_FROM and converged:
+                is_better, iterations, residual = find_better(case, ring, balls, tolerance, residual)
+                total += iterations
+                law = LAST_LAW if is_better else law
             if not converged:
                 is_free = False
                 if solved_residual >= 0.0:

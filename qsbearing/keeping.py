@@ -8,9 +8,10 @@ from qsbearing.compiled import kernel
 
 # The last balance on the way to the one sought; the last found for all balls' controls; the last point of a path,
 # or way to lighter loads; the last balance that needs no limit of friction; the last with a contact where no groove is;
-# where forces were last frozen; where a search along a line begins.
-ON_THE_WAY, SOLVED, PATH, STANDING, OBJECTED, FROZEN, LINE = 0, 1, 2, 3, 4, 5, 6
-SLOTS = 7
+# the same under one law of friction while another is tried; where forces were last frozen; where a search along a line
+# begins.
+ON_THE_WAY, SOLVED, PATH, STANDING, OBJECTED, REFUSED, FROZEN, LINE = 0, 1, 2, 3, 4, 5, 6, 7
+SLOTS = 8
 
 
 @kernel
