@@ -49,7 +49,8 @@ class Findings:
     """Largest of all balls and channels over the largest applied or inertial force (contact load, if a channel is
     held)."""
     expressible: NDArray
-    """The imbalance that rounding can make, on the same scale: of each load, and of the lines along which it acts."""
+    """The imbalance that rounding can make, on the same scale: of each load, of the lines along which it acts, and of
+    the speeds that follow from these."""
     closure: NDArray
     """Largest gap between the two contact lengths and the groove centres, over the largest length."""
     hertz: NDArray
@@ -145,7 +146,12 @@ def findings(
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
         by_rounding = _friction_by_rounding(scene, solution, inner, outer, sensitivity)
-        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions, by_rounding)
+        # Centrifugal force goes with the square of a speed.
+        inertial = [
+            most + 2.0 * throw * sensitivity * GAP * _turn(scene, solution, inner, outer, side)
+            for most, side in zip(by_rounding, (inner, outer), strict=True)
+        ]
+        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions, inertial)
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
@@ -326,9 +332,9 @@ def _imbalance(
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
     scale = _force_scale(scene, inner, outer, throw, moment)
     rounding = np.zeros(scale.shape)
-    for side, of_friction in zip((i, o), by_rounding, strict=True):
+    for side, inertial in zip((i, o), by_rounding, strict=True):
         turned = GAP * _turn(scene, solution, i, o, side)
-        rounding += (side.load * (4 * EPS + turned) + of_friction).sum(axis=-1)
+        rounding += (side.load * (4 * EPS + turned) + inertial).sum(axis=-1)
     return np.where(worst <= _least_load(scene, i, o), 0.0, worst / scale), rounding / scale
 
 
