@@ -694,7 +694,7 @@ def test_the_speed_at_which_a_balance_has_ended() -> None:
     """Where the way up in speed ends early, the part of the speed that is told has no equilibrium, a slow turn has."""
     tight = replace(
         B218,
-        free_contact_angle=20 * qs.deg,
+        free_contact_angle=30 * qs.deg,
         inner_groove_radius=0.5005 * B218.ball_diameter,
         outer_groove_radius=0.5005 * B218.ball_diameter,
     )
