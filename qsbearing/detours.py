@@ -23,7 +23,7 @@ from qsbearing.ball import UNLIMITED, set_speed
 from qsbearing.compiled import kernel
 from qsbearing.dead_forces import set_loads
 from qsbearing.descent import descend
-from qsbearing.freezing import thaw
+from qsbearing.freezing import HEAVY_APPROACH, LIGHTER, thaw
 from qsbearing.keeping import OBJECTED, ON_THE_WAY, PATH, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton, stop
 from qsbearing.path_following import follow, press
@@ -41,9 +41,7 @@ LONGER, SHORTER = 1.5, 0.4
 REST_TOLERANCE = 1e-3
 # How far descent goes, before Newton's method takes the last steps.
 FOOT = 1e-8
-# Loads that press balls by this many diameters at rest are heavy; on the way down from them each is so much lighter.
-HEAVY_APPROACH = 1e-3
-LIGHTER = 10.0
+# On the way down from heavy loads each is at least so much lighter.
 LEAST_LIGHTER = 1.005
 # Where a balance is to snap into another: loads lighter by less than this make it, and by so much at once.
 SNAPPING, SNAPPED = 1.05, 1.5
