@@ -145,13 +145,13 @@ def findings(
                 side.friction = np.sign(side.friction) * np.minimum(side.asked, friction_limit * side.load)
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
-        by_rounding = _friction_by_rounding(scene, solution, inner, outer, sensitivity)
+        turned = [GAP * _turn(scene, solution, inner, outer, side) for side in (inner, outer)]
+        by_rounding = _friction_by_rounding(solution, inner, outer, sensitivity, turned)
         # Centrifugal force goes with the square of a speed.
-        inertial = [
-            most + 2.0 * throw * sensitivity * GAP * _turn(scene, solution, inner, outer, side)
-            for most, side in zip(by_rounding, (inner, outer), strict=True)
-        ]
-        imbalance, expressible = _imbalance(scene, solution, inner, outer, throw, moment, psi, reactions, inertial)
+        inertial = [most + 2.0 * throw * sensitivity * turn for most, turn in zip(by_rounding, turned, strict=True)]
+        imbalance, expressible = _imbalance(
+            scene, solution, inner, outer, throw, moment, psi, reactions, turned, inertial
+        )
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
@@ -307,7 +307,8 @@ def _imbalance(
     moment: NDArray,
     psi: NDArray,
     reactions: bool,
-    by_rounding: list[NDArray],
+    turned: list[NDArray],
+    inertial: list[NDArray],
 ) -> tuple[NDArray, NDArray]:
     i, o = inner, outer
     axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
@@ -332,9 +333,8 @@ def _imbalance(
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
     scale = _force_scale(scene, inner, outer, throw, moment)
     rounding = np.zeros(scale.shape)
-    for side, inertial in zip((i, o), by_rounding, strict=True):
-        turned = GAP * _turn(scene, solution, i, o, side)
-        rounding += (side.load * (4 * EPS + turned) + inertial).sum(axis=-1)
+    for side, turn_by_rounding, of_inertia in zip((i, o), turned, inertial, strict=True):
+        rounding += (side.load * (4 * EPS + turn_by_rounding) + of_inertia).sum(axis=-1)
     return np.where(worst <= _least_load(scene, i, o), 0.0, worst / scale), rounding / scale
 
 
@@ -346,7 +346,7 @@ def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side
 
 
 def _friction_by_rounding(
-    scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, sensitivity: NDArray
+    solution: qs.Solution, i: Contacts, o: Contacts, sensitivity: NDArray, turned: list[NDArray]
 ) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of places makes or takes.
 
@@ -355,7 +355,7 @@ def _friction_by_rounding(
     sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
     most = np.maximum(np.abs(i.friction), np.abs(o.friction))
     slope = most / np.maximum(sine, np.finfo(float).tiny)
-    return [GAP * (slope + most * sensitivity) * _turn(scene, solution, i, o, side) for side in (i, o)]
+    return [(slope + most * sensitivity) * turn for turn in turned]
 
 
 def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:

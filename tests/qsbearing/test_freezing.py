@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.ball import outer_vector, set_speed
-from qsbearing.case import CaseMaker
 from qsbearing.compiled import entry, kernel
 from qsbearing.dead_forces import freeze, let_act
 from qsbearing.descent import move_along, pass_closed, slope_along_step
@@ -18,8 +17,8 @@ from qsbearing.keeping import FROZEN, LINE, keep
 from qsbearing.newton import ball_steps, close_chains, ring_step
 from qsbearing.path_following import press
 from qsbearing.solver import first_guess, prepare
-from qsbearing.state import working_memory
 
+from .one_case import one_case
 from .scenes import BOTH, INNER, OUTER, turning
 
 LITTLE = 1e-4
@@ -90,16 +89,10 @@ def go_down(
 
 def gone_down(scene: qs.Scene, start: int, how: int) -> tuple[NDArray, NDArray, NDArray, bool]:
     """(displacement in the kernel's units, slopes and energies down the line, whether balance was found)."""
-    maker = CaseMaker(scene)
-    count = maker.ball_axis
-    displacement, found = np.zeros(5), np.zeros(1)
+    given, found = one_case(scene), np.zeros(1)
     slopes, energies = np.zeros(FRACTIONS.size), np.zeros(FRACTIONS.size)
     go_down(
-        maker.make(),
-        *working_memory(count),
-        displacement,
-        np.zeros((count, 3)),
-        np.zeros(count, np.int8),
+        *given,
         start,
         how,
         FRACTIONS,
@@ -107,7 +100,7 @@ def gone_down(scene: qs.Scene, start: int, how: int) -> tuple[NDArray, NDArray, 
         energies,
         found,
     )
-    return displacement, slopes, energies, bool(found[0])
+    return given[3], slopes, energies, bool(found[0])
 
 
 def scene_with(control: qs.RacewayControl, axial: float, aside: float = -0.2) -> qs.Scene:

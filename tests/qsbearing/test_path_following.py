@@ -8,16 +8,15 @@ from numpy import ndarray
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.case import CaseMaker
 from qsbearing.compiled import COMPILED, entry
 from qsbearing.dead_forces import hold
 from qsbearing.linear import solve_in_place
 from qsbearing.newton import close_chains
 from qsbearing.path_following import START, press, two_steps
 from qsbearing.solver import prepare
-from qsbearing.state import working_memory
 
 from .mechanics import ring_load, vectors
+from .one_case import one_case
 from .scenes import BOTH, BOTH_HARRIS, INNER, OUTER, PER_BALL, lever, turning
 
 BALANCED = 1e-10
@@ -201,15 +200,11 @@ def start_of_path(
 
 def steps_at(scene: qs.Scene, part: float) -> tuple[NDArray, NDArray, NDArray]:
     """(Newton's step, the rate, (residual, own residual, sign)) at this part, where the scene's path starts."""
-    maker = CaseMaker(scene)
-    count = maker.ball_axis
+    given = one_case(scene)
+    count = given[2].size
     first, rate, found = np.zeros(5 + count), np.zeros(5 + count), np.zeros(3)
     start_of_path(
-        maker.make(),
-        *working_memory(count),
-        np.zeros(5),
-        np.zeros((count, 3)),
-        np.zeros(count, np.int8),
+        *given,
         part,
         first,
         rate,
