@@ -14,7 +14,7 @@ from qsbearing.dead_forces import freeze, let_act
 from qsbearing.descent import move_along, pass_closed, slope_along_step
 from qsbearing.freezing import settle_frozen, thaw
 from qsbearing.keeping import FROZEN, LINE, keep
-from qsbearing.newton import ball_steps, close_chains, ring_step
+from qsbearing.newton import ball_steps, close_chains, newton, ring_step
 from qsbearing.path_following import press
 from qsbearing.solver import first_guess, prepare
 
@@ -23,7 +23,7 @@ from .scenes import BOTH, INNER, OUTER, turning
 
 LITTLE = 1e-4
 FRACTIONS = np.array([0.0, 0.1, 0.3 - LITTLE, 0.3, 0.3 + LITTLE, 0.6, 1.0, 1.5, 2.0])
-DESCENDED, SETTLED, THAWED = 0, 1, 2
+DESCENDED, SETTLED, THAWED, STAYED = 0, 1, 2, 3
 STARTS = range(4)
 
 
@@ -62,6 +62,8 @@ def go_down(
     prepare(case, ring, balls, False, displacement, position, control)
     first_guess(case, ring, balls)
     close_chains(case, ring, balls)
+    if how == STAYED:
+        newton(case, ring, balls, 1e-12)
     freeze(case, ring, balls, 1.0)
     press(case, ring, balls, start)
     close_chains(case, ring, balls)
@@ -69,7 +71,7 @@ def go_down(
         found[0] = thaw(case, ring, balls, 1e-12)[0]
     else:
         set_speed(case, 0.0, case.inner_speed, case.outer_speed)
-    if how == SETTLED:
+    if how == SETTLED or how == STAYED:
         keep(ring, balls, FROZEN)
         found[0] = settle_frozen(case, ring, balls)[0]
     if how == DESCENDED:
@@ -143,6 +145,17 @@ def test_balance_under_frozen_forces_is_one(scene: qs.Scene) -> None:
     size = np.abs(places[0]).max()
     assert size > 0.0
     np.testing.assert_allclose(places, np.broadcast_to(places[0], places.shape), rtol=0.0, atol=1e-9 * size)
+
+
+@pytest.mark.parametrize("name", ["heavy", "light", "mirrored"])
+def test_forces_frozen_in_a_balance_hold_it(name: str) -> None:
+    """Frozen where the bearing is in balance at speed, they bring it back there from elsewhere."""
+    scene = SCENES[name]
+    place, _, _, found = gone_down(scene, 1, STAYED)
+    assert found
+    diameter = scene.bearing.ball_diameter
+    expected = qs.solve(scene).displacement / np.array([diameter, diameter, diameter, 1.0, 1.0])
+    np.testing.assert_allclose(place, expected, rtol=0.0, atol=1e-8)
 
 
 @pytest.mark.parametrize("name", ["heavy", "light"])
