@@ -1,7 +1,7 @@
 """The one file that knows numba: how the kernel is compiled, cached and announced.
 
-`kernel` marks the functions of the solver (`inlined` its topmost), `formula` those that Python may call too, `entry`
-the few through which Python solves. Only entries are written to disk, each with all that it calls compiled into it.
+`kernel` marks the functions of the solver, `formula` those that Python may call too, `entry` the few through which
+Python solves. Only entries are written to disk, each with all that it calls compiled into it.
 numba would notice a change in an entry's own file only, so the cache lives in a folder named after a digest of all
 compiled files: edit any formula and the kernel is rebuilt.
 
@@ -11,7 +11,6 @@ slower by a factor of hundreds, the same equations.
 
 from __future__ import annotations
 
-import gc
 import hashlib
 import os
 import sys
@@ -22,6 +21,10 @@ from typing import Any, TypeVar, cast
 import numba
 from numba import config as numba_config
 from numba.core import event as numba_event
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core.compiler_machinery import LoweringPass, register_pass
+from numba.core.typed_passes import AnnotateTypes
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -72,27 +75,73 @@ _CACHE_FOLDER = _usable_cache_folder() if COMPILED else None
 _entries: set[str] = set()
 
 
+class _Part(JITCodeLibrary):
+    """The code of a kernel function: there to be linked into an entry, neither optimised nor made machine code itself.
+
+    Left to itself, numba does both for every function, each time with all that it calls, and so with what lies at the
+    bottom some hundred times. An entry does it once for all (hard cases: 8 s of compilation instead of 27; the same
+    digits, the same time a point).
+    """
+
+    def _optimize_final_module(self) -> None:
+        pass
+
+    def _finalize_final_module(self) -> None:
+        self._finalized = True
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """None: there is no machine code."""
+        self._ensure_finalized()
+        return 0
+
+    @property
+    def codegen(self) -> _Part:
+        """Who sets the environment, which machine code alone has."""
+        return self
+
+    def set_env(self, name: str, environment: object) -> None:
+        """Nowhere."""
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _AsPart(LoweringPass):
+    """Before a function is lowered: names the library that takes its code."""
+
+    _name = "qsbearing_as_part"
+
+    def __init__(self) -> None:
+        super().__init__()
+
+    def run_pass(self, state: Any) -> bool:
+        state.library = _Part(state.targetctx.codegen(), state.func_id.func_qualname)
+        return True
+
+
+class _PartCompiler(CompilerBase):
+    """numba's compiler, but for where the code goes."""
+
+    def define_pipelines(self) -> list[Any]:
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        passes.add_pass_after(_AsPart, AnnotateTypes)
+        passes.finalize()
+        return [passes]
+
+
+# The ordinary compiler makes the same code of parts, only later: for versions of numba whose inner life is unknown.
+_PARTS_ARE_KNOWN = (0, 61) <= numba.version_info[:2] <= (0, 68)
+
 # error_model "numpy": no hidden branch before each division; the formulas guard their own.
 # no_cfunc_wrapper: nothing calls these from C, and each wrapper is another function to compile.
 # _nrt: nothing here allocates, so there are no references to count.
 # No fastmath: the same digits on every run, and NaN stays NaN.
 _OPTIONS: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False, "no_rewrites": True}
+_PART: Any = {"no_cpython_wrapper": True} | ({"pipeline_class": _PartCompiler} if _PARTS_ARE_KNOWN else {})
 _njit: Any = numba.njit  # its stubs do not know these options
 
 
 def kernel(function: F) -> F:
     """Compile a function of the kernel, for the entries that call it; compiled, Python cannot call it."""
-    return cast(F, _njit(**_OPTIONS, no_cpython_wrapper=True)(function))
-
-
-def inlined(function: F) -> F:
-    """Compile a function of the kernel into those, few, that call it.
-
-    For the topmost: each level of calls compiles all that lies below it again, and these hold the most (three levels
-    less: 9.8 s of compilation instead of 11.3, the same time a point; four functions more: 14.3 instead of 15.3 on a
-    slower day).
-    """
-    return cast(F, _njit(**_OPTIONS, no_cpython_wrapper=True, inline="always")(function))
+    return cast(F, _njit(**_OPTIONS, **_PART)(function))
 
 
 def formula(function: F) -> F:
@@ -112,43 +161,21 @@ def entry(function: F) -> F:
 
 
 class _Compilation(numba_event.Listener):
-    """Watches our entries being compiled: says so once, on stderr, and chooses how hard to optimise.
-
-    numba fires only when no cached copy was found. LLVM's lowest level of optimisation makes the kernel as fast as its
-    highest (9.3 and 9.8 µs a point, measured in turn) and compiles it a sixth sooner. Python's search for garbage waits
-    meanwhile: there is little, among millions of live objects (6.9 s instead of 7.7, for 55 MB more).
-    """
-
-    OPTIMISATION = 1
+    """Watches our entries being compiled, and says so once, on stderr: numba fires only where it found no copy."""
 
     def __init__(self) -> None:
         self._said = False
-        self._levels: list[Any] = []
-        self._collects = False
-
-    @staticmethod
-    def _is_ours(event: numba_event.Event) -> bool:
-        return event.data["dispatcher"].py_func.__module__.startswith("qsbearing")
 
     def on_start(self, event: numba_event.Event) -> None:
-        if not self._is_ours(event):
+        function = event.data["dispatcher"].py_func
+        if self._said or not function.__module__.startswith("qsbearing") or function.__qualname__ not in _entries:
             return
-        if not self._levels:
-            self._collects = gc.isenabled()
-            gc.disable()
-        level = numba_config.OPT  # type: ignore[attr-defined]
-        self._levels.append(level)
-        numba_config.OPT = type(level)(self.OPTIMISATION)  # type: ignore[attr-defined]
-        if not self._said and event.data["dispatcher"].py_func.__qualname__ in _entries:
-            self._said = True
-            where = f"kept in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to keep it in: each start will do this"
-            print(f"qsbearing: compiling the solver, once, some seconds ({where})", file=sys.stderr, flush=True)
+        self._said = True
+        where = f"kept in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to keep it in: each start will do this"
+        print(f"qsbearing: compiling the solver, once, some seconds ({where})", file=sys.stderr, flush=True)
 
     def on_end(self, event: numba_event.Event) -> None:
-        if self._is_ours(event):
-            numba_config.OPT = self._levels.pop()  # type: ignore[attr-defined]
-            if self._collects and not self._levels:
-                gc.enable()
+        pass
 
 
 if COMPILED:

@@ -13,7 +13,7 @@ from __future__ import annotations
 from numpy import ndarray, recarray
 
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
-from qsbearing.compiled import entry, inlined, kernel
+from qsbearing.compiled import entry, kernel
 from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
 from qsbearing.keeping import REFUSED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
@@ -96,7 +96,7 @@ def find_better(
     return False, iterations, residual
 
 
-@inlined
+@kernel
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, float, int]:
@@ -175,7 +175,7 @@ def solve_moving(
     return converged, total, residual, notes
 
 
-@inlined
+@kernel
 def solve_with_detours(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[int, int, int, float]:

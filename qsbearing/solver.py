@@ -11,7 +11,7 @@ from math import sqrt
 from numpy import ndarray, recarray
 
 from qsbearing.ball import UNLIMITED, evaluate, is_moving, limit_friction, set_inner, set_outer, take_place, tell_place
-from qsbearing.compiled import entry, inlined, kernel
+from qsbearing.compiled import entry, kernel
 from qsbearing.contact import direction
 from qsbearing.newton import FLOOR, any_held, close_chains, newton, stop
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL
@@ -46,7 +46,7 @@ def is_thrust_like(case: recarray) -> bool:
     return sqrt(side) < THRUST_REACH * case.prescribed[0]
 
 
-@inlined
+@kernel
 def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual).
 
@@ -56,7 +56,7 @@ def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
     return newton(case, ring, balls, tolerance)
 
 
-@inlined
+@kernel
 def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Place ring and balls for Newton's first iteration, by closed forms alone.
 
@@ -80,7 +80,7 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
         set_inner(balls[n], si, ci, inner_approach)
 
 
-@inlined
+@kernel
 def prepare(
     case: recarray,
     ring: recarray,
@@ -114,7 +114,7 @@ def prepare(
                 ball.control = control[ball.number]
 
 
-@inlined
+@kernel
 def solve_directly(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, int, float]:
@@ -148,7 +148,7 @@ def solve_directly(
     return stands, notes, total, residual
 
 
-@inlined
+@kernel
 def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> None:
     """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
     reaction = ring.before
