@@ -44,6 +44,17 @@ def inertia_and_friction(case: recarray, ball: recarray, grip: float) -> tuple[f
 
 
 @kernel
+def push(ring: recarray, balls: ndarray, factor: float) -> float:
+    """Let so many times the dead forces act on the balls; returns the largest component that does."""
+    largest = 0.0
+    for n in range(ring.balls):
+        ball = balls[n]
+        ball.push[0], ball.push[1] = factor * ball.dead[0], factor * ball.dead[1]
+        largest = max(largest, abs(ball.push[0]), abs(ball.push[1]))
+    return largest
+
+
+@kernel
 def hold(case: recarray, ring: recarray, balls: ndarray) -> float:
     """Choose the dead forces that balance the contacts where ring and balls are, without inertia.
 
@@ -99,17 +110,11 @@ def let_act(case: recarray, ring: recarray, balls: ndarray, factor: float) -> No
     for i in range(5):
         if not case.is_held[i]:
             case.prescribed[i] = factor * ring.dead[i]
-    ring.frozen = 0.0
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.push[0], ball.push[1] = factor * ball.dead[0], factor * ball.dead[1]
-        ring.frozen = max(ring.frozen, abs(ball.push[0]), abs(ball.push[1]))
+    ring.frozen = push(ring, balls, factor)
 
 
 @kernel
 def release(case: recarray, ring: recarray, balls: ndarray) -> None:
     """Let no dead forces act, and the loads that are the case's own."""
     set_loads(case, ring, 1.0)
-    ring.frozen = 0.0
-    for n in range(ring.balls):
-        balls[n].push[0], balls[n].push[1] = 0.0, 0.0
+    ring.frozen = push(ring, balls, 0.0)

@@ -6,9 +6,7 @@ On that way a balance is followed until the full speed is reached, or to where i
 groove, or where it turns back, and the bearing would jump to another balance. There relaxation goes where it would.
 Where that finds no rest, inertia and friction are frozen, and thawed by and by, which is lost in one case of a hundred
 thousand. For these, paths are followed, through their turning points, to a balance from one that cannot fail to exist:
-under heavy thrust, from balls that dead forces press, under the case's own loads made heavy. Then these loads are made
-ever lighter, and relaxation goes on where a balance ends; then a path starts from the last balance on the way up in
-speed, and more from pressed balls. Each is lost in other cases than the others.
+under heavy thrust, and from balls that dead forces press. Each is lost in other cases than the others.
 
 Where none of these arrives, and balls slip in the last balance on the way up, they slip from that speed on.
 """
@@ -30,7 +28,7 @@ from qsbearing.path_following import follow, press
 from qsbearing.relaxation import relax_to_rest
 from qsbearing.solver import first_guess, rest
 from qsbearing.start import ring_at_rest, seat_balls
-from qsbearing.verdict import FRICTION_WITHOUT_LOAD, MORE_THAN_LOAD, RUNAWAY, is_asked_for, objections
+from qsbearing.verdict import FRICTION_WITHOUT_LOAD, MORE_THAN_LOAD, RUNAWAY, is_asked_for, outside_groove
 
 # Where a solve at speed starts, in this order: from the start given, closed forms, heavier loads, rest.
 WARM, GUESS, LOADS, REST = 0, 1, 2, 3
@@ -43,19 +41,15 @@ REST_TOLERANCE = 1e-3
 FOOT = 1e-8
 # On the way down from heavy loads each is at least so much lighter.
 LEAST_LIGHTER = 1.005
-# Where a balance is to snap into another: loads lighter by less than this make it, and by so much at once.
-SNAPPING, SNAPPED = 1.05, 1.5
 # Heavy thrust is this many times the heavy loads beside it.
 THRUST = 3.0
 # At speed loads may become far lighter than inertia, and must still be balanced on that way, so well.
 LIGHT_TOLERANCE = 1e-8
 # The one balance at rest, known this well, shows where its contacts lie, though its loads be too light to resolve.
 SEEN = 1e-3
-# Ways round, in the order of trying, and how many there are: the last are from balls pressed in other ways.
-FROM_FROZEN, UNDER_THRUST, FROM_PRESSED, UNDER_LOADS, BY_SNAPS, FROM_BALANCE = 0, 1, 2, 3, 4, 5
-WAYS_ROUND = 9
-# So many of them are tried although there is a balance already: on the open side, or over the shoulder.
-FOR_A_BETTER = 3
+# Ways round, in the order of trying, and how many there are.
+FROM_FROZEN, UNDER_THRUST, FROM_PRESSED = 0, 1, 2
+WAYS_ROUND = 3
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -83,15 +77,13 @@ def seat_at_rest(case: recarray, ring: recarray, balls: ndarray) -> int:
 
 
 @kernel
-def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool, may_snap: bool) -> int:
+def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool) -> int:
     """Bring ring and balls to balance under loads ever lighter, down to nearly their own; returns the iterations taken.
 
     Loads so heavy that every ball is pressed, and inertia hardly counts, are easy. Light loads leave open which few
-    balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer; or
-    where it may snap, relaxation goes where the bearing would.
+    balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer.
     """
     factor, lighter, total = heavy_factor(case), LIGHTER, 0
-    least = SNAPPING if may_snap else LEAST_LIGHTER
     if factor <= 1.0:
         return 0
     set_loads(case, ring, factor)
@@ -107,18 +99,12 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
         else:
             converged, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
         total += iterations
-        if not converged and may_snap and lighter < least:
-            restore(ring, balls, PATH)
-            close_chains(case, ring, balls)
-            converged, iterations, _ = relax_to_rest(case, ring, balls, LIGHT_TOLERANCE)
-            total += iterations
-            lighter = SNAPPED if converged else lighter
         if converged:
             keep(ring, balls, PATH)
             if factor <= 1.0:
                 break
             lighter = min(lighter**1.5, LIGHTER)
-        elif lighter < least:
+        elif lighter < LEAST_LIGHTER:
             break
         else:
             restore(ring, balls, PATH)
@@ -136,7 +122,7 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
 def settle_at_rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Solve the case at rest from scratch: (converged, iterations, residual); the balls still need their seats."""
     ring_at_rest(case, ring.displacement)
-    total = from_above(case, ring, balls, False, False)
+    total = from_above(case, ring, balls, False)
     converged, iterations, residual = rest(case, ring, balls, tolerance)
     total += iterations
     if not converged:
@@ -170,7 +156,7 @@ def speed_up(
         if converged:
             keep(ring, balls, ON_THE_WAY)
             reached, stride = part, LONGER * stride
-            against = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD
+            against = outside_groove(case, ring, balls)
         else:
             stride *= SHORTER
     if reached < 1.0 and against == 0:
@@ -181,7 +167,7 @@ def speed_up(
             _, iterations, _ = settle_at_rest(case, ring, balls, tolerance)
             total += iterations
             seat_balls(case, ring, balls)
-        against = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD
+        against = outside_groove(case, ring, balls)
     return reached, against, total
 
 
@@ -210,26 +196,18 @@ def go_round(
         set_loads(case, ring, 1.0)
         converged, iterations, residual = thaw(case, ring, balls, tolerance)
         return converged, total + iterations, residual
-    if way == BY_SNAPS:
-        total = from_above(case, ring, balls, True, True)
-        close_chains(case, ring, balls)
-        converged, iterations, residual = newton(case, ring, balls, tolerance)
-        return converged, total + iterations, residual
-    is_under_load = way == UNDER_THRUST or way == UNDER_LOADS
-    if is_under_load:
-        if way == UNDER_THRUST and case.is_held[0]:
+    if way == UNDER_THRUST:
+        if case.is_held[0]:
             return False, 0, 1.0
-        total = seat_under_heavy_loads(case, ring, balls, THRUST if way == UNDER_THRUST else 0.0)
+        total = seat_under_heavy_loads(case, ring, balls, THRUST)
         found, iterations, _ = newton(case, ring, balls, LIGHT_TOLERANCE)
         total += iterations
         if not found:
             set_loads(case, ring, 1.0)
             return False, total, 1.0
-    elif way == FROM_BALANCE:
-        restore(ring, balls, ON_THE_WAY)
     else:
-        press(case, ring, balls, way - FROM_PRESSED)
-    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, not is_under_load)
+        press(case, ring, balls)
+    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, way == FROM_PRESSED)
     return converged, total + iterations, residual
 
 
@@ -261,11 +239,11 @@ def from_rest(
     is_sound, objected = False, -1.0
     for way in range(ways + 1):
         if converged:
-            is_sound = objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0
+            is_sound = outside_groove(case, ring, balls) == 0
             if not is_sound:
                 keep(ring, balls, OBJECTED)
                 objected = residual
-        if is_sound or way == ways or (objected >= 0.0 and way >= FOR_A_BETTER):
+        if is_sound or way == ways:
             break
         converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance)
         total += iterations
@@ -304,7 +282,7 @@ def find_balance(
         elif way == GUESS:
             first_guess(case, ring, balls)
         else:
-            total += from_above(case, ring, balls, True, False)
+            total += from_above(case, ring, balls, True)
             close_chains(case, ring, balls)
         converged, iterations, residual = newton(case, ring, balls, tolerance)
         total += iterations

@@ -35,6 +35,7 @@ from qsbearing.verdict import (
     is_asked_for,
     is_unloaded,
     objections,
+    outside_groove,
 )
 
 # Limits of friction in the order of trying, and the first with which paths are worth following.
@@ -60,9 +61,7 @@ def loosen(case: recarray, ring: recarray, balls: ndarray, tolerance: float, res
         close_chains(case, ring, balls)
         converged, iterations, found = newton(case, ring, balls, tolerance)
         total += iterations
-        against = objections(case, ring, balls)
-        if looser != UNLIMITED:
-            against &= ~FRICTION_WITHOUT_LOAD
+        against = objections(case, ring, balls) if looser == UNLIMITED else outside_groove(case, ring, balls)
         if converged and against == 0:
             keep(ring, balls, SOLVED)
             limit, residual = looser, found
@@ -82,13 +81,13 @@ def find_better(
 
     Where there is no better one, that one is left, of this residual, under its own law.
     """
-    if objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0:
+    if outside_groove(case, ring, balls) == 0:
         return False, 0, residual
     keep(ring, balls, REFUSED)
     limit = ring.limit
     limit_friction(ring, LAWS[LAST_LAW])
     found, iterations, better, _ = find_balance(case, ring, balls, tolerance, GUESS, WAYS_ROUND)
-    if found and objections(case, ring, balls) & ~FRICTION_WITHOUT_LOAD == 0:
+    if found and outside_groove(case, ring, balls) == 0:
         return True, iterations, better
     restore(ring, balls, REFUSED)
     limit_friction(ring, limit)

@@ -29,7 +29,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import inertia, set_outer, set_speed
 from qsbearing.compiled import kernel
-from qsbearing.dead_forces import channel_force, hold, hold_loads, inertia_and_friction
+from qsbearing.dead_forces import channel_force, hold, hold_loads, inertia_and_friction, push
 from qsbearing.keeping import PATH, keep, restore
 from qsbearing.newton import (
     NEAR,
@@ -81,14 +81,14 @@ NO_PLACE = 1e30
 
 
 @kernel
-def own_measure(ball: recarray, start: int) -> float:
-    """A number from 0 to 1 for this ball of a start, evenly spread and unlike any other's."""
-    return ((ball.number + 1.0) * (start + 3.0) * GOLDEN) % 1.0
+def own_measure(ball: recarray) -> float:
+    """A number from 0 to 1 for this ball, evenly spread and unlike any other's."""
+    return ((ball.number + 1.0) * 3.0 * GOLDEN) % 1.0
 
 
 @kernel
-def press(case: recarray, ring: recarray, balls: ndarray, start: int) -> None:
-    """Put ring and balls where contacts press every ball, as far as the ring is free to do so; start: which one."""
+def press(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Put ring and balls where contacts press every ball, as far as the ring is free to do so."""
     s, c = case.sin_free, case.cos_free
     fc, _, _, mg, _, _ = inertia(case, balls[0].control, s, c, s, c)
     force = PRESSED * max(applied_load(case), fc, abs(mg), LEAST_PRESSED * case.series_stiffness)
@@ -101,12 +101,12 @@ def press(case: recarray, ring: recarray, balls: ndarray, start: int) -> None:
     for n in range(ring.balls):
         ball = balls[n]
         if ball.inner_sine != ball.outer_sine or ball.inner_cosine != ball.outer_cosine:  # thrown
-            turn = UNEQUAL * (2.0 * own_measure(ball, start) - 1.0)
+            turn = UNEQUAL * (2.0 * own_measure(ball) - 1.0)
             so, co = ball.outer_sine + turn * ball.outer_cosine, ball.outer_cosine - turn * ball.outer_sine
             size = 1.0 / sqrt(so * so + co * co)
             set_outer(ball, so * size, co * size, ball.outer_approach)
         else:
-            part = OUTER_PART + OUTER_PARTS * own_measure(ball, start)
+            part = OUTER_PART + OUTER_PARTS * own_measure(ball)
             ball.outer_approach = part * (ball.outer_approach + ball.inner_approach)
 
 
@@ -133,9 +133,7 @@ def set_part(case: recarray, ring: recarray, balls: ndarray, part: float, inner:
     for i in range(5):
         if not case.is_held[i]:
             case.prescribed[i] = part * ring.load[i] + rest * ring.dead[i]
-    for n in range(ring.balls):
-        ball = balls[n]
-        ball.push[0], ball.push[1] = rest * ball.dead[0], rest * ball.dead[1]
+    push(ring, balls, rest)
 
 
 @kernel

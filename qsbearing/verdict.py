@@ -100,12 +100,11 @@ def is_asked_for(case: recarray, ring: recarray, balls: ndarray, most: float) ->
 
 
 @kernel
-def objections(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
+def outside_groove(case: recarray, ring: recarray, balls: ndarray) -> int:
+    """Where inner contacts carry load and no groove is, as bits; 0 where they all lie in their grooves.
 
-    A loaded inner contact at an angle below zero lies on the open side of an angular-contact bearing; beyond a right
-    angle it lies over the shoulder of any groove. Friction at a contact without load does not exist; friction below
-    the solver's accuracy is none.
+    At an angle below zero a contact lies on the open side of an angular-contact bearing; beyond a right angle it lies
+    over the shoulder of any groove.
     """
     found = 0
     for n in range(ring.balls):
@@ -115,6 +114,19 @@ def objections(case: recarray, ring: recarray, balls: ndarray) -> int:
                 found |= OPEN_SIDE
             if ball.inner_cosine < -ANGLE_ROUNDING:
                 found |= OVER_SHOULDER
+    return found
+
+
+@kernel
+def objections(case: recarray, ring: recarray, balls: ndarray) -> int:
+    """What forbids the balance where ring and balls stand, as bits; 0 where nothing does.
+
+    Beside a contact outside its groove: friction at a contact without load, which does not exist. Friction below the
+    solver's accuracy is none.
+    """
+    found = outside_groove(case, ring, balls)
+    for n in range(ring.balls):
+        ball = balls[n]
         if case.gyroscopic and is_moving(case) and asks_for(case, ring, ball, FAR_MORE_THAN_LOAD, STALLED):
             found |= FRICTION_WITHOUT_LOAD
     return found

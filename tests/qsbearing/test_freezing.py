@@ -65,7 +65,10 @@ def go_down(
     if how == STAYED:
         newton(case, ring, balls, 1e-12)
     freeze(case, ring, balls, 1.0)
-    press(case, ring, balls, start)
+    press(case, ring, balls)
+    ring.displacement[0] *= 1.0 + start
+    if not case.is_held[1]:
+        ring.displacement[1] += 0.1 * start * ring.displacement[0]
     close_chains(case, ring, balls)
     if how == THAWED:
         found[0] = thaw(case, ring, balls, 1e-12)[0]

@@ -188,7 +188,7 @@ def start_of_path(
     """Newton's step at this part from where a path starts, and what a whole of the part would move there."""
     case, ring = cases[0], rings[0]
     prepare(case, ring, balls, False, displacement, position, control)
-    press(case, ring, balls, 0)
+    press(case, ring, balls)
     close_chains(case, ring, balls)
     force = hold(case, ring, balls)
     found[0], found[1], found[2] = two_steps(case, ring, balls, part, case.inner_speed, case.outer_speed, force)
