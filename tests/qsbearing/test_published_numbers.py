@@ -198,7 +198,9 @@ def test_groove_centre_distance() -> None:
 # Hertz's curvature at angle zero and dm/2 as the lever of a tilt; displacements count from the centred position.
 #
 # Tolerances. The inputs are round numbers and the results have six digits, yet the program's own error is not known: we
-# agree to 9e-6 without tilt, where half a unit of the last place would be 3e-6, so 1e-5 is the limit there. With tilt
+# agree to 9e-6 without tilt, where half a unit of the last place would be 3e-6, so 1e-5 is the limit there. Its last
+# digits cannot all be ours: 15.1101 asks for a contact stiffer than Hertz's by at least 5e-6 (the displacement goes as
+# K^(-2/3)), 133.5381 for one softer by at least 2e-6 (as K^(-1/4)), and no stiffness gives both. With tilt
 # g the groove centres of a truly rigid ring also move by g^2 dm/4 in the radial plane, which small rotations neglect:
 # beside BD that is 1.4e-4 in the combined cases and 2.6e-4 under a moment alone, and this is the limit there.
 
