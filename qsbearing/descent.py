@@ -21,7 +21,8 @@ from qsbearing.contact import direction, link
 from qsbearing.keeping import LINE, keep
 from qsbearing.newton import STALLED, ball_steps, close_chains, has_gone_far, pass_over_balls, ring_step
 
-MOST = 200
+# Far from balance, where loads are 1e-8 of frozen inertia, it takes some hundred steps, seldom more.
+MOST = 1000
 
 
 @kernel

@@ -3,8 +3,8 @@
 Under forces that stay the problem is convex, as at rest: one balance only, and descent cannot fail to reach it. There
 inertia and friction are another's, by little, since they change with the contact angles only; half the difference is
 made up, and the bearing settles anew (a fixed-point iteration, damped because it may swing). No turning point or
-slipping ball is on that way. Where Newton's method does not take over in the end, a path is followed from the frozen
-balance to the one sought: a short one, for what must still change is little.
+slipping ball is on that way. Where Newton's method does not take over in the end, a path from the frozen balance to the
+one sought is a short one, for what must still change is little.
 
 What makes a light bearing hard is that its contacts hardly give way: which of fifty balls carry is all or nothing. So
 the frozen forces are made so heavy first that every contact counts, and then ever lighter, a few steps each time.
@@ -22,10 +22,9 @@ from qsbearing.dead_forces import freeze, let_act, release
 from qsbearing.descent import descend
 from qsbearing.keeping import FROZEN, PATH, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton
-from qsbearing.path_following import follow
 
-# So often forces are frozen anew, each time by this part of what they lack; by so much less where that hardly falls.
-FREEZINGS, PART, SMALLER, HARDLY = 24, 0.5, 0.85, 0.9
+# Each time forces are frozen anew by this part of what they lack; by so much less where that hardly falls.
+PART, SMALLER, HARDLY = 0.5, 0.85, 0.9
 LEAST_PART = 0.15
 # Forces that press balls by this many diameters are heavy; on the way down from them each is so much lighter.
 HEAVY_APPROACH, LIGHTER, LEAST_LIGHTER = 1e-3, 10.0, 1.01
@@ -74,8 +73,8 @@ def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool,
 
 
 @kernel
-def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
-    """From anywhere to a balance at speed: (converged, iterations, residual)."""
+def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float, freezings: int) -> tuple[bool, int, float]:
+    """From anywhere to a balance at speed, by so many freezings at most: (converged, iterations, residual)."""
     inner, outer = case.inner_speed, case.outer_speed
     total, trial, residual = 0, 1, 1.0
     part, before = PART, 0.0
@@ -83,7 +82,7 @@ def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
         balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
     for i in range(5):
         ring.dead[i] = 0.0
-    for freezing in range(FREEZINGS + 1):
+    for freezing in range(freezings + 1):
         lack = freeze(case, ring, balls, part if freezing > 0 else 1.0)
         if freezing > 1 and lack > HARDLY * before:
             part = max(SMALLER * part, LEAST_PART)
@@ -103,6 +102,5 @@ def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
         release(case, ring, balls)
         total += iterations
         if not found:
-            return False, total, residual
-    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, True)
-    return converged, total + iterations, residual
+            break
+    return False, total, residual

@@ -3,7 +3,7 @@
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Where
 that has none at hand, one is sought with friction no more than load; then with what oiled steel carries, a tenth, which
 is not far from a bearing without friction, and now by all ways round; last by these with friction no more than load. A
-balance with a contact where no groove is, under a tenth of it, stands only if the last law has none, or no better.
+balance with a contact where no groove is stands only if no later law has a better.
 From a balance found so Newton's method goes to looser limits. Where it gets to no balance without a limit the ball
 slips, and the limited balance tells it.
 """
@@ -74,28 +74,6 @@ def loosen(case: recarray, ring: recarray, balls: ndarray, tolerance: float, res
 
 
 @kernel
-def find_better(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, residual: float
-) -> tuple[bool, int, float]:
-    """Instead of a balance with a contact where no groove is, one under the last law: (found, iterations, residual).
-
-    Where there is no better one, that one is left, of this residual, under its own law.
-    """
-    if outside_groove(case, ring, balls) == 0:
-        return False, 0, residual
-    keep(ring, balls, REFUSED)
-    limit = ring.limit
-    limit_friction(ring, LAWS[LAST_LAW])
-    found, iterations, better, _ = find_balance(case, ring, balls, tolerance, GUESS, WAYS_ROUND)
-    if found and outside_groove(case, ring, balls) == 0:
-        return True, iterations, better
-    restore(ring, balls, REFUSED)
-    limit_friction(ring, limit)
-    ring.reached = 1.0
-    return False, iterations, residual
-
-
-@kernel
 def solve_moving(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, float, int]:
@@ -106,7 +84,7 @@ def solve_moving(
     stands, and is not consistent.
     """
     law, total, residual, notes, converged, is_free = 0, 0, 1.0, 0, False, False
-    solved_residual, solved_limit, standing_residual = -1.0, UNLIMITED, -1.0
+    solved_residual, solved_limit, standing_residual, refused_residual, refused_law = -1.0, UNLIMITED, -1.0, -1.0, 0
     first = WARM if is_warm else LOADS
     while True:
         notes = 0
@@ -114,15 +92,22 @@ def solve_moving(
             ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
             converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, ways)
             total += iterations
-            if not converged and notes == 0 and case.gyroscopic and law < LAST_LAW:
+            is_sound = converged and outside_groove(case, ring, balls) == 0
+            if is_sound:
+                refused_residual = -1.0
+            elif converged and refused_residual < 0.0:
+                keep(ring, balls, REFUSED)
+                refused_residual, refused_law = residual, law
+            if not is_sound and notes == 0 and case.gyroscopic and law < LAST_LAW:
                 law += 1
                 limit_friction(ring, LAWS[law])
                 first = GUESS
                 continue
-            if law == PATHS_FROM and converged:
-                is_better, iterations, residual = find_better(case, ring, balls, tolerance, residual)
-                total += iterations
-                law = LAST_LAW if is_better else law
+            if refused_residual >= 0.0:
+                restore(ring, balls, REFUSED)
+                limit_friction(ring, LAWS[refused_law])
+                converged, residual, notes, law = True, refused_residual, 0, refused_law
+                refused_residual = -1.0
             if not converged:
                 is_free = False
                 if solved_residual >= 0.0:

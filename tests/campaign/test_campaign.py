@@ -466,6 +466,15 @@ def test_fifty_balls_of_which_few_carry(seed: int, named: str, certificate: str)
     assert certificate_of(*one_case(named, seed)) == certificate
 
 
+@compiled_only
+@pytest.mark.parametrize("named", ["0/935", "2/436", "8/888", "5/71"])
+def test_a_sound_balance_beside_one_outside_the_groove(named: str) -> None:
+    """A nearer start leads to the open side or over the shoulder: no reason to refuse what another way finds sound."""
+    group, solution = one_case(named, 3)
+    assert_sound(group, solution)
+    assert max(np.nanmax(side.required_friction) for side in (solution.inner, solution.outer)) <= 1.0
+
+
 def test_lines_at_right_angles_are_checked_with_all_digits() -> None:
     """An arcsine near one has half of them: too few for a moment that vanishes with what the angle lacks."""
     assert certificate_of(*one_case("954/525")) == "open side, a balance"

@@ -71,7 +71,7 @@ def go_down(
         ring.displacement[1] += 0.1 * start * ring.displacement[0]
     close_chains(case, ring, balls)
     if how == THAWED:
-        found[0] = thaw(case, ring, balls, 1e-12)[0]
+        found[0] = thaw(case, ring, balls, 1e-12, 24)[0]
     else:
         set_speed(case, 0.0, case.inner_speed, case.outer_speed)
     if how == SETTLED or how == STAYED:
