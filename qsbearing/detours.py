@@ -11,7 +11,7 @@ under heavy thrust, and from balls that dead forces press. Each is lost in other
 Where none of these arrives, and balls slip in the last balance on the way up, they slip from that speed on.
 
 A balance with a contact where no groove is, on the open side or over the shoulder, stands only where no other way finds
-one that lies in its grooves (one refusal in two hundred would have been wrong).
+one that lies in its grooves: without that, one refusal in two hundred is known to be wrong.
 """
 
 from __future__ import annotations
