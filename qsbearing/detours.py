@@ -42,10 +42,8 @@ LONGER, SHORTER = 1.5, 0.4
 REST_TOLERANCE = 1e-3
 # How far descent goes, before Newton's method takes the last steps.
 FOOT = 1e-8
-# The way down in loads starts from this part of the heavy ones, which press balls by a tenth as much; each is lighter
-# by at least that. (Of hard cases a hundredth more are found so than from heavy loads in steps down to 1.005, with a
-# third fewer iterations.)
-LESS_HEAVY, LEAST_LIGHTER = 0.1**1.5, 1.2
+# On the way down from heavy loads each is at least so much lighter (1.005 finds no more, with a sixth more iterations).
+LEAST_LIGHTER = 1.05
 # Heavy thrust is this many times the heavy loads beside it.
 THRUST = 3.0
 # At speed loads may become far lighter than inertia, and must still be balanced on that way, so well.
@@ -90,7 +88,7 @@ def from_above(case: recarray, ring: recarray, balls: ndarray, is_at_speed: bool
     Loads so heavy that every ball is pressed, and inertia hardly counts, are easy. Light loads leave open which few
     balls carry them: a choice hard to make at once and easy to follow. Where it is lost, the next load is nearer.
     """
-    factor, lighter, total = LESS_HEAVY * heavy_factor(case), LIGHTER, 0
+    factor, lighter, total = heavy_factor(case), LIGHTER, 0
     if factor <= 1.0:
         return 0
     set_loads(case, ring, factor)

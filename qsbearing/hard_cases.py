@@ -2,10 +2,11 @@
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Where
 that has none at hand, one is sought with friction no more than load; then with what oiled steel carries, a tenth, which
-is not far from a bearing without friction, and now by all ways round; last by these with friction no more than load. A
-balance with a contact where no groove is stands only if no later law has a better.
+is not far from a bearing without friction, and now by all ways round; last by these with friction no more than load.
+
 From a balance found so Newton's method goes to looser limits. Where it gets to no balance without a limit the ball
-slips, and the limited balance tells it.
+slips, and the limited balance tells it. Such a balance, or one with a contact where no groove is, refuses the case only
+if no later law leads to a sound one: there often is one beside it.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from numpy import ndarray, recarray
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, kernel
 from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
-from qsbearing.keeping import REFUSED, SOLVED, STANDING, keep, restore
+from qsbearing.keeping import PATH, REFUSED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
 from qsbearing.solver import deliver, prepare
@@ -40,9 +41,7 @@ from qsbearing.verdict import (
 
 # Limits of friction in the order of trying, and the first with which paths are worth following.
 LAWS = (UNLIMITED, FULL_GRIP, OILED_GRIP, FULL_GRIP)
-PATHS_FROM, LAST_LAW = 2, 3
-# In the place of a way to start: ring and balls are in balance already.
-SETTLED = -1
+FIRST_LIMITED, PATHS_FROM, LAST_LAW = 1, 2, 3
 
 
 @kernel
@@ -51,26 +50,83 @@ def loosen(case: recarray, ring: recarray, balls: ndarray, tolerance: float, res
 
     Returns (iterations, residual of the balance that it leaves, under the limit that it leaves).
     """
-    keep(ring, balls, SOLVED)
+    keep(ring, balls, PATH)
     limit, total = ring.limit, 0
     for looser in (FULL_GRIP, UNLIMITED):
         if looser == limit:
             continue
-        restore(ring, balls, SOLVED)
+        restore(ring, balls, PATH)
         limit_friction(ring, looser)
         close_chains(case, ring, balls)
         converged, iterations, found = newton(case, ring, balls, tolerance)
         total += iterations
         against = objections(case, ring, balls) if looser == UNLIMITED else outside_groove(case, ring, balls)
         if converged and against == 0:
-            keep(ring, balls, SOLVED)
+            keep(ring, balls, PATH)
             limit, residual = looser, found
             if looser != UNLIMITED and not is_asked_for(case, ring, balls, looser):
                 limit = UNLIMITED  # which it keeps to unasked
                 break
-    restore(ring, balls, SOLVED)
+    restore(ring, balls, PATH)
     limit_friction(ring, limit)
     return total, residual
+
+
+@kernel
+def slips(case: recarray, ring: recarray, balls: ndarray) -> bool:
+    """Whether a balance owes itself to the limit of friction, or without one, to friction that no load presses."""
+    if ring.limit == UNLIMITED:
+        return objections(case, ring, balls) & FRICTION_WITHOUT_LOAD != 0
+    return is_asked_for(case, ring, balls, ring.limit)
+
+
+@kernel
+def is_sound(case: recarray, ring: recarray, balls: ndarray) -> bool:
+    """Whether a balance has all contacts in their grooves, and friction that they carry."""
+    return outside_groove(case, ring, balls) == 0 and not slips(case, ring, balls)
+
+
+@kernel
+def settle(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int
+) -> tuple[bool, int, float, int]:
+    """A balance under the controls as they are, by the first law of friction with a sound one; returns as finding does.
+
+    Else the first found that refuses the case, under its own law.
+    """
+    total, refused, refused_limit, is_slipping = 0, -1.0, UNLIMITED, False
+    converged, residual, notes = False, 1.0, 0
+    for law in range(LAST_LAW + 1):
+        if law == LAST_LAW and is_slipping:  # under the same law, which had a balance
+            break
+        limit_friction(ring, LAWS[law])
+        ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
+        converged, iterations, residual, notes = find_balance(
+            case, ring, balls, tolerance, first if law == 0 else GUESS, ways
+        )
+        total += iterations
+        if converged:
+            if ring.limit != UNLIMITED and slips(case, ring, balls):
+                iterations, residual = loosen(case, ring, balls, tolerance, residual)
+                total += iterations
+            does_slip = slips(case, ring, balls)
+            if not does_slip:
+                limit_friction(ring, UNLIMITED)
+                if outside_groove(case, ring, balls) == 0:
+                    return True, total, residual, 0
+            is_refusing = not does_slip or (ring.limit != UNLIMITED and is_asked_for(case, ring, balls, MORE_THAN_LOAD))
+            if is_refusing and refused < 0.0:
+                keep(ring, balls, REFUSED)
+                refused, refused_limit = residual, ring.limit
+            is_slipping = is_slipping or (law == FIRST_LIMITED and outside_groove(case, ring, balls) == 0)
+        if not case.gyroscopic or (notes != 0 and not converged):
+            break
+    if refused >= 0.0:
+        restore(ring, balls, REFUSED)
+        limit_friction(ring, refused_limit)
+        ring.reached = 1.0
+        return True, total, refused, 0
+    return converged, total, residual, notes
 
 
 @kernel
@@ -80,77 +136,37 @@ def solve_moving(
     """Equilibrium at speed: (converged, iterations, relative residual, notes); `ring.reached` is the speed it is for.
 
     With per-ball control a balance may change the controls that Jones's criterion contradicts, and the next is sought
-    from there. Controls that have no solution, or one in which balls slip, are no choice: the last balance found
-    stands, and is not consistent.
+    from there. Controls that have no sound solution are no choice: the last sound balance stands, and is not
+    consistent; where there is none, the last balance does.
     """
-    law, total, residual, notes, converged, is_free = 0, 0, 1.0, 0, False, False
-    solved_residual, solved_limit, standing_residual, refused_residual, refused_law = -1.0, UNLIMITED, -1.0, -1.0, 0
+    total, solved, solved_limit, standing = 0, -1.0, UNLIMITED, -1.0
     first = WARM if is_warm else LOADS
     while True:
-        notes = 0
-        if first != SETTLED:
-            ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
-            converged, iterations, residual, notes = find_balance(case, ring, balls, tolerance, first, ways)
-            total += iterations
-            is_sound = converged and outside_groove(case, ring, balls) == 0
-            if is_sound:
-                refused_residual = -1.0
-            elif converged and refused_residual < 0.0:
-                keep(ring, balls, REFUSED)
-                refused_residual, refused_law = residual, law
-            if not is_sound and notes == 0 and case.gyroscopic and law < LAST_LAW:
-                law += 1
-                limit_friction(ring, LAWS[law])
-                first = GUESS
-                continue
-            if refused_residual >= 0.0:
-                restore(ring, balls, REFUSED)
-                limit_friction(ring, LAWS[refused_law])
-                converged, residual, notes, law = True, refused_residual, 0, refused_law
-                refused_residual = -1.0
-            if not converged:
-                is_free = False
-                if solved_residual >= 0.0:
-                    restore(ring, balls, SOLVED)
-                    limit_friction(ring, solved_limit)
-                    converged, residual, notes = True, solved_residual, NO_CONSISTENT_CONTROL
-                break
-        if ring.limit == UNLIMITED:
-            is_free = objections(case, ring, balls) & FRICTION_WITHOUT_LOAD == 0
-        else:
-            is_free = not is_asked_for(case, ring, balls, ring.limit)
-        if case.control == PER_BALL:
-            keep(ring, balls, SOLVED)
-            solved_residual, solved_limit = residual, ring.limit
-            if is_free:
-                keep(ring, balls, STANDING)
-                standing_residual = residual
-            wrong, changed = contradicted_controls(case, ring, balls)
-            if changed > 0:
-                first = WARM
-                continue
+        converged, iterations, residual, notes = settle(case, ring, balls, tolerance, first)
+        total += iterations
+        stands = converged and is_sound(case, ring, balls)
+        if not converged and solved >= 0.0:
+            restore(ring, balls, SOLVED)
+            limit_friction(ring, solved_limit)
+            converged, residual, notes = True, solved, NO_CONSISTENT_CONTROL
+            break
+        if not converged or case.control != PER_BALL:
+            break
+        keep(ring, balls, SOLVED)
+        solved, solved_limit = residual, ring.limit
+        if stands:
+            keep(ring, balls, STANDING)
+            standing = residual
+        wrong, changed = contradicted_controls(case, ring, balls)
+        if changed == 0:
             if wrong > 0:
                 notes = NO_CONSISTENT_CONTROL
-        if is_free:
-            limit_friction(ring, UNLIMITED)
             break
-        if ring.limit == UNLIMITED:
-            law = max(law, 1)
-        else:
-            iterations, residual = loosen(case, ring, balls, tolerance, residual)
-            total += iterations
-            if ring.limit == UNLIMITED:
-                first = SETTLED
-                continue
-            if law == LAST_LAW or is_asked_for(case, ring, balls, MORE_THAN_LOAD):
-                break
-            law = LAST_LAW
-        limit_friction(ring, LAWS[law])
-        first, solved_residual = GUESS, -1.0
-    if standing_residual >= 0.0 and not is_free:
+        first = WARM
+    if standing >= 0.0 and not stands:
         restore(ring, balls, STANDING)
         limit_friction(ring, UNLIMITED)
-        converged, residual, notes = True, standing_residual, NO_CONSISTENT_CONTROL
+        converged, residual, notes = True, standing, NO_CONSISTENT_CONTROL
     if converged:
         ring.reached = 1.0
         if ring.limit != UNLIMITED:

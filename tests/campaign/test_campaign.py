@@ -420,10 +420,9 @@ def test_loads_lightened_to_the_last(named: str) -> None:
 
 
 @compiled_only
-@pytest.mark.parametrize("named", ["44/46", "49/907"])
-def test_loads_far_below_the_dead_forces_of_a_path(named: str) -> None:
+def test_loads_far_below_the_dead_forces_of_a_path() -> None:
     """They must come into their own while there is still way to go."""
-    assert certificate_of(*one_case(named)) == "over the shoulder, a balance"
+    assert certificate_of(*one_case("44/46")) == "over the shoulder, a balance"
 
 
 @pytest.mark.parametrize("named", ["28/423", "755/903"])
@@ -467,12 +466,13 @@ def test_fifty_balls_of_which_few_carry(seed: int, named: str, certificate: str)
 
 
 @compiled_only
-@pytest.mark.parametrize("named", ["0/935", "2/436", "8/888", "5/71"])
-def test_a_sound_balance_beside_one_outside_the_groove(named: str) -> None:
-    """A nearer start leads to the open side or over the shoulder: no reason to refuse what another way finds sound."""
+@pytest.mark.parametrize("named", ["0/935", "2/436", "8/888", "5/71", "6/510", "8/538", "1/345", "7/782", "14/992"])
+def test_a_sound_balance_beside_one_that_is_none(named: str) -> None:
+    """A nearer start leads to the open side, over the shoulder, or, for the last three, to balls that slip."""
     group, solution = one_case(named, 3)
     assert_sound(group, solution)
-    assert max(np.nanmax(side.required_friction) for side in (solution.inner, solution.outer)) <= 1.0
+    for side in (solution.inner, solution.outer):
+        assert side.required_friction is None or np.nanmax(side.required_friction) <= 1.0
 
 
 def test_lines_at_right_angles_are_checked_with_all_digits() -> None:
