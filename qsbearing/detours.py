@@ -42,7 +42,7 @@ LONGER, SHORTER = 1.5, 0.4
 REST_TOLERANCE = 1e-3
 # How far descent goes, before Newton's method takes the last steps.
 FOOT = 1e-8
-# On the way down from heavy loads each is at least so much lighter (1.005 finds no more, with a sixth more iterations).
+# On the way down from heavy loads each is at least so much lighter (1.005: 3 of 1190 more, 7 % more iterations).
 LEAST_LIGHTER = 1.05
 # Heavy thrust is this many times the heavy loads beside it.
 THRUST = 3.0
