@@ -421,8 +421,9 @@ def test_loads_lightened_to_the_last(named: str) -> None:
 
 @compiled_only
 def test_loads_far_below_the_dead_forces_of_a_path() -> None:
-    """They must come into their own while there is still way to go."""
+    """They must come into their own while there is still way to go; the second's balance is sound."""
     assert certificate_of(*one_case("44/46")) == "over the shoulder, a balance"
+    assert_sound(*one_case("49/907"))
 
 
 @pytest.mark.parametrize("named", ["28/423", "755/903"])

@@ -37,7 +37,6 @@ SOLVE_ONCE = """
 import numba
 numba.version_info = {version}
 import qsbearing as qs
-from qsbearing.compiled import COMPILED
 from qsbearing import compiled
 solution = qs.solve(qs.load_scene("b218"))
 print(compiled._PARTS_ARE_KNOWN, solution.inner.load.tobytes().hex())
