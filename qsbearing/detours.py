@@ -246,41 +246,38 @@ def from_rest(
         total += iterations
         set_speed(case, 1.0, inner, outer)
         ring.reached = reached
-    if against != 0 and ways > 0 and not ring.ran_away:
+    converged, residual, is_sound = False, 1.0, False
+    if against == 0:
+        restore(ring, balls, ON_THE_WAY)
+        close_chains(case, ring, balls)
+        converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
+        total += iterations
+        for way in range(ways + 1):
+            if converged:
+                is_sound = outside_groove(case, ring, balls) == 0
+                if not is_sound and objected < 0.0:
+                    keep(ring, balls, OBJECTED)
+                    objected = residual
+            if is_sound or way == ways:
+                break
+            converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance)
+            total += iterations
+    elif ways > 0 and not ring.ran_away:
         keep(ring, balls, ON_THE_WAY)
         converged, iterations, residual = from_frozen(case, ring, balls, tolerance, FEW_FREEZINGS)
         total += iterations
-        if converged and outside_groove(case, ring, balls) == 0:
-            ring.reached = 1.0
-            return True, total, residual, 0
-        restore(ring, balls, ON_THE_WAY)
-    if against != 0:
-        if objected < 0.0:
-            return False, total, 1.0, against
-        restore(ring, balls, OBJECTED)
-        ring.reached = 1.0
-        return True, total, objected, 0
-    restore(ring, balls, ON_THE_WAY)
-    close_chains(case, ring, balls)
-    converged, iterations, residual = relax_to_rest(case, ring, balls, tolerance)
-    total += iterations
-    is_sound = False
-    for way in range(ways + 1):
-        if converged:
-            is_sound = outside_groove(case, ring, balls) == 0
-            if not is_sound and objected < 0.0:
-                keep(ring, balls, OBJECTED)
-                objected = residual
-        if is_sound or way == ways:
-            break
-        converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance)
-        total += iterations
+        is_sound = converged and outside_groove(case, ring, balls) == 0
+        if is_sound:
+            against = 0
+        else:
+            restore(ring, balls, ON_THE_WAY)
+            converged, residual = False, 1.0
     if not is_sound and objected >= 0.0:
         restore(ring, balls, OBJECTED)
-        converged, residual = True, objected
+        converged, residual, against = True, objected, 0
     if converged:
         ring.reached = 1.0
-    elif case.gyroscopic and reached > 0.0 and ways > 0:
+    elif against == 0 and case.gyroscopic and reached > 0.0 and ways > 0:
         restore(ring, balls, ON_THE_WAY)
         set_speed(case, reached, inner, outer)
         if is_asked_for(case, ring, balls, MORE_THAN_LOAD):
