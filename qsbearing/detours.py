@@ -53,8 +53,9 @@ SEEN = 1e-3
 # Ways round, in the order of trying, and how many there are.
 FROM_FROZEN, UNDER_THRUST, FROM_PRESSED = 0, 1, 2
 WAYS_ROUND = 3
-# Forces are frozen so often; so often, where the way up in speed ends outside a groove, and there is hardly another.
-FREEZINGS, FEW_FREEZINGS = 24, 4
+# So many evaluations freezing is worth; so many, where the way up in speed ends outside a groove, and there is hardly
+# another. With half of that one sound balance of 1257 in hard cases is lost; without bounds none more is found.
+WORTH, LITTLE_WORTH = 8000, 1000
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -192,12 +193,12 @@ def seat_under_heavy_loads(case: recarray, ring: recarray, balls: ndarray, thrus
 
 @kernel
 def from_frozen(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, freezings: int
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, worth: int
 ) -> tuple[bool, int, float]:
     """From where the case's own loads made heavy press balls at rest, by freezing; returns as thawing does."""
     before = seat_under_heavy_loads(case, ring, balls, 0.0)
     set_loads(case, ring, 1.0)
-    converged, iterations, residual = thaw(case, ring, balls, tolerance, freezings)
+    converged, iterations, residual = thaw(case, ring, balls, tolerance, worth)
     return converged, before + iterations, residual
 
 
@@ -208,7 +209,7 @@ def go_round(
     """To a balance by one of the ways round: (converged, iterations, residual)."""
     total = 0
     if way == FROM_FROZEN:
-        converged, total, residual = from_frozen(case, ring, balls, tolerance, FREEZINGS)
+        converged, total, residual = from_frozen(case, ring, balls, tolerance, WORTH)
         if converged:
             return True, total, residual
     elif way == UNDER_THRUST:
@@ -264,7 +265,7 @@ def from_rest(
             total += iterations
     elif ways > 0 and not ring.ran_away:
         keep(ring, balls, ON_THE_WAY)
-        converged, iterations, residual = from_frozen(case, ring, balls, tolerance, FEW_FREEZINGS)
+        converged, iterations, residual = from_frozen(case, ring, balls, tolerance, LITTLE_WORTH)
         total += iterations
         is_sound = converged and outside_groove(case, ring, balls) == 0
         if is_sound:

@@ -26,6 +26,8 @@ from qsbearing.newton import applied_load, close_chains, newton
 # Each time forces are frozen anew by this part of what they lack; by so much less where that hardly falls.
 PART, SMALLER, HARDLY = 0.5, 0.85, 0.9
 LEAST_PART = 0.15
+# So often at most.
+FREEZINGS = 24
 # Forces that press balls by this many diameters are heavy; on the way down from them each is so much lighter.
 HEAVY_APPROACH, LIGHTER, LEAST_LIGHTER = 1e-3, 10.0, 1.01
 # How well balance is known under frozen forces; how badly at least, for they are not the last.
@@ -41,7 +43,7 @@ def descend_from(case: recarray, ring: recarray, balls: ndarray, slot: int) -> t
 
 
 @kernel
-def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool, int]:
+def settle_frozen(case: recarray, ring: recarray, balls: ndarray, worth: int) -> tuple[bool, int]:
     """The one balance under the dead forces, from the place kept as frozen: (found, iterations)."""
     let_act(case, ring, balls, 1.0)
     close_chains(case, ring, balls)
@@ -55,7 +57,7 @@ def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool,
     total += iterations
     lighter = LIGHTER if found else 0.0
     keep(ring, balls, PATH)
-    while heavy > 1.0 and lighter > LEAST_LIGHTER:
+    while heavy > 1.0 and lighter > LEAST_LIGHTER and total < worth:
         let_act(case, ring, balls, max(heavy / lighter, 1.0))
         restore(ring, balls, PATH)
         close_chains(case, ring, balls)
@@ -73,8 +75,8 @@ def settle_frozen(case: recarray, ring: recarray, balls: ndarray) -> tuple[bool,
 
 
 @kernel
-def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float, freezings: int) -> tuple[bool, int, float]:
-    """From anywhere to a balance at speed, by so many freezings at most: (converged, iterations, residual)."""
+def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float, worth: int) -> tuple[bool, int, float]:
+    """From anywhere to a balance at speed, as far as it is worth so many: (converged, iterations, residual)."""
     inner, outer = case.inner_speed, case.outer_speed
     total, trial, residual = 0, 1, 1.0
     part, before = PART, 0.0
@@ -82,7 +84,7 @@ def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float, freez
         balls[n].dead[0], balls[n].dead[1] = 0.0, 0.0
     for i in range(5):
         ring.dead[i] = 0.0
-    for freezing in range(freezings + 1):
+    for freezing in range(FREEZINGS + 1):
         lack = freeze(case, ring, balls, part if freezing > 0 else 1.0)
         if freezing > 1 and lack > HARDLY * before:
             part = max(SMALLER * part, LEAST_PART)
@@ -97,10 +99,10 @@ def thaw(case: recarray, ring: recarray, balls: ndarray, tolerance: float, freez
                 return True, total, residual
             restore(ring, balls, FROZEN)
         set_speed(case, 0.0, inner, outer)
-        found, iterations = settle_frozen(case, ring, balls)
+        found, iterations = settle_frozen(case, ring, balls, worth - total)
         set_speed(case, 1.0, inner, outer)
         release(case, ring, balls)
         total += iterations
-        if not found:
+        if not found or total >= worth:
             break
     return False, total, residual
