@@ -29,7 +29,7 @@ from qsbearing.keeping import OBJECTED, ON_THE_WAY, PATH, keep, restore
 from qsbearing.newton import applied_load, close_chains, newton, stop
 from qsbearing.path_following import follow, press
 from qsbearing.relaxation import relax_to_rest
-from qsbearing.solver import first_guess, rest
+from qsbearing.solver import REST_TOLERANCE, first_guess, rest, seat_at_rest
 from qsbearing.start import ring_at_rest, seat_balls
 from qsbearing.verdict import FRICTION_WITHOUT_LOAD, MORE_THAN_LOAD, RUNAWAY, is_asked_for, outside_groove
 
@@ -38,8 +38,6 @@ WARM, GUESS, LOADS, REST = 0, 1, 2, 3
 # The part of the speed below which continuation takes no smaller step, and how much longer or shorter the next one is.
 LEAST_STRIDE = 1e-4
 LONGER, SHORTER = 1.5, 0.4
-# How well the balance at rest must be known for Newton to start from it.
-REST_TOLERANCE = 1e-3
 # How far descent goes, before Newton's method takes the last steps.
 FOOT = 1e-8
 # On the way down from heavy loads each is at least so much lighter (1.005: 3 of 1190 more, 7 % more iterations).
@@ -53,9 +51,8 @@ SEEN = 1e-3
 # Ways round, in the order of trying, and how many there are.
 FROM_FROZEN, UNDER_THRUST, FROM_PRESSED = 0, 1, 2
 WAYS_ROUND = 3
-# So many evaluations freezing is worth; so many, where the way up in speed ends outside a groove, and there is hardly
-# another. With half of that one sound balance of 1257 in hard cases is lost; without bounds none more is found.
-WORTH, LITTLE_WORTH = 8000, 1000
+# So many evaluations freezing is worth, where the way up in speed ends outside a groove, and there is hardly another.
+LITTLE_WORTH = 1000
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
 
@@ -71,15 +68,6 @@ def heavy_factor(case: recarray) -> float:
     """How many times the loads would press the balls hard."""
     own = applied_load(case)
     return heavy_load(case) / own if own > 0.0 else 1.0
-
-
-@kernel
-def seat_at_rest(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """Put balls at speed where they lie at rest under the loads that act; returns the iterations taken."""
-    ring_at_rest(case, ring.displacement)
-    _, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
-    seat_balls(case, ring, balls)
-    return iterations
 
 
 @kernel
@@ -204,12 +192,12 @@ def from_frozen(
 
 @kernel
 def go_round(
-    case: recarray, ring: recarray, balls: ndarray, way: int, inner: float, outer: float, tolerance: float
+    case: recarray, ring: recarray, balls: ndarray, way: int, inner: float, outer: float, tolerance: float, worth: int
 ) -> tuple[bool, int, float]:
-    """To a balance by one of the ways round: (converged, iterations, residual)."""
+    """To a balance by one of the ways round, worth so many evaluations: (converged, iterations, residual)."""
     total = 0
     if way == FROM_FROZEN:
-        converged, total, residual = from_frozen(case, ring, balls, tolerance, WORTH)
+        converged, total, residual = from_frozen(case, ring, balls, tolerance, worth)
         if converged:
             return True, total, residual
     elif way == UNDER_THRUST:
@@ -223,15 +211,15 @@ def go_round(
             return False, total, 1.0
     else:
         press(case, ring, balls)
-    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, way != UNDER_THRUST)
+    converged, iterations, residual = follow(case, ring, balls, inner, outer, tolerance, way != UNDER_THRUST, worth)
     return converged, total + iterations, residual
 
 
 @kernel
 def from_rest(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, ways: int, objected: float
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, worth: int, objected: float
 ) -> tuple[bool, int, float, int]:
-    """From rest by continuation in speed, then relaxation, then these ways round; returns as for finding a balance.
+    """From rest by continuation in speed, then relaxation, then ways round; returns as for finding a balance.
 
     Args:
         objected: residual of a balance kept that has a contact where no groove is: it stands only if no better one is
@@ -248,6 +236,7 @@ def from_rest(
         set_speed(case, 1.0, inner, outer)
         ring.reached = reached
     converged, residual, is_sound = False, 1.0, False
+    ways = WAYS_ROUND if worth > 0 else 0
     if against == 0:
         restore(ring, balls, ON_THE_WAY)
         close_chains(case, ring, balls)
@@ -261,9 +250,9 @@ def from_rest(
                     objected = residual
             if is_sound or way == ways:
                 break
-            converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance)
+            converged, iterations, residual = go_round(case, ring, balls, way, inner, outer, tolerance, worth)
             total += iterations
-    elif ways > 0 and not ring.ran_away:
+    elif worth > 0 and not ring.ran_away:
         keep(ring, balls, ON_THE_WAY)
         converged, iterations, residual = from_frozen(case, ring, balls, tolerance, LITTLE_WORTH)
         total += iterations
@@ -278,7 +267,7 @@ def from_rest(
         converged, residual, against = True, objected, 0
     if converged:
         ring.reached = 1.0
-    elif against == 0 and case.gyroscopic and reached > 0.0 and ways > 0:
+    elif against == 0 and case.gyroscopic and reached > 0.0 and worth > 0:
         restore(ring, balls, ON_THE_WAY)
         set_speed(case, reached, inner, outer)
         if is_asked_for(case, ring, balls, MORE_THAN_LOAD):
@@ -289,12 +278,13 @@ def from_rest(
 
 @kernel
 def find_balance(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, ways: int
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, worth: int
 ) -> tuple[bool, int, float, int]:
     """A balance at speed with controls and limit of friction as they are, by the way numbered first, then the others.
 
-    At last so many ways round are tried. A balance with a contact where no groove is stands only if none finds a
-    better. Friction without limit is not sought on the way from rest, which seldom leads to it.
+    At last ways round are tried, each as far as it is worth so many evaluations: not at all for 0. A balance with a
+    contact where no groove is stands only if none finds a better. Friction without limit is not sought on the way from
+    rest, which seldom leads to it.
 
     Returns:
         (converged, iterations, relative residual, what forbids a balance: 0 where nothing is known to);
@@ -322,5 +312,5 @@ def find_balance(
             return False, total, residual, 0
         restore(ring, balls, OBJECTED)
         return True, total, objected, 0
-    converged, iterations, residual, against = from_rest(case, ring, balls, tolerance, ways, objected)
+    converged, iterations, residual, against = from_rest(case, ring, balls, tolerance, worth, objected)
     return converged, total + iterations, residual, against

@@ -15,7 +15,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, kernel
-from qsbearing.detours import GUESS, LOADS, SEEN, WARM, WAYS_ROUND, find_balance, settle_at_rest
+from qsbearing.detours import GUESS, LOADS, SEEN, WARM, find_balance, settle_at_rest
 from qsbearing.keeping import PATH, REFUSED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
@@ -42,6 +42,8 @@ from qsbearing.verdict import (
 # Limits of friction in the order of trying, and the first with which paths are worth following.
 LAWS = (UNLIMITED, FULL_GRIP, OILED_GRIP, FULL_GRIP)
 FIRST_LIMITED, PATHS_FROM, LAST_LAW = 1, 2, 3
+# So many evaluations each way round is worth, and so many where nothing is known after that.
+WORTH, LONG_WORTH = 6000, 25000
 
 
 @kernel
@@ -88,11 +90,11 @@ def is_sound(case: recarray, ring: recarray, balls: ndarray) -> bool:
 
 @kernel
 def settle(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, first: int, worth: int
 ) -> tuple[bool, int, float, int]:
     """A balance under the controls as they are, by the first law of friction with a sound one; returns as finding does.
 
-    Else the first found that refuses the case, under its own law.
+    Ways round are worth so many evaluations each. Else the first found that refuses the case, under its own law.
     """
     total, refused, refused_limit, is_slipping = 0, -1.0, UNLIMITED, False
     converged, residual, notes = False, 1.0, 0
@@ -100,9 +102,9 @@ def settle(
         if law == LAST_LAW and is_slipping:  # under the same law, which had a balance
             break
         limit_friction(ring, LAWS[law])
-        ways = WAYS_ROUND if law >= PATHS_FROM or not case.gyroscopic else 0
+        may_go_round = law >= PATHS_FROM or not case.gyroscopic
         converged, iterations, residual, notes = find_balance(
-            case, ring, balls, tolerance, first if law == 0 else GUESS, ways
+            case, ring, balls, tolerance, first if law == 0 else GUESS, worth if may_go_round else 0
         )
         total += iterations
         if converged:
@@ -142,8 +144,11 @@ def solve_moving(
     total, solved, solved_limit, standing = 0, -1.0, UNLIMITED, -1.0
     first = WARM if is_warm else LOADS
     while True:
-        converged, iterations, residual, notes = settle(case, ring, balls, tolerance, first)
+        converged, iterations, residual, notes = settle(case, ring, balls, tolerance, first, WORTH)
         total += iterations
+        if not converged and notes == 0 and solved < 0.0:
+            converged, iterations, residual, notes = settle(case, ring, balls, tolerance, GUESS, LONG_WORTH)
+            total += iterations
         stands = converged and is_sound(case, ring, balls)
         if not converged and solved >= 0.0:
             restore(ring, balls, SOLVED)

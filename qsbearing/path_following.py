@@ -62,9 +62,6 @@ CORRECTIONS, NEARBY = 16, 1e-4
 # roundings of the largest force is none, however light the load of the ball or channel that feels it.
 BALANCED, OWN_BALANCED, ROUNDED = 1e-10, 1e-4, 1e-15
 CLOSINGS = 2
-# So many evaluations a path is worth. With 1500 one of 3606 hard cases is lost; with 25000 no more are found than with
-# 3000.
-MOST = 5000
 # No line turns further at a step (radians), no groove centre moves further (ball diameters).
 LARGEST_TURN, LARGEST_MOVE = 0.5, 1.0
 # Where a path starts balls are pressed by this many times the largest force that acts on one, or by this part of their
@@ -358,7 +355,14 @@ def rest_nearby(case: recarray, ring: recarray, balls: ndarray, tolerance: float
 
 @kernel
 def follow(
-    case: recarray, ring: recarray, balls: ndarray, inner: float, outer: float, tolerance: float, is_pressed: bool
+    case: recarray,
+    ring: recarray,
+    balls: ndarray,
+    inner: float,
+    outer: float,
+    tolerance: float,
+    is_pressed: bool,
+    worth: int,
 ) -> tuple[bool, int, float]:
     """Follow the path that starts where ring and balls are: (converged at the speeds given, iterations, residual).
 
@@ -376,7 +380,7 @@ def follow(
     _, _, sign = two_steps(case, ring, balls, part, inner, outer, force)
     share = tangent(case, ring, balls, sign)
     keep(ring, balls, PATH)
-    while total < MOST and stride > SHORTEST:
+    while total < worth and stride > SHORTEST:
         sign = 0.0
         for legs in range(1, 3):
             restore(ring, balls, PATH)

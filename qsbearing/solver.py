@@ -1,6 +1,7 @@
-"""One case, the direct way: a start from closed forms, Newton's method, the verdict.
+"""One case, the direct way: a start from closed forms or from rest, Newton's method, the verdict.
 
-That is all for nearly every case. What does not end in a balance that stands is left to the detours of hard cases,
+Each start arrives in cases that the other does not: what the likelier of the two misses is tried from the other. That
+is all for nearly every case. What does not end in a balance that stands is left to the detours of hard cases,
 which are compiled only when a case first needs them.
 """
 
@@ -10,10 +11,20 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import UNLIMITED, evaluate, is_moving, limit_friction, set_inner, set_outer, take_place, tell_place
+from qsbearing.ball import (
+    UNLIMITED,
+    evaluate,
+    inertia,
+    is_moving,
+    limit_friction,
+    set_inner,
+    set_outer,
+    take_place,
+    tell_place,
+)
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import direction
-from qsbearing.newton import FLOOR, any_held, close_chains, newton, stop
+from qsbearing.newton import FLOOR, any_held, applied_load, close_chains, newton, stop
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
 from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
@@ -31,6 +42,8 @@ UNFINISHED = 3
 
 # Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest.
 THRUST_REACH = 5.0
+# How well the balance at rest must be known for Newton to start from it.
+REST_TOLERANCE = 1e-3
 
 
 @kernel
@@ -47,6 +60,14 @@ def is_thrust_like(case: recarray) -> bool:
 
 
 @kernel
+def is_load_ahead(case: recarray, control: int) -> bool:
+    """Whether loads shape the balls' balance at speed more than inertia does."""
+    s, c = case.sin_free, case.cos_free
+    fc, _, _, mg, _, _ = inertia(case, control, s, c, s, c)
+    return applied_load(case) > case.ball_count * max(fc, abs(mg))
+
+
+@kernel
 def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
     """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual).
 
@@ -54,6 +75,15 @@ def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tu
     """
     stop(case, ring, balls)
     return newton(case, ring, balls, tolerance)
+
+
+@kernel
+def seat_at_rest(case: recarray, ring: recarray, balls: ndarray) -> int:
+    """Put balls at speed where they lie at rest under the loads that act; returns the iterations taken."""
+    ring_at_rest(case, ring.displacement)
+    _, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
+    seat_balls(case, ring, balls)
+    return iterations
 
 
 @kernel
@@ -81,6 +111,14 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
 
 
 @kernel
+def choose_controls(case: recarray, ring: recarray, balls: ndarray) -> None:
+    """Give every ball the raceway control asked for; where each has its own, the outer until its balance says."""
+    for n in range(ring.balls):
+        balls[n].changes = 0
+        balls[n].control = INNER if case.control == INNER else OUTER
+
+
+@kernel
 def prepare(
     case: recarray,
     ring: recarray,
@@ -102,12 +140,11 @@ def prepare(
         ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
+    choose_controls(case, ring, balls)
     for n in range(ring.balls):
         ball = balls[n]
         set_outer(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
         set_inner(ball, case.sin_free, case.cos_free, 0.0)
-        ball.changes = 0
-        ball.control = INNER if case.control == INNER else OUTER
         if is_warm:
             take_place(case, ball, position[ball.number])
             if case.control == PER_BALL and is_moving(case):
@@ -115,37 +152,57 @@ def prepare(
 
 
 @kernel
-def solve_directly(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[bool, int, int, float]:
-    """Solve one case from the start given or a closed form: (whether a balance stands, notes, iterations, residual).
+def settle_controls(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, int, float]:
+    """From where ring and balls are: (whether a balance stands, notes, iterations, relative residual).
 
     With per-ball control a balance may change the controls that Jones's criterion contradicts, and is sought again from
     where it stands.
     """
-    notes = UNLOADED_RING if is_unloaded(case) else 0
+    total, notes = 0, 0
+    while True:
+        converged, iterations, residual = newton(case, ring, balls, tolerance)
+        total += iterations
+        if not converged or case.control != PER_BALL:
+            break
+        wrong, changed = contradicted_controls(case, ring, balls)
+        if changed == 0:
+            notes = NO_CONSISTENT_CONTROL if wrong > 0 else 0
+            break
+    return converged and objections(case, ring, balls) == 0, notes, total, residual
+
+
+@kernel
+def solve_directly(
+    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
+) -> tuple[bool, int, int, float]:
+    """Solve one case from the start given or two of its own: (whether a balance stands, notes, iterations, residual).
+
+    At speed the two are closed forms and the balance at rest, the likelier first.
+    """
+    unloaded = UNLOADED_RING if is_unloaded(case) else 0
     if not is_moving(case):
         if not is_warm:
             ring_at_rest(case, ring.displacement)
         converged, total, residual = rest(case, ring, balls, tolerance)
         seat_balls(case, ring, balls)
-    else:
-        if is_warm:
-            close_chains(case, ring, balls)
+        return converged and objections(case, ring, balls) == 0, unloaded, total, residual
+    if is_warm:
+        close_chains(case, ring, balls)
+        stands, notes, total, residual = settle_controls(case, ring, balls, tolerance)
+        return stands, unloaded | notes, total, residual
+    is_rest_first = not is_thrust_like(case) and is_load_ahead(case, balls[0].control)
+    stands, notes, total, residual = False, 0, 0, 1.0
+    for attempt in range(2):
+        choose_controls(case, ring, balls)
+        if (attempt == 0) == is_rest_first:
+            total += seat_at_rest(case, ring, balls)
         else:
             first_guess(case, ring, balls)
-        total, changed = 0, 1
-        converged, residual = True, 1.0
-        while converged and changed > 0:
-            converged, iterations, residual = newton(case, ring, balls, tolerance)
-            total += iterations
-            changed = 0
-            if converged and case.control == PER_BALL:
-                wrong, changed = contradicted_controls(case, ring, balls)
-                if wrong > 0 and changed == 0:
-                    notes |= NO_CONSISTENT_CONTROL
-    stands = converged and objections(case, ring, balls) == 0
-    return stands, notes, total, residual
+        stands, notes, iterations, residual = settle_controls(case, ring, balls, tolerance)
+        total += iterations
+        if stands:
+            break
+    return stands, unloaded | notes, total, residual
 
 
 @kernel

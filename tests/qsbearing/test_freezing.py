@@ -13,6 +13,7 @@ from qsbearing.compiled import entry, kernel
 from qsbearing.dead_forces import freeze, let_act
 from qsbearing.descent import move_along, pass_closed, slope_along_step
 from qsbearing.freezing import settle_frozen, thaw
+from qsbearing.hard_cases import WORTH
 from qsbearing.keeping import FROZEN, LINE, keep
 from qsbearing.newton import ball_steps, close_chains, newton, ring_step
 from qsbearing.path_following import press
@@ -71,12 +72,12 @@ def go_down(
         ring.displacement[1] += 0.1 * start * ring.displacement[0]
     close_chains(case, ring, balls)
     if how == THAWED:
-        found[0] = thaw(case, ring, balls, 1e-12, 24)[0]
+        found[0] = thaw(case, ring, balls, 1e-12, WORTH)[0]
     else:
         set_speed(case, 0.0, case.inner_speed, case.outer_speed)
     if how == SETTLED or how == STAYED:
         keep(ring, balls, FROZEN)
-        found[0] = settle_frozen(case, ring, balls)[0]
+        found[0] = settle_frozen(case, ring, balls, WORTH)[0]
     if how == DESCENDED:
         let_act(case, ring, balls, 1.0)
         pass_closed(case, ring, balls)
