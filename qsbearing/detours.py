@@ -37,6 +37,8 @@ from qsbearing.verdict import FRICTION_WITHOUT_LOAD, MORE_THAN_LOAD, RUNAWAY, is
 WARM, GUESS, LOADS, REST = 0, 1, 2, 3
 # The part of the speed below which continuation takes no smaller step, and how much longer or shorter the next one is.
 LEAST_STRIDE = 1e-4
+# So without a limit to friction, where smaller steps lead hardly further.
+LEAST_STRIDE_UNLIMITED = 0.02
 LONGER, SHORTER = 1.5, 0.4
 # How far descent goes, before Newton's method takes the last steps.
 FOOT = 1e-8
@@ -55,6 +57,12 @@ WAYS_ROUND = 3
 LITTLE_WORTH = 1000
 # A ring that has gone this many ball diameters (or, for tilts, radians) has met nothing that would stop it.
 RUNAWAY_DISTANCE = 5.0
+
+
+@kernel
+def is_unlimited(case: recarray, ring: recarray) -> bool:
+    """Whether friction must carry the gyroscopic moment whatever the load."""
+    return case.gyroscopic and ring.limit == UNLIMITED
 
 
 @kernel
@@ -140,7 +148,8 @@ def speed_up(
     The last balance is kept; where it is one that has come to an end, ring and balls are left in it.
     """
     reached, stride, total, against = 0.0, 1.0, 0, 0
-    while reached < 1.0 and stride >= LEAST_STRIDE and against == 0:
+    least = LEAST_STRIDE_UNLIMITED if is_unlimited(case, ring) else LEAST_STRIDE
+    while reached < 1.0 and stride >= least and against == 0:
         part = min(1.0, reached + stride)
         set_speed(case, part, inner, outer)
         restore(ring, balls, ON_THE_WAY)
@@ -283,8 +292,8 @@ def find_balance(
     """A balance at speed with controls and limit of friction as they are, by the way numbered first, then the others.
 
     At last ways round are tried, each as far as it is worth so many evaluations: not at all for 0. A balance with a
-    contact where no groove is stands only if none finds a better. Friction without limit is not sought on the way from
-    rest, which seldom leads to it.
+    contact where no groove is stands only if none finds a better. Friction without limit is sought on the way from rest
+    only where that is the first: it seldom leads to it.
 
     Returns:
         (converged, iterations, relative residual, what forbids a balance: 0 where nothing is known to);
@@ -307,7 +316,7 @@ def find_balance(
         if converged and objected < 0.0:
             keep(ring, balls, OBJECTED)
             objected = residual
-    if case.gyroscopic and ring.limit == UNLIMITED:
+    if is_unlimited(case, ring) and first != REST:
         if objected < 0.0:
             return False, total, residual, 0
         restore(ring, balls, OBJECTED)

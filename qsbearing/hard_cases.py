@@ -2,7 +2,8 @@
 
 Friction that must carry the gyroscopic moment whatever the load has no balance for many a ball with little load. Where
 that has none at hand, one is sought with friction no more than load; then with what oiled steel carries, a tenth, which
-is not far from a bearing without friction, and now by all ways round; last by these with friction no more than load.
+is not far from a bearing without friction, and now by all ways round; then by these with friction no more than load;
+last without a limit again, on the way up in speed.
 
 From a balance found so Newton's method goes to looser limits. Where it gets to no balance without a limit the ball
 slips, and the limited balance tells it. Such a balance, or one with a contact where no groove is, refuses the case only
@@ -15,7 +16,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.ball import FULL_GRIP, OILED_GRIP, UNLIMITED, is_moving, limit_friction
 from qsbearing.compiled import entry, kernel
-from qsbearing.detours import GUESS, LOADS, SEEN, WARM, find_balance, settle_at_rest
+from qsbearing.detours import GUESS, LOADS, REST, SEEN, WARM, find_balance, settle_at_rest
 from qsbearing.keeping import PATH, REFUSED, SOLVED, STANDING, keep, restore
 from qsbearing.newton import close_chains, newton
 from qsbearing.raceway_control import PER_BALL
@@ -39,9 +40,9 @@ from qsbearing.verdict import (
     outside_groove,
 )
 
-# Limits of friction in the order of trying, and the first with which paths are worth following.
-LAWS = (UNLIMITED, FULL_GRIP, OILED_GRIP, FULL_GRIP)
-FIRST_LIMITED, PATHS_FROM, LAST_LAW = 1, 2, 3
+# Limits of friction in the order of trying: the third and the fourth by all ways, the fifth by the way up in speed.
+LAWS = (UNLIMITED, FULL_GRIP, OILED_GRIP, FULL_GRIP, UNLIMITED)
+FIRST_LAW, FULL, OILED, FULL_AGAIN, UP_IN_SPEED = 0, 1, 2, 3, 4
 # So many evaluations each way round is worth, and so many where nothing is known after that.
 WORTH, LONG_WORTH = 6000, 25000
 
@@ -98,13 +99,14 @@ def settle(
     """
     total, refused, refused_limit, is_slipping = 0, -1.0, UNLIMITED, False
     converged, residual, notes = False, 1.0, 0
-    for law in range(LAST_LAW + 1):
-        if law == LAST_LAW and is_slipping:  # under the same law, which had a balance
-            break
+    for law in range(len(LAWS)):
+        if law == FULL_AGAIN and is_slipping:
+            continue
         limit_friction(ring, LAWS[law])
-        may_go_round = law >= PATHS_FROM or not case.gyroscopic
+        start = first if law == FIRST_LAW else REST if law == UP_IN_SPEED else GUESS
+        may_go_round = not case.gyroscopic or law == OILED or law == FULL_AGAIN
         converged, iterations, residual, notes = find_balance(
-            case, ring, balls, tolerance, first if law == 0 else GUESS, worth if may_go_round else 0
+            case, ring, balls, tolerance, start, worth if may_go_round else 0
         )
         total += iterations
         if converged:
@@ -120,7 +122,7 @@ def settle(
             if is_refusing and refused < 0.0:
                 keep(ring, balls, REFUSED)
                 refused, refused_limit = residual, ring.limit
-            is_slipping = is_slipping or (law == FIRST_LIMITED and outside_groove(case, ring, balls) == 0)
+            is_slipping = is_slipping or (law == FULL and outside_groove(case, ring, balls) == 0)
         if not case.gyroscopic or (notes != 0 and not converged):
             break
     if refused >= 0.0:
@@ -128,6 +130,8 @@ def settle(
         limit_friction(ring, refused_limit)
         ring.reached = 1.0
         return True, total, refused, 0
+    if law == UP_IN_SPEED:  # what ends there ends for friction without limit only
+        notes = 0
     return converged, total, residual, notes
 
 

@@ -24,6 +24,7 @@ from qsbearing.ball import (
 )
 from qsbearing.compiled import entry, kernel
 from qsbearing.contact import direction
+from qsbearing.keeping import SOLVED, keep, restore
 from qsbearing.newton import FLOOR, any_held, applied_load, close_chains, newton, stop
 from qsbearing.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
@@ -111,11 +112,11 @@ def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
 
 
 @kernel
-def choose_controls(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Give every ball the raceway control asked for; where each has its own, the outer until its balance says."""
+def choose_controls(case: recarray, ring: recarray, balls: ndarray, first: int) -> None:
+    """Give every ball the raceway control asked for; where each has its own, this one until its balance says."""
     for n in range(ring.balls):
         balls[n].changes = 0
-        balls[n].control = INNER if case.control == INNER else OUTER
+        balls[n].control = first if case.control == PER_BALL else case.control
 
 
 @kernel
@@ -140,7 +141,7 @@ def prepare(
         ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
         if case.is_held[i]:
             ring.displacement[i] = case.prescribed[i]
-    choose_controls(case, ring, balls)
+    choose_controls(case, ring, balls, OUTER)
     for n in range(ring.balls):
         ball = balls[n]
         set_outer(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
@@ -175,9 +176,11 @@ def settle_controls(case: recarray, ring: recarray, balls: ndarray, tolerance: f
 def solve_directly(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, int, float]:
-    """Solve one case from the start given or two of its own: (whether a balance stands, notes, iterations, residual).
+    """Solve one case from the start given or its own: (whether a balance stands, notes, iterations, residual).
 
-    At speed the two are closed forms and the balance at rest, the likelier first.
+    At speed its own are closed forms and the balance at rest, the likelier first; with per-ball control from the outer
+    control of all balls, then from the inner. A balance that contradicts its controls stands if no start leads to
+    another.
     """
     unloaded = UNLOADED_RING if is_unloaded(case) else 0
     if not is_moving(case):
@@ -191,18 +194,24 @@ def solve_directly(
         stands, notes, total, residual = settle_controls(case, ring, balls, tolerance)
         return stands, unloaded | notes, total, residual
     is_rest_first = not is_thrust_like(case) and is_load_ahead(case, balls[0].control)
-    stands, notes, total, residual = False, 0, 0, 1.0
-    for attempt in range(2):
-        choose_controls(case, ring, balls)
-        if (attempt == 0) == is_rest_first:
+    total, contradicted = 0, -1.0
+    for attempt in range(4 if case.control == PER_BALL else 2):
+        choose_controls(case, ring, balls, OUTER if attempt < 2 else INNER)
+        if (attempt % 2 == 0) == is_rest_first:
             total += seat_at_rest(case, ring, balls)
         else:
             first_guess(case, ring, balls)
         stands, notes, iterations, residual = settle_controls(case, ring, balls, tolerance)
         total += iterations
-        if stands:
-            break
-    return stands, unloaded | notes, total, residual
+        if stands and notes == 0:
+            return True, unloaded, total, residual
+        if stands and contradicted < 0.0:
+            keep(ring, balls, SOLVED)
+            contradicted = residual
+    if contradicted >= 0.0:
+        restore(ring, balls, SOLVED)
+        return True, unloaded | NO_CONSISTENT_CONTROL, total, contradicted
+    return False, unloaded, total, 1.0
 
 
 @kernel

@@ -402,6 +402,23 @@ def test_loads_ahead_of_inertia_lead_to_a_sound_balance(named: str) -> None:
 
 
 @compiled_only
+@pytest.mark.parametrize("named", ["0/997", "2/272", "2/73", "9/96"])
+def test_a_sound_balance_up_in_speed(named: str) -> None:
+    """Under every limit of friction balls slip or leave their grooves; followed up from rest without one, none does."""
+    assert_sound(*one_case(named))
+
+
+@compiled_only
+@pytest.mark.parametrize("named", ["3/856", "3/946", "5/342", "7/20", "2/457"])
+def test_controls_that_agree_are_found_from_the_inner_ones(named: str) -> None:
+    """From outer control of all balls Newton's method ends where controls and balance contradict each other, or
+    (the last) over the shoulder."""
+    group, solution = one_case(named)
+    assert_sound(group, solution)
+    assert solution.control_is_consistent[0]
+
+
+@compiled_only
 @pytest.mark.parametrize("named", ["506/485", "135/256", "315/215", "88/874"])
 def test_a_ball_on_top_of_the_inner_groove(named: str) -> None:
     """Where that lies below the outer groove's top, the ball thrown there goes no further: over the inner shoulder."""
