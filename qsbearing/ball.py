@@ -43,8 +43,8 @@ ROUNDING = 4e-15
 UNLIMITED = 0.0
 # The most friction over load where it is limited: what oiled steel carries (0.06 to 0.1); what no material exceeds.
 OILED_GRIP, FULL_GRIP = 0.1, 1.0
-# An approach, in ball diameters, that is none: the rounding of a place.
-TOUCHING = 2.0**-52
+# An approach, in ball diameters, that is none: the rounding of a place, the sum of ring's, grooves' and both links'.
+TOUCHING = 4.0 * 2.0**-52
 # Lengths below this many ball diameters have no direction.
 SHORTEST = 1e-12
 

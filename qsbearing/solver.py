@@ -61,10 +61,10 @@ def is_thrust_like(case: recarray) -> bool:
 
 
 @kernel
-def is_load_ahead(case: recarray, control: int) -> bool:
+def is_load_ahead(case: recarray) -> bool:
     """Whether loads shape the balls' balance at speed more than inertia does."""
     s, c = case.sin_free, case.cos_free
-    fc, _, _, mg, _, _ = inertia(case, control, s, c, s, c)
+    fc, _, _, mg, _, _ = inertia(case, INNER if case.control == INNER else OUTER, s, c, s, c)
     return applied_load(case) > case.ball_count * max(fc, abs(mg))
 
 
@@ -176,10 +176,10 @@ def settle_controls(case: recarray, ring: recarray, balls: ndarray, tolerance: f
 def solve_directly(
     case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
 ) -> tuple[bool, int, int, float]:
-    """Solve one case from the start given or its own: (whether a balance stands, notes, iterations, residual).
+    """Solve one case from the start given, then its own: (whether a balance stands, notes, iterations, residual).
 
     At speed its own are closed forms and the balance at rest, the likelier first; with per-ball control from the outer
-    control of all balls, then from the inner. A balance that contradicts its controls stands if no start leads to
+    control of all balls, then from the inner. A balance that contradicts its controls stands if none of these leads to
     another.
     """
     unloaded = UNLOADED_RING if is_unloaded(case) else 0
@@ -189,12 +189,13 @@ def solve_directly(
         converged, total, residual = rest(case, ring, balls, tolerance)
         seat_balls(case, ring, balls)
         return converged and objections(case, ring, balls) == 0, unloaded, total, residual
+    total, contradicted = 0, -1.0
     if is_warm:
         close_chains(case, ring, balls)
         stands, notes, total, residual = settle_controls(case, ring, balls, tolerance)
-        return stands, unloaded | notes, total, residual
-    is_rest_first = not is_thrust_like(case) and is_load_ahead(case, balls[0].control)
-    total, contradicted = 0, -1.0
+        if stands:
+            return True, unloaded | notes, total, residual
+    is_rest_first = not is_thrust_like(case) and is_load_ahead(case)
     for attempt in range(4 if case.control == PER_BALL else 2):
         choose_controls(case, ring, balls, OUTER if attempt < 2 else INNER)
         if (attempt % 2 == 0) == is_rest_first:

@@ -136,8 +136,9 @@ def findings(
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
         throw, moment, sensitivity = inertia_loads(scene, solution, inner, outer)
-        # What touches neither raceway does not roll, nor does what only the rounding of its place presses.
-        moment = np.where(np.maximum(inner.approach, outer.approach) > EPS * diameter, moment, 0.0)
+        # What touches neither raceway does not roll, nor does what only the rounding of its place, a sum of four
+        # numbers, presses.
+        moment = np.where(np.maximum(inner.approach, outer.approach) > 4.0 * EPS * diameter, moment, 0.0)
         for side in (inner, outer):
             side.friction = side.share * moment / diameter
             side.asked = np.abs(side.friction)

@@ -419,6 +419,12 @@ def test_controls_that_agree_are_found_from_the_inner_ones(named: str) -> None:
 
 
 @compiled_only
+def test_a_ball_that_only_rounding_presses_is_not_rolled() -> None:
+    """Balls that lie free, their inner approach 4e-17 m, would be asked for friction that nothing carries."""
+    assert_sound(*one_case("280/206"))
+
+
+@compiled_only
 @pytest.mark.parametrize("named", ["506/485", "135/256", "315/215", "88/874"])
 def test_a_ball_on_top_of_the_inner_groove(named: str) -> None:
     """Where that lies below the outer groove's top, the ball thrown there goes no further: over the inner shoulder."""
