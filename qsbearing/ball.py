@@ -233,6 +233,26 @@ def close_chain(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: fl
 
 
 @kernel
+def lay_midway(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+    """Put a ball midway between its grooves, on the line between their centres.
+
+    Where one groove's circle lies within the other's, midway between its centre and its far side.
+    """
+    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    between, n1, n2, _ = direction(li + lo, case.sin_free, case.cos_free, a1, a2)
+    distance = li + lo + between
+    if distance <= lo - li:
+        set_outer(ball, n1, n2, distance + 0.5 * li - lo)
+        set_inner(ball, -n1, -n2, -0.5 * li)
+    elif distance <= li - lo:
+        set_outer(ball, -n1, -n2, -0.5 * lo)
+        set_inner(ball, n1, n2, distance + 0.5 * lo - li)
+    else:
+        set_outer(ball, n1, n2, 0.5 * between)
+        set_inner(ball, n1, n2, 0.5 * between)
+
+
+@kernel
 def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     """Put a ball where its inertia throws it: into a corner between its grooves, or to the outer groove's bottom.
 
@@ -284,6 +304,15 @@ def throw(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     # Where the circles do not meet, (si, ci) is no unit vector: its direction counts.
     approach, n1, n2, _ = direction(li, s, c, li * (si - s) + inner * si, li * (ci - c) + inner * ci)
     set_inner(ball, n1, n2, approach)
+
+
+@kernel
+def lay_loose(case: recarray, ball: recarray, a1: float, a2: float) -> None:
+    """Put a ball that its grooves leave room where it is thrown; where nothing throws it, midway: nothing rolls it."""
+    if case.centrifugal and is_moving(case):
+        throw(case, ball, a1, a2)
+    else:
+        lay_midway(case, ball, a1, a2)
 
 
 @kernel

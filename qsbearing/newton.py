@@ -22,11 +22,11 @@ from qsbearing.ball import (
     close_chain,
     inner_gap,
     inner_rest,
+    lay_loose,
     moving_ball,
     resting_ball,
     set_inner,
     set_inner_by_places,
-    throw,
 )
 from qsbearing.compiled import kernel
 from qsbearing.contact import direction
@@ -273,8 +273,8 @@ def settle_link(
 def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_patient: bool, is_near: bool) -> None:
     """Take the fraction of the step.
 
-    An idle ball that is asked to turn far does not hold up the ring: it is put anew where it would be thrown, or if
-    its grooves leave it no room for that, turned as far as tangents hold.
+    An idle ball that is asked to turn far does not hold up the ring: it is put anew where a loose one lies, or if its
+    grooves leave it no room, turned as far as tangents hold.
     """
     s, c, whole = case.sin_free, case.cos_free, case.inner_coefficient + case.outer_coefficient - 1.0
     inner_length = whole if ring.at_rest else case.inner_coefficient - 0.5
@@ -290,7 +290,7 @@ def move(case: recarray, ring: recarray, balls: ndarray, fraction: float, is_pat
         if ball.is_idle and ball.turn > LARGEST_TURN:
             room, _, _, _ = direction(whole, s, c, a1, a2)
             if room <= 0.0 and not ring.at_rest:
-                throw(case, ball, a1, a2)
+                lay_loose(case, ball, a1, a2)
                 continue
             part = min(fraction, LARGEST_TURN / ball.turn)
         most = pressed

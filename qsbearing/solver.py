@@ -196,19 +196,20 @@ def solve_directly(
         if stands:
             return True, unloaded | notes, total, residual
     is_rest_first = not is_thrust_like(case) and is_load_ahead(case)
-    for attempt in range(4 if case.control == PER_BALL else 2):
-        choose_controls(case, ring, balls, OUTER if attempt < 2 else INNER)
-        if (attempt % 2 == 0) == is_rest_first:
-            total += seat_at_rest(case, ring, balls)
-        else:
-            first_guess(case, ring, balls)
-        stands, notes, iterations, residual = settle_controls(case, ring, balls, tolerance)
-        total += iterations
-        if stands and notes == 0:
-            return True, unloaded, total, residual
-        if stands and contradicted < 0.0:
-            keep(ring, balls, SOLVED)
-            contradicted = residual
+    for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
+        for start in range(2):
+            choose_controls(case, ring, balls, control)
+            if (start == 0) == is_rest_first:
+                total += seat_at_rest(case, ring, balls)
+            else:
+                first_guess(case, ring, balls)
+            stands, notes, iterations, residual = settle_controls(case, ring, balls, tolerance)
+            total += iterations
+            if stands and notes == 0:
+                return True, unloaded, total, residual
+            if stands and contradicted < 0.0:
+                keep(ring, balls, SOLVED)
+                contradicted = residual
     if contradicted >= 0.0:
         restore(ring, balls, SOLVED)
         return True, unloaded | NO_CONSISTENT_CONTROL, total, contradicted

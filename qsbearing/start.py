@@ -14,7 +14,7 @@ from math import sqrt
 
 from numpy import ndarray, recarray
 
-from qsbearing.ball import groove_stiffness, inertia, is_moving, series_stiffness, set_outer, throw
+from qsbearing.ball import groove_stiffness, inertia, is_moving, lay_loose, series_stiffness, set_outer
 from qsbearing.compiled import kernel
 from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.ring import inner_groove_centre
@@ -71,10 +71,7 @@ def ring_at_rest(case: recarray, displacement: ndarray) -> None:
 
 @kernel
 def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Part the one link of each ball at rest into its two contacts, springs in series.
-
-    A ball without load lies where it would be thrown; at rest midway in its gap, for want of a place of its own.
-    """
+    """Part the one link of each ball at rest into its two contacts, springs in series; loose balls lie as they do."""
     ring.at_rest = False
     for n in range(ring.balls):
         ball = balls[n]
@@ -85,12 +82,9 @@ def seat_balls(case: recarray, ring: recarray, balls: ndarray) -> None:
             series, _ = series_stiffness(case, n1, n2)
             set_outer(ball, n1, n2, approach * (series / ko) ** (2.0 / 3.0))
             ball.inner_approach = approach * (series / ki) ** (2.0 / 3.0)
-        elif is_moving(case):
-            a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-            throw(case, ball, a1, a2)
         else:
-            set_outer(ball, n1, n2, 0.5 * approach)
-            ball.inner_approach = 0.5 * approach
+            a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
+            lay_loose(case, ball, a1, a2)
 
 
 @kernel

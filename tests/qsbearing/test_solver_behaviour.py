@@ -721,34 +721,6 @@ def test_a_ball_that_slips() -> None:
     assert qs.solve(with_operation(scene, speed=0.02 * scene.operation.speed)).converged
 
 
-@pytest.mark.parametrize("hertz_angle", [qs.HertzAngle.FREE, qs.HertzAngle.ZERO])
-def test_slipping_is_no_balance_however_far_the_way_out_of_it_led(hertz_angle: qs.HertzAngle) -> None:
-    """55 balls, hardly pressed, asked for 50 N of friction each: without the limit Newton's method runs away, and what
-    it met there must not count among the forces of the balance come back to."""
-    bearing = qs.BallBearing(
-        ball_count=55,
-        ball_diameter=24.1 * qs.mm,
-        pitch_diameter=704.3 * qs.mm,
-        inner_groove_radius=13.23 * qs.mm,
-        outer_groove_radius=12.42 * qs.mm,
-        free_contact_angle=58.18 * qs.deg,
-        kind=qs.BearingKind.DEEP_GROOVE,
-    )
-    operation = qs.Operation(
-        speed=2690.0 * qs.rpm,
-        outer_speed=1388.0 * qs.rpm,
-        axial_displacement=-2.298e-6,
-        radial_displacement_y=0.2628e-6,
-        radial_load_z=-0.2,
-        tilt_y=1.443e-6,
-        tilt_z=-3.037e-6,
-    )
-    gyroscopic = qs.GyroscopicMoment(qs.MomentShares.HARRIS)
-    solution = qs.solve(qs.Scene(bearing, operation, (gyroscopic,), INNER, hertz_angle=hertz_angle))
-    assert solution.status is qs.Status.NO_EQUILIBRIUM
-    assert solution.reason == qs.Reason.FRICTION_WITHOUT_LOAD
-
-
 @pytest.mark.parametrize("control", [OUTER, INNER])
 def test_balls_that_touch_neither_raceway_do_not_roll(control: qs.RacewayControl) -> None:
     """Without centrifugal force balls outside the loaded zone lie free: no moment, no friction; the rest in balance."""
@@ -764,6 +736,49 @@ def test_balls_that_touch_neither_raceway_do_not_roll(control: qs.RacewayControl
     if control is OUTER:  # then no friction acts on the inner ring
         radial = solution.inner.load * np.cos(np.nan_to_num(solution.inner.angle)) * np.cos(solution.azimuth)
         assert radial.sum() == pytest.approx(4000.0, rel=1e-10)
+
+
+@pytest.mark.parametrize("axial_load, rpm", [(10.0, 1000), (100.0, 1000), (100.0, 3000), (500.0, 30_000)])
+def test_balls_outside_the_loaded_zone_ask_for_no_friction(axial_load: float, rpm: float) -> None:
+    """Under inner control, a gyroscopic moment but nothing thrown: a ball that is not pressed lies free in its gap. It
+    must not be held against a raceway by friction alone, which no load there could carry."""
+    radial = 30.0 if axial_load < 100.0 else 300.0
+    loads = qs.Operation(speed=rpm * qs.rpm, axial_load=axial_load, radial_load_y=radial, **UPRIGHT)
+    solution = solved(qs.Scene(B218, loads, (qs.GyroscopicMoment(qs.MomentShares.HARRIS),), INNER))
+    free = (solution.inner.load == 0.0) & (solution.outer.load == 0.0)
+    assert 0 < free.sum() < free.size
+    assert (solution.gyroscopic_moment[free] == 0.0).all()
+    for side in (solution.inner, solution.outer):
+        assert side.required_friction[~free].max() < 1.0
+
+
+@pytest.mark.parametrize("radial_displacement", [0.0, 0.5, 1.2])
+@pytest.mark.parametrize("inner, outer", [(0.52, 0.54), (0.52, 0.9), (0.9, 0.52)])
+def test_a_free_ball_lies_between_its_grooves_however_far_the_ring_is_moved(
+    inner: float, outer: float, radial_displacement: float
+) -> None:
+    """A ring held where grooves leave balls all room, even one groove's centre beyond the other's: places stay places,
+    the two links of each ball its grooves' centres apart, neither longer than at touching."""
+    diameter = B218.ball_diameter
+    bearing = replace(B218, inner_groove_radius=inner * diameter, outer_groove_radius=outer * diameter)
+    reach = (inner + outer - 1.0) * diameter
+    held = dict.fromkeys(DISPLACEMENTS, 0.0) | {
+        "axial_displacement": -reach * np.sin(bearing.free_contact_angle),
+        "radial_displacement_y": -radial_displacement * reach,
+    }
+    scene = qs.Scene(bearing, qs.Operation(speed=1000 * qs.rpm, **held), (qs.GyroscopicMoment(),), OUTER)
+    solution = solved(scene)
+    sides = (solution.inner, solution.outer)
+    free = (solution.inner.load == 0.0) & (solution.outer.load == 0.0)
+    assert free.any()
+    links = [side.approach[free] + (f - 0.5) * diameter for side, f in zip(sides, (inner, outer), strict=True)]
+    assert all((link > 0.0).all() for link in links)
+    radial = reach * np.cos(bearing.free_contact_angle) - radial_displacement * reach * np.cos(solution.azimuth[free])
+    chain = [
+        sum(link * trig(side.angle[free]) for side, link in zip(sides, links, strict=True)) for trig in (np.sin, np.cos)
+    ]
+    np.testing.assert_allclose(chain[0], 0.0, atol=1e-14)
+    np.testing.assert_allclose(chain[1], radial, atol=1e-14)
 
 
 @pytest.mark.parametrize("control", [OUTER, INNER])
