@@ -103,6 +103,7 @@ class Contacts:
         self.angle = np.nan_to_num(public.angle, nan=0.0)
         self.approach = np.nan_to_num(public.approach, nan=-1.0)
         self.sine, self.cosine = np.sin(self.angle), np.cos(self.angle)
+        self.rolled_sine = self.sine
         self.semi_major, self.semi_minor = public.semi_major_axis, public.semi_minor_axis
         bearing = scene.bearing
         self.groove = _column(getattr(bearing, f"{race}_groove_radius"))
@@ -207,7 +208,7 @@ def is_still(scene: qs.Scene) -> NDArray:
 def inertia_loads(
     scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """(Fc, Mg, sensitivity), of the effects that the scene names; fills in the shares of the moment.
+    """(Fc, Mg, sensitivity), of the effects that the scene names; fills in shares of the moment and the line rolled on.
 
     The sensitivity is how much more than itself the rounding of lines changes a speed: without bound where the orbit
     comes to rest, the rings turning against each other, and where the lines stand at right angles.
@@ -223,6 +224,7 @@ def inertia_loads(
     near = np.clip(1.0 + inner.approach / inner.length, 0.0, 0.5)
     rolled = outer.angle + 4.0 * near * (1.0 - near) * _mirrored(inner.angle - outer.angle)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
+    inner.rolled_sine = inner_sine
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
     p = np.where(by_inner, inner_sine, outer.sine)
     q = np.where(by_inner, inner_cosine - g, outer.cosine + g)
@@ -351,9 +353,10 @@ def _friction_by_rounding(
 ) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of places makes or takes.
 
-    It follows the sine of the controlling line and the speeds.
+    It follows the speeds and the sine of the controlling line as rolling sees it, which may be all but none where the
+    line itself is not.
     """
-    sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.sine, o.sine))
+    sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.rolled_sine, o.rolled_sine))
     most = np.maximum(np.abs(i.friction), np.abs(o.friction))
     slope = most / np.maximum(sine, np.finfo(float).tiny)
     return [(slope + most * sensitivity) * turn for turn in turned]
