@@ -405,7 +405,9 @@ def moving_ball(
     hx21, hx22 = -ha21 + h2_o * eo1, -ha22 + h2_o * eo2
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
 
-    inverse = 1.0 / (rx11 * rx22 - rx12 * rx21)
+    # Where rounding leaves it no stiffness across its line (an approach below that of a place), the ball stays put.
+    determinant = rx11 * rx22 - rx12 * rx21
+    inverse = 1.0 / determinant if determinant != 0.0 else 0.0
     ball.own11, ball.own12, ball.own21, ball.own22, ball.inverse = rx11, rx12, rx21, rx22, inverse
     # What the links' gap would change if it were closed at the inner link counts as imbalance.
     p1, p2 = r1 + ra11 * gap1 + ra12 * gap2, r2 + ra21 * gap1 + ra22 * gap2

@@ -15,7 +15,9 @@ from .scenes import (
     B218,
     CENTRIFUGAL,
     DEEP_GROOVE,
+    DISPLACEMENTS,
     INNER,
+    OUTER,
     SPINDLE,
     fewer,
     general_scenes,
@@ -140,6 +142,29 @@ def test_frozen_centrifugal_forces_leave_it_symmetric() -> None:
     stiffness = qs.stiffness(scene, solution)
     assert scaled(stiffness) == pytest.approx(scaled(stiffness).T, abs=1e-12)  # rounding
     assert stiffness == pytest.approx(springs_of_the_balls(solution), rel=1e-9, abs=1e-9 * np.abs(stiffness).max())
+
+
+@pytest.mark.parametrize("rpm", [1e-11, 1e-9, 1e-6])
+def test_a_ball_that_hardly_anything_presses_has_a_stiffness_too(rpm: float) -> None:
+    """One ball, held where the ring's tilt leaves it room, turning once in days: pressed by less than the rounding of
+    its place it resists nothing, which is a number."""
+    material = qs.Material(elastic_modulus=1e9, poisson_ratio=0.0, density=100.0)
+    bearing = qs.BallBearing(
+        ball_count=1,
+        ball_diameter=100 * qs.mm,
+        pitch_diameter=316.227766016838 * qs.mm,
+        inner_groove_radius=100 * qs.mm,
+        outer_groove_radius=100 * qs.mm,
+        free_contact_angle=1.0,
+        ball_material=material,
+        ring_material=material,
+    )
+    held = dict.fromkeys(DISPLACEMENTS, 0.0) | {"tilt_z": 0.01}
+    operation = qs.Operation(speed=0.0, outer_speed=rpm * qs.rpm, **held)
+    scene = qs.Scene(bearing, operation, CENTRIFUGAL, OUTER, tilt_lever=qs.TiltLever.GROOVE_CENTRE)
+    stiffness = qs.stiffness(scene, solved(scene))
+    assert np.isfinite(stiffness).all()
+    assert np.abs(stiffness[:3, :3]).max() < 1e-9  # N/m: of a contact under one newton, a million
 
 
 @pytest.mark.parametrize("effects", [CENTRIFUGAL, (qs.GyroscopicMoment(),)], ids=["centrifugal", "gyroscopic"])
