@@ -95,6 +95,6 @@ def test_paths_through_turning_points_under_traps() -> None:
 @pytest.mark.heavy
 def test_light_loads_and_thrown_balls_under_traps() -> None:
     """Scenes of the campaign whose contacts carry next to nothing, and whose balls lie on the inner groove's top."""
-    found = run_watched(["1/527/965", "1/703/801", "1/485/678"], ["1/506/485", "1/135/256"], limit=900.0)
+    found = run_watched(["1/527/965", "1/703/801", "1/305/42"], ["1/506/485", "1/135/256"], limit=900.0)
     assert_clean(found)
     assert all(ending["status"] in ("converged", "no_equilibrium") for ending in found.values())
