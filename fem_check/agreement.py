@@ -10,7 +10,7 @@ from typing import Any
 
 
 class Level(StrEnum):
-    """How fine, how dear."""
+    """How fine the meshes are, and so how expensive the run."""
 
     QUICK = "quick"
     RELEASE = "release"
@@ -27,7 +27,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity held against its reference."""
+    """One quantity compared with its reference."""
 
     case: str
     quantity: str
@@ -38,7 +38,7 @@ class Row:
     uncertainty_percent: float | None
     """Discretisation uncertainty of the value found, in per cent of the reference (absolute where that is 0)."""
     tolerance_percent: float | None
-    """None: a finding, which is not gated."""
+    """None: reported as a finding, without pass or fail."""
     why_tolerance: str
 
     @property
@@ -69,7 +69,7 @@ class Row:
 
 @dataclass
 class Findings:
-    """What a check hands back."""
+    """Result of a check."""
 
     rows: list[Row]
     mesh: dict[str, Any] = field(default_factory=dict)
@@ -91,7 +91,7 @@ Progress = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Check:
-    """One question to the finite elements."""
+    """One check: a question, its reference, its tolerance, and the function that runs it."""
 
     name: str
     question: str

@@ -32,7 +32,7 @@ def refuse(message: str) -> NoReturn:
 
 @contextmanager
 def progress_bar(quiet: bool) -> Iterator[Any]:
-    """A bar on stderr; hands out a function that makes a reporter for a named piece of work."""
+    """A progress bar on stderr; yields a function that makes a progress callback for a named task."""
     console = Console(stderr=True)
     bar = Progress(
         SpinnerColumn(),
@@ -66,7 +66,7 @@ def cli() -> None:
 
 @cli.command("list")
 def list_checks() -> None:
-    """The checks: name, kind, question."""
+    """List the checks: name, kind, question, tolerance."""
     checks = _load_checks()
     table = Table(show_lines=False)
     for heading in ("check", "kind", "question", "tolerance"):
@@ -79,10 +79,13 @@ def list_checks() -> None:
 @cli.command("run")
 @click.argument("names", nargs=-1, metavar="[CHECK ...]")
 @click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
-@click.option("--json", "as_json", is_flag=True, help="One record a line on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
 @click.option("--records", type=click.Path(path_type=Path), default=None, help="Where to keep the records.")
 def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path | None) -> None:
-    """Run checks (all by default), print the agreement and keep the records."""
+    """Run checks, all by default.
+
+    Prints each comparison with its reference and keeps the records.
+    """
     _load_checks()
     from fem_check import records_store, runner
     from fem_check.agreement import Level
@@ -125,7 +128,7 @@ def contact(
     geometry: str,
     as_json: bool,
 ) -> None:
-    """Solve one contact of a scene and hold it against Hertz."""
+    """Solve one contact of a scene and compare it with Hertz."""
     _load_checks()
     from fem_check import contact as contact_solver
     from fem_check import linear_solver, memory, meshing, records_store, runner, single_contact
@@ -145,19 +148,19 @@ def contact(
     console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
-        way = expected = None
+        choice = expected = None
         if accuracy is not None:
             solver, free = linear_solver.chosen(), memory.available_MB()
-            way = advice.choose(groove.problem(load), accuracy, advice.table(), solver, free)
-        sequence = way.sequence if way else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
+            choice = advice.choose(groove.problem(load), accuracy, advice.table(), solver, free)
+        sequence = choice.sequence if choice else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
         runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"--elements {sequence[-1]}")
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
-        if way:
+        if choice:
             with progress_bar(as_json) as reporter:
-                expected = advice.expected(way, groove.problem(load), reporter("how quick this machine is"))
+                expected = advice.expected(choice, groove.problem(load), reporter("speed of this machine"))
             if not as_json:
-                console.print(advice.announcement(way, expected))
+                console.print(advice.choice_message(choice, expected))
         with progress_bar(as_json) as reporter:
             findings = single_contact.run(
                 groove,
@@ -165,7 +168,7 @@ def contact(
                 sequence,
                 geometry,
                 reporter("contact"),
-                way.places if way else contact_solver.POSITIONS,
+                choice.positions if choice else contact_solver.POSITIONS,
                 accuracy,
             )
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
@@ -182,14 +185,14 @@ def contact(
     entry = records_store.record(
         None, "contact", single_contact.level_of(sequence[-1]), findings, seconds, cpu_seconds, memory.peak_MB()
     )
-    if way and expected and accuracy is not None:
-        entry["accuracy"] = advice.outcome(accuracy, way, expected, entry)
+    if choice and expected and accuracy is not None:
+        entry["accuracy"] = advice.accuracy_record(accuracy, choice, expected, entry)
     if as_json:
         print(json.dumps(entry))
     else:
         Console().print(agreement_table(entry))
         if "accuracy" in entry:
-            console.print(advice.conclusion(entry["accuracy"]))
+            console.print(advice.result_message(entry["accuracy"]))
     sys.exit(OUT_OF_TOLERANCE if findings.verdict == "fail" else 0)
 
 
@@ -203,19 +206,22 @@ def contact(
 )
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
 def cost(level: str, out: Path | None, as_json: bool) -> None:
-    """Measure what accuracy costs in time and memory: meshes, elements, far fields, linear solvers."""
+    """Measure time and memory against accuracy.
+
+    Over meshes, element families, far fields and linear solvers.
+    """
     _load_checks()
     from fem_check import meshing, runner
     from fem_check.agreement import Level
-    from fem_check.cost import campaign, fresh_process, output, record, rungs, tables
+    from fem_check.cost import campaign, configurations, fresh_process, output, record, tables
     from fem_check.meshing import MeshError
 
     folder = out or record.FOLDER
     try:
         output.try_folder(folder)
-        finest = max(rungs.MESHES[Level(level)])
+        finest = max(configurations.MESHES[Level(level)])
         runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
-        rungs.make_meshes(Level(level))
+        configurations.make_meshes(Level(level))
         with progress_bar(as_json) as reporter:
             found = campaign.measure(Level(level), reporter("cost"))
         written = output.write(found, out) if out else output.keep(found, folder)
@@ -240,7 +246,10 @@ def cost(level: str, out: Path | None, as_json: bool) -> None:
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder of REPORT.md.")
 @click.option("--records", type=click.Path(path_type=Path), default=None, help="Where the records are.")
 def report(out: Path | None, records: Path | None) -> None:
-    """Build REPORT.md and its pictures from the records alone; runs nothing."""
+    """Build REPORT.md and its pictures from the records.
+
+    Runs no check.
+    """
     _load_checks()
     from fem_check import records_store
     from fem_check.report import book
@@ -267,7 +276,7 @@ def shown(value: float, unit: str) -> tuple[float, str]:
 
 
 def agreement_table(entry: dict[str, Any]) -> Group:
-    """A record as tables, one a case."""
+    """A record as tables, one per case."""
     style = {"pass": "green", "fail": "bold red"}
     parts: list[Any] = [
         Text.assemble(

@@ -1,4 +1,4 @@
-"""What is pressed against what: two elastic bodies, the gap between them, the load."""
+"""The contact problem: two elastic bodies, the gap between them, the load."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class ElasticConstants:
 
     @property
     def compliance(self) -> float:
-        """(1 - nu^2)/E [1/Pa]: what a half-space's surface gives way under normal pressure."""
+        """(1 - nu^2)/E [1/Pa]: the compliance of a half-space's surface under normal pressure."""
         return (1.0 - self.poisson_ratio**2) / self.elastic_modulus
 
 
@@ -63,8 +63,8 @@ GapFunction = Callable[[Array, Array], Array]
 
 
 @dataclass(frozen=True)
-class ContactReading:
-    """What is read from a contact, found or predicted; SI units."""
+class ContactQuantities:
+    """Quantities of a contact, computed or predicted; SI units."""
 
     approach: float
     """Approach delta of points far inside the two bodies [m]."""

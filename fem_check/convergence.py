@@ -1,4 +1,4 @@
-"""What a sequence of meshes says: observed order, value for a vanishing element, uncertainty."""
+"""Mesh convergence: observed order, value for a vanishing element, uncertainty."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ SAFE_FACTOR = 1.25
 UNSAFE_FACTOR = 3.0
 """On the spread of the meshes where they do not (the same index, its caution for meshes outside that range)."""
 PLAUSIBLE_ORDERS = (1.0, 4.5)
-"""An edge singularity gives 1.5 to 3, a smooth field at most 4 with these elements; outside, the order is luck."""
+"""An edge singularity gives 1.5 to 3, a smooth field at most 4 with these elements; outside, the observed order means
+nothing."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Element families: the 20-node hexahedra of all checks, and those that they are held against.
+"""Element families: the 20-node hexahedra of all checks, and those compared with them.
 
 `elastic_body.condense` takes any of them; only the cost record uses others than the first.
 """
@@ -21,7 +21,7 @@ class ElementFamily:
 
     name: str
     """A key, in files."""
-    words: str
+    label: str
     element: type[Element]
     volume_order: int
     """Of the quadrature in the volume."""
@@ -33,7 +33,7 @@ class ElementFamily:
 
 
 SERENDIPITY = ElementFamily("hex20", "20-node hexahedra, 2×2×2 points", ElementHexS2, 3)
-"""The family of all checks. The points are exact for the stresses that it carries well."""
+"""The family of all checks. 2×2×2 points are where its stresses are most accurate."""
 
 FAMILIES: tuple[ElementFamily, ...] = (
     SERENDIPITY,
@@ -41,7 +41,7 @@ FAMILIES: tuple[ElementFamily, ...] = (
     ElementFamily("hex27", "27-node hexahedra, 3×3×3 points", ElementHex2, 5),
     ElementFamily("hex8", "8-node hexahedra, 2×2×2 points", ElementHex1, 3),
     ElementFamily("tet10", "10-node tetrahedra", ElementTetP2, 2, is_tetrahedral=True),
-    # One point would do for the stiffness; the fit of the stresses near the axis needs more places than that.
+    # One point would do for the stiffness; the fit of the stresses near the axis needs more points than that.
     ElementFamily("tet4", "4-node tetrahedra", ElementTetP1, 2, is_tetrahedral=True),
 )
 """Every family measured."""
@@ -55,9 +55,9 @@ def _in_tetrahedra(brick: MeshHex) -> MeshTet:
     """
     corners: Array = brick.p[:, brick.t]
     high = corners > corners.mean(axis=1, keepdims=True)
-    place = (high * np.array([1, 2, 4])[:, None, None]).sum(axis=0)
+    corner = (high * np.array([1, 2, 4])[:, None, None]).sum(axis=0)
     ordered = np.empty_like(brick.t)
-    np.put_along_axis(ordered, place, brick.t, axis=0)
+    np.put_along_axis(ordered, corner, brick.t, axis=0)
     parts = []
     for first, second, _ in permutations((1, 2, 4)):
         parts.append(ordered[[0, first, first + second, 7]])

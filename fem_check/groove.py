@@ -67,7 +67,7 @@ class BallInGroove:
         return -r2 / (self.ball_radius + np.sqrt(self.ball_radius**2 - r2))
 
     def ball_slope(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """dz/dx and dz/dy of the ball's surface; held constant near its rim, where no contact reaches."""
+        """dz/dx and dz/dy of the ball's surface; kept constant near its rim, where no contact reaches."""
         height = np.sqrt(np.maximum(self.ball_radius**2 - x * x - y * y, 0.01 * self.ball_radius**2))
         return -x / height, -y / height
 

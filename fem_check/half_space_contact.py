@@ -1,7 +1,8 @@
-"""Contact of two half-spaces, where Hertz is exact: meshes, levels, and how sure the answer is.
+"""Contact of two half-spaces, where Hertz is exact: meshes, levels, and the uncertainty of the result.
 
-The answer is the mean over `contact.POSITIONS` places of the contact's edge in an element, on the finest mesh. How sure
-it is: the mesh sequence's estimate, and how far the meshes stretched out of the contact's proportions disagree.
+The result is the mean over `contact.POSITIONS` positions of the contact's edge within an element, on the finest mesh.
+Its uncertainty: the estimate from the mesh sequence, and the scatter of meshes stretched out of the contact's
+proportions.
 """
 
 from __future__ import annotations
@@ -15,21 +16,21 @@ from skfem import MeshHex
 
 from fem_check import contact, convergence, elastic_body, measuring, meshing
 from fem_check.agreement import Level, Row
-from fem_check.contact import ContactField
+from fem_check.contact import ContactSolution
 from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.elastic_body import CondensedBody, Progress, Support, silent
 from fem_check.element_family import SERENDIPITY, ElementFamily
 from fem_check.measuring import Measured
-from fem_check.pressure_hats import PressureHats
+from fem_check.pressure_basis import PressureBasis
 from fem_check.references import axis_ratio, hertz
 
 SEQUENCES = {Level.QUICK: (4, 5, 6), Level.RELEASE: (6, 8, 12)}
 """Elements per semi-axis, coarse to fine."""
 STRETCHES = ((1.0, 1.0), (1.03, 1.07), (1.07, 0.97))
-"""Of the mesh along x and along y and z against the contact's own proportions: one true, two misaligned."""
+"""Of the mesh along x and along y and z against the contact's own proportions: one aligned, two misaligned."""
 
-# Gates: fixed before the first run; 1 part in 5000 to 2000 is what would let the FE tell apart the published Hertz fits
-# (0.3 to 0.7 %) and any slip in a formula, and what two half-space codes agree to.
+# Tolerances: fixed before the first run; 1 part in 5000 to 2000 tells the published Hertz fits (0.3 to 0.7 %) and any
+# error in a formula from the exact form, and is what two half-space codes agree to.
 TOLERANCES = {
     Level.QUICK: dict.fromkeys(QUANTITIES, 0.3),
     Level.RELEASE: {
@@ -43,8 +44,8 @@ TOLERANCES = {
     },
 }
 WHY = {
-    Level.QUICK: "a gate set beforehand: below the error of any published Hertz fit (0.3 to 0.7 %)",
-    Level.RELEASE: "a gate set beforehand: ten times below the published Hertz fits; depth: the maximum is flat",
+    Level.QUICK: "a tolerance set beforehand: below the error of any published Hertz fit (0.3 to 0.7 %)",
+    Level.RELEASE: "a tolerance set beforehand: ten times below the published Hertz fits; depth: the maximum is flat",
 }
 
 
@@ -54,7 +55,7 @@ class Bodies:
 
     ball: CondensedBody
     race: CondensedBody
-    hats: PressureHats
+    basis: PressureBasis
     recipe: meshing.Recipe
 
     @property
@@ -72,15 +73,15 @@ def _block(
     poisson_ratio: float,
     support: Support,
     family: ElementFamily,
-) -> tuple[CondensedBody, PressureHats]:
+) -> tuple[CondensedBody, PressureBasis]:
     recipe = meshing.half_space(elements)
     mesh = stretched(meshing.load(recipe), ellipticity * stretch[0], stretch[1], stretch[1])
     # The patch's cells are k times longer than wide: as many samples along them keep the far field exact.
-    hats = elastic_body.hats_of(mesh, samples_per_cell=3 if ellipticity < 12.0 else 5)
-    return elastic_body.condense(mesh, hats, poisson_ratio, support, progress=_progress[-1], family=family), hats
+    basis = elastic_body.pressure_basis_of(mesh, samples_per_cell=3 if ellipticity < 12.0 else 5)
+    return elastic_body.condense(mesh, basis, poisson_ratio, support, progress=_progress[-1], family=family), basis
 
 
-# The bodies' cache must not see who watches: the reporter comes by this stack, not as an argument.
+# A stack, not an argument: the progress reporter must not be part of the cache key.
 _progress: list[Progress] = [silent]
 
 
@@ -90,7 +91,7 @@ def stretched(mesh: MeshHex, x: float, y: float, z: float) -> MeshHex:
     return MeshHex(points, mesh.t, _boundaries=mesh.boundaries, sort_t=False)
 
 
-def bodies(
+def condensed_bodies(
     problem: ContactProblem,
     elements: int,
     stretch: tuple[float, float] = (1.0, 1.0),
@@ -98,45 +99,47 @@ def bodies(
     progress: Progress = silent,
     family: ElementFamily = SERENDIPITY,
 ) -> Bodies:
-    """Both half-spaces of a problem, condensed; kept for the next contact of the same proportions."""
+    """Both half-spaces of a problem, condensed; cached for the next contact of the same proportions."""
     # Rounded so that loads of one bearing share their bodies; the mesh need not know k to more digits.
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     _progress.append(progress)
     try:
-        race, hats = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, support, family)
+        race, basis = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, support, family)
         ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, support, family)
     finally:
         _progress.pop()
-    return Bodies(ball, race, hats, meshing.half_space(elements))
+    return Bodies(ball, race, basis, meshing.half_space(elements))
 
 
-def forget() -> None:
-    """Give back the memory of all kept bodies."""
+def clear_cache() -> None:
+    """Empty the cache of condensed bodies and free its memory."""
     _block.cache_clear()
 
 
 def solve_on(
-    problem: ContactProblem, pair: Bodies, positions: int = contact.POSITIONS
-) -> tuple[ContactField, Measured]:
-    """Solve and read one contact on one pair of bodies, at so many positions of its edge."""
-    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, pair.edge_element, positions)
-    field = contact.solve(problem, pair.hats, contact.total_flexibility(problem, pair.ball, pair.race), unit_lengths)
-    return field, measuring.measure(field, pair.ball, pair.race)
+    problem: ContactProblem, bodies: Bodies, positions: int = contact.POSITIONS
+) -> tuple[ContactSolution, Measured]:
+    """Solve and read one contact on two condensed bodies, averaged over so many positions of its edge."""
+    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element, positions)
+    solution = contact.solve(
+        problem, bodies.basis, contact.total_flexibility(problem, bodies.ball, bodies.race), unit_lengths
+    )
+    return solution, measuring.measure(solution, bodies.ball, bodies.race)
 
 
 @dataclass(frozen=True)
-class Answer:
+class MeshStudy:
     """A contact, solved on all meshes of a level."""
 
     problem: ContactProblem
-    field: ContactField
-    """On the finest mesh that is true to the contact's proportions."""
+    solution: ContactSolution
+    """On the finest mesh with the contact's own proportions."""
     finest: list[Measured]
-    """On the finest mesh: true, then misaligned."""
+    """On the finest mesh: aligned, then misaligned."""
     sequence: list[Measured]
     """Coarse to fine."""
     sizes: list[float]
-    pair: Bodies
+    bodies: Bodies
     seconds: float
 
     def value(self, quantity: str) -> float:
@@ -156,29 +159,29 @@ class Answer:
         return mesh + self.finest[0].position_uncertainty(quantity) + 0.5 * (max(aligned) - min(aligned))
 
 
-def answer(problem: ContactProblem, level: Level, progress: Progress = silent) -> Answer:
+def mesh_study(problem: ContactProblem, level: Level, progress: Progress = silent) -> MeshStudy:
     """Solve a contact on every mesh of a level."""
     start = time.perf_counter()
     counts = SEQUENCES[level]
     sequence, sizes = [], []
     for count in counts[:-1]:
-        pair = bodies(problem, count, progress=progress)
-        sizes.append(pair.edge_element)
-        sequence.append(solve_on(problem, pair)[1])
+        bodies = condensed_bodies(problem, count, progress=progress)
+        sizes.append(bodies.edge_element)
+        sequence.append(solve_on(problem, bodies)[1])
     finest: list[Measured] = []
-    fields: list[ContactField] = []
+    solutions: list[ContactSolution] = []
     for stretch in reversed(STRETCHES):
-        pair = bodies(problem, counts[-1], stretch, progress=progress)
-        field, measured = solve_on(problem, pair)
+        bodies = condensed_bodies(problem, counts[-1], stretch, progress=progress)
+        solution, measured = solve_on(problem, bodies)
         finest.insert(0, measured)
-        fields.append(field)
-    sizes.append(pair.edge_element)
+        solutions.append(solution)
+    sizes.append(bodies.edge_element)
     sequence.append(finest[0])
-    return Answer(problem, fields[-1], finest, sequence, sizes, pair, time.perf_counter() - start)
+    return MeshStudy(problem, solutions[-1], finest, sequence, sizes, bodies, time.perf_counter() - start)
 
 
-def rows(case: str, found: Answer, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
-    """The contact held against Hertz, worst over the alignments, and its self-checks."""
+def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
+    """The contact compared with Hertz, worst over the alignments, and its self-checks."""
     exact = hertz(found.problem)
     table = [
         Row(
@@ -210,7 +213,7 @@ def soundness_rows(case: str, measured: list[Measured]) -> list[Row]:
             max(float(getattr(each.soundness, name)) for each in measured),
             None,
             100.0 * float(getattr(measuring.LIMITS, name)),
-            "asymmetry: far field exact, mesh not; others: rounding, hundredfold",
+            "asymmetry: far field exact, mesh not; others: a hundred times rounding",
         )
         for name in names
     ]

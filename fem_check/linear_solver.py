@@ -94,7 +94,7 @@ def _usable() -> Iterator[str]:
             loaded = importlib.import_module(module)
         except (ImportError, OSError):  # OSError: a wheel whose system library is missing
             continue
-        if name != "cholmod" or hasattr(loaded, "cholesky"):  # scikit-sparse 0.4's way in, the one used here
+        if name != "cholmod" or hasattr(loaded, "cholesky"):  # scikit-sparse 0.4's interface, the one used here
             yield name
 
 

@@ -1,4 +1,4 @@
-"""Reading a solved contact: approach, semi-axes, peak pressure, largest shear; and what shows that it is sound.
+"""Quantities of a solved contact: approach, semi-axes, peak pressure, largest shear; and what shows that it is sound.
 
 The semi-axes come from the pressure's second moments, a = sqrt(5 <x^2>), which for Hertz's pressure is exact, and p0
 from load and ellipse; both average over the contact. A fit to the pressure of single nodes is worse by a factor of ten.
@@ -12,8 +12,8 @@ from math import pi
 import numpy as np
 from scipy.linalg import lstsq
 
-from fem_check.contact import ContactField
-from fem_check.contact_problem import QUANTITIES, Array, ContactReading
+from fem_check.contact import ContactSolution
+from fem_check.contact_problem import QUANTITIES, Array, ContactQuantities
 from fem_check.elastic_body import CondensedBody
 
 SHEAR_REACH = 0.3
@@ -38,22 +38,22 @@ class Soundness:
 
 
 # Asymmetry comes from the far field being exact where the mesh is not: 1e-4 at the coarsest mesh used, falling with it.
-# The others are rounding: 1e-8 is a hundred times what is seen, and a thousandth of what any planted slip gives.
+# The others are rounding: 1e-8 is a hundred times what is seen, and a thousandth of what any planted error gives.
 LIMITS = Soundness(asymmetry=1e-3, force_imbalance=1e-8, penetration=1e-8, load_error=1e-10)
 
 
 @dataclass(frozen=True)
 class Measured:
-    """What was read, at each position of the edge in the mesh and in the mean."""
+    """Quantities of a contact at each position of its edge in the mesh, and their mean."""
 
     each: dict[str, Array]
     """Quantity to its values, shape (position,)."""
     soundness: Soundness
 
     @property
-    def mean(self) -> ContactReading:
-        """The answer: the mean over all positions."""
-        return ContactReading(**{name: float(values.mean()) for name, values in self.each.items()})
+    def mean(self) -> ContactQuantities:
+        """The result: the mean over all positions."""
+        return ContactQuantities(**{name: float(values.mean()) for name, values in self.each.items()})
 
     def position_uncertainty(self, quantity: str) -> float:
         """How far the mean over every second position is from the mean over all."""
@@ -61,25 +61,25 @@ class Measured:
         return float(abs(values[::2].mean() - values.mean()))
 
 
-def ellipse(field: ContactField) -> tuple[Array, Array, Array]:
+def ellipse(solution: ContactSolution) -> tuple[Array, Array, Array]:
     """Semi-axes a, b and maximum pressure from the pressure's moments, each of shape (position,)."""
-    hats = field.hats
-    forces = hats.forces @ field.pressures
-    a = field.unit_lengths * np.sqrt(5.0 * (hats.weighted(lambda x, y: x**2) @ field.pressures) / forces)
-    b = field.unit_lengths * np.sqrt(5.0 * (hats.weighted(lambda x, y: y**2) @ field.pressures) / forces)
-    return a, b, 1.5 * field.problem.load / (pi * a * b)
+    basis = solution.basis
+    forces = basis.forces @ solution.pressures
+    a = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: x**2) @ solution.pressures) / forces)
+    b = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: y**2) @ solution.pressures) / forces)
+    return a, b, 1.5 * solution.problem.load / (pi * a * b)
 
 
-def largest_shear(field: ContactField, body: CondensedBody, a: Array, b: Array) -> tuple[Array, Array]:
+def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: Array) -> tuple[Array, Array]:
     """Largest shear stress on the axis [Pa] and its depth [m], each of shape (position,)."""
-    unit_lengths = field.unit_lengths
+    unit_lengths = solution.unit_lengths
     size = body.stress_points
-    reach_x = max(SHEAR_REACH * float((a / unit_lengths).max()), 1.01 * field.hats.lines_x[1])
-    reach_y = max(SHEAR_REACH * float((b / unit_lengths).max()), 1.01 * field.hats.lines_y[1])
+    reach_x = max(SHEAR_REACH * float((a / unit_lengths).max()), 1.01 * solution.basis.lines_x[1])
+    reach_y = max(SHEAR_REACH * float((b / unit_lengths).max()), 1.01 * solution.basis.lines_y[1])
     deepest = SHEAR_DEPTH * float((b / unit_lengths).max())
     near = (size[0] < reach_x) & (size[1] < reach_y) & (size[2] < deepest)
     positions = size[:, near]
-    stresses = np.einsum("cph,hm->pcm", body.stresses[:3, near], field.pressures, optimize=True)
+    stresses = np.einsum("cph,hm->pcm", body.stresses[:3, near], solution.pressures, optimize=True)
     x2, y2, depth = (positions[0] / reach_x) ** 2, (positions[1] / reach_y) ** 2, positions[2]
     degree = min(MAX_DEGREE, max(2, len(np.unique(np.round(depth, 6))) - 3))
     top = float(depth.max())
@@ -95,21 +95,21 @@ def largest_shear(field: ContactField, body: CondensedBody, a: Array, b: Array) 
     found = np.zeros((2, len(unit_lengths)))
     over_b = np.linspace(0.25, 1.25, 2001)
     for case, length in enumerate(unit_lengths):
-        places = over_b * b[case] / length
-        principal = np.polynomial.chebyshev.chebvander(2.0 * places / top - 1.0, degree) @ fitted[:, :, case]
+        depths = over_b * b[case] / length
+        principal = np.polynomial.chebyshev.chebvander(2.0 * depths / top - 1.0, degree) @ fitted[:, :, case]
         shear = 0.5 * (principal.max(axis=1) - principal.min(axis=1))
         best = int(np.argmax(shear))
         found[:, case] = shear[best], over_b[best] * b[case]
     return found[0], found[1]
 
 
-def measure(field: ContactField, ball: CondensedBody, race: CondensedBody) -> Measured:
-    """Read a solved contact; the shear is the race's."""
-    a, b, p0 = ellipse(field)
-    shear, depth = largest_shear(field, race, a, b)
-    force = field.hats.forces @ field.pressures
-    imbalance = max(float(np.abs(body.reaction @ field.pressures / force + 1.0).max()) for body in (ball, race))
-    each = dict(zip(QUANTITIES, (field.approaches, a, b, p0, shear, depth), strict=True))
+def measure(solution: ContactSolution, ball: CondensedBody, race: CondensedBody) -> Measured:
+    """All quantities of a solved contact; the shear is the race's."""
+    a, b, p0 = ellipse(solution)
+    shear, depth = largest_shear(solution, race, a, b)
+    force = solution.basis.forces @ solution.pressures
+    imbalance = max(float(np.abs(body.reaction @ solution.pressures / force + 1.0).max()) for body in (ball, race))
+    each = dict(zip(QUANTITIES, (solution.approaches, a, b, p0, shear, depth), strict=True))
     return Measured(
-        each, Soundness(max(ball.asymmetry, race.asymmetry), imbalance, field.penetration, field.load_error)
+        each, Soundness(max(ball.asymmetry, race.asymmetry), imbalance, solution.penetration, solution.load_error)
     )

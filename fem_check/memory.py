@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qsbearing.cost.measuring import peak_MB
+from qsbearing.studies.cost.measuring import peak_MB
 
 __all__ = ["available_MB", "estimate_MB", "peak_MB", "restart_peak"]
 

@@ -2,7 +2,7 @@
 
 Every mesh is a brick cut into blocks, each block transfinite: the points stand on given lines, so the same recipe gives
 the same mesh. Bricks are dimensionless. Contact with a half-space stretches one by (a, b, b); the true ball and groove
-bend one to their shape (`true_shape`). The coarse ones of the quick level are kept in the repository; others are made
+map one to their shape (`true_bodies`). The coarse ones of the quick level are kept in the repository; others are made
 when asked for and kept in the user's cache.
 """
 
@@ -142,7 +142,7 @@ def load_series(elements: int, span: float) -> Recipe:
 
 
 def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
-    """A box of `size` semi-major axes each way round a contact's quarter; lengths in semi-axes, z in the minor one."""
+    """A box of `size` semi-major axes in each direction round a contact's quarter; lengths in semi-axes, z in b."""
     near = half_space(elements)
     inner, fine = near.x[0], near.z[0]
     first = 1.0 / elements
@@ -378,7 +378,7 @@ def _quiet() -> Iterator[None]:
 
 
 def read(path: Path) -> MeshHex:
-    """Read a mesh file, and hold its tags against where its faces lie."""
+    """Read a mesh file, and check that its tagged faces lie where their tags belong."""
     if not path.is_file():
         raise MeshError(f"{path}: no such mesh file")
     try:

@@ -1,4 +1,4 @@
-"""What theory says, by a route of its own: nothing here comes from `qsbearing`.
+"""Reference values by a derivation of their own: nothing here comes from `qsbearing`.
 
 Hertz's ellipse stands here in Carlson's symmetric integrals (B. C. Carlson, Numerische Mathematik 33, 1979), which
 need no modulus and lose no digit near the circle. With 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 and the pressure
@@ -20,7 +20,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd, elliprf
 
-from fem_check.contact_problem import ContactProblem, ContactReading
+from fem_check.contact_problem import ContactProblem, ContactQuantities
 
 HERTZ_SOURCE = "Hertz 1881; Johnson 1985, section 4.2, in Carlson's integrals RF and RD"
 SHEAR_SOURCE = "Boussinesq's point load (Johnson 1985, eqs 3.19) integrated over Hertz's pressure"
@@ -40,7 +40,7 @@ def axis_ratio(curvature_ratio: float) -> float:
     return exp(brentq(misfit, 3.0 * float(np.log(curvature_ratio)) - 1e-6, 0.0, xtol=1e-15, rtol=1e-15))
 
 
-def hertz(problem: ContactProblem) -> ContactReading:
+def hertz(problem: ContactProblem) -> ContactQuantities:
     """Hertz's contact of the problem's parabolic gap, with the largest shear stress below its centre."""
     compliance = problem.ball.compliance + problem.race.compliance
     ratio = axis_ratio(problem.curvature_x / problem.curvature_y)
@@ -51,7 +51,7 @@ def hertz(problem: ContactProblem) -> ContactReading:
     p0 = 1.5 * problem.load / (pi * a * b)
     delta = 1.5 * scale * float(elliprf(0.0, b * b, a * a))
     shear, depth = largest_shear(1.0 / ratio, problem.race.poisson_ratio)
-    return ContactReading(delta, a, b, p0, shear * p0, depth * b)
+    return ContactQuantities(delta, a, b, p0, shear * p0, depth * b)
 
 
 @lru_cache(maxsize=256)

@@ -67,5 +67,5 @@ def run(
         entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB())
         records_store.write(entry, folder)
         if level is Level.RELEASE:
-            half_space_contact.forget()
+            half_space_contact.clear_cache()
         yield entry

@@ -1,4 +1,5 @@
-"""Contacts of real bearings, and the loads that the quasi-static model gives them: the way into `qsbearing`."""
+"""Contacts of real bearings, and the loads that the quasi-static model gives them; where the checks call
+`qsbearing`."""
 
 from __future__ import annotations
 

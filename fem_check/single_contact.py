@@ -6,18 +6,18 @@ from fem_check import contact, convergence, half_space_contact, measuring, meshi
 from fem_check.agreement import Findings, Level, Row
 from fem_check.contact_problem import QUANTITIES
 from fem_check.cost.advice import SEQUENCES
-from fem_check.cost.rungs import JUDGED
+from fem_check.cost.configurations import JUDGED
 from fem_check.elastic_body import Progress
 from fem_check.groove import BallInGroove
 from fem_check.references import hertz
 
 USUAL_ELEMENTS = 6
 LEAST_ELEMENTS = 5
-"""The sequence of three needs two coarser meshes, and two elements per semi-axis hold no contact."""
+"""The sequence of three needs two coarser meshes, and two elements per semi-axis are too few for a contact."""
 
 
 def level_of(elements: int) -> Level:
-    """The level whose gate so many elements are held to."""
+    """The level whose tolerances apply to so many elements."""
     return Level.RELEASE if elements >= half_space_contact.SEQUENCES[Level.RELEASE][-1] else Level.QUICK
 
 
@@ -44,11 +44,11 @@ def run(
     Args:
         groove: ball and raceway.
         load: normal load [N].
-        sequence: elements per semi-axis, coarse to fine; the last gives the answer, all its uncertainty.
+        sequence: elements per semi-axis, coarse to fine; the last gives the result, all of them its uncertainty.
         geometry: "parabolic", where Hertz is exact, or "true".
-        progress: told how far it is.
-        positions: places of the contact's edge in an element, of which the answer is the mean.
-        accuracy: gate of the quantities that it counts for; None: the level's own gates.
+        progress: progress callback.
+        positions: positions of the contact's edge in an element, over which the result is averaged.
+        accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
     problem = groove.problem(load)
     exact = hertz(problem)
@@ -56,17 +56,17 @@ def run(
     elements = sequence[-1]
     sizes, measured = [], []
     for count in sequence:
-        pair = half_space_contact.bodies(problem, count, progress=progress)
-        unit = contact.edge_positions(exact.semi_minor_axis, pair.edge_element, positions)
-        flexibility = contact.total_flexibility(problem, pair.ball, pair.race)
-        field = contact.solve(problem, pair.hats, flexibility, unit, gap)
-        measured.append(measuring.measure(field, pair.ball, pair.race))
-        sizes.append(pair.edge_element)
+        bodies = half_space_contact.condensed_bodies(problem, count, progress=progress)
+        unit = contact.edge_positions(exact.semi_minor_axis, bodies.edge_element, positions)
+        flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
+        solution = contact.solve(problem, bodies.basis, flexibility, unit, gap)
+        measured.append(measuring.measure(solution, bodies.ball, bodies.race))
+        sizes.append(bodies.edge_element)
     case = f"{problem.name}, Q = {load:g} N, {geometry} gap"
     level = level_of(elements)
     tolerances, why = half_space_contact.TOLERANCES[level], half_space_contact.WHY[level]
     if geometry != "parabolic" or (accuracy is None and elements < half_space_contact.SEQUENCES[Level.QUICK][-1]):
-        tolerances, why = {}, "a finding: the true gap, or too coarse a mesh to gate"
+        tolerances, why = {}, "a finding: true gap, or too coarse a mesh for a tolerance"
     elif accuracy is not None:
         tolerances, why = dict.fromkeys(JUDGED, 100.0 * accuracy), "the accuracy asked for"
     rows = []
@@ -84,10 +84,17 @@ def run(
                 value,
                 100.0 * (estimate.uncertainty + measured[-1].position_uncertainty(name)) / abs(reference),
                 tolerances.get(name),
-                why if name in tolerances or not tolerances else "a finding: the shear is flat at its maximum",
+                why
+                if name in tolerances or not tolerances
+                else "a finding: at the maximum of the shear its depth is ill defined",
             )
         )
     rows += half_space_contact.soundness_rows(case, measured)
     recipe = meshing.half_space(elements)
-    mesh = {"elements_per_semi_axis": elements, "dofs": pair.race.dofs, "file": recipe.file_name, "geometry": geometry}
-    return Findings(rows, mesh, pair.race.solver)
+    mesh = {
+        "elements_per_semi_axis": elements,
+        "dofs": bodies.race.dofs,
+        "file": recipe.file_name,
+        "geometry": geometry,
+    }
+    return Findings(rows, mesh, bodies.race.solver)

@@ -1,10 +1,11 @@
 """The true bodies: half a ball between two opposite contacts, and a block of raceway under the true groove.
 
 Conventions, on which the approach depends. The ball's reference is its equator, the plane through its centre normal to
-the contact: half a ball is held there by a plane of symmetry, as between two equal and opposite contacts, its sides
-free. The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-space's
-would. Gap and pressure count along the contact's normal, as in Hertz's and the boundary elements' linear problem, so
-that what differs is the bodies alone. A pressure that turns with the surface is a second-order effect, looked at apart.
+the contact: half a ball is supported there by a plane of symmetry, as between two equal and opposite contacts, its
+sides free. The raceway's reference is infinity: a block of 0.9 ball radii each way, whose far faces move as a half-
+space's would. Gap and pressure count along the contact's normal, as in Hertz's and the boundary elements' linear
+problem, so that what differs is the bodies alone. A pressure that turns with the surface is a second-order effect,
+looked at apart.
 """
 
 from __future__ import annotations
@@ -20,22 +21,23 @@ from fem_check import elastic_body, meshing
 from fem_check.contact_problem import Array
 from fem_check.elastic_body import CondensedBody, Progress, Support, silent
 from fem_check.groove import BallInGroove
-from fem_check.pressure_hats import PressureHats
+from fem_check.pressure_basis import PressureBasis
 
 BLOCK = 0.9
 """Half-width and depth of the raceway's block, in ball radii: 10 mm for B218."""
 BALL_SURFACE_ORDER = 9
-"""Quadrature on the ball's contact: its facets do not match the hats, so their kinks fall inside."""
+"""Quadrature on the ball's contact: its facets do not match the cells of the pressure basis, whose kinks fall inside
+them."""
 
 
 @dataclass(frozen=True)
 class TrueBodies:
-    """Both bodies, and the flat half-space on the raceway's own mesh, all under the same hats."""
+    """Both bodies, and the flat half-space on the raceway's own mesh, all under the same pressure basis."""
 
     ball: CondensedBody
     race: CondensedBody
-    flat: CondensedBody
-    hats: PressureHats
+    half_space: CondensedBody
+    basis: PressureBasis
     unit_length: float
     """[m]"""
 
@@ -63,7 +65,7 @@ def graded(values: Array, near: float, near_size: float, elements: int, far: flo
     )
 
 
-def bodies(
+def condensed_bodies(
     groove: BallInGroove,
     a: float,
     b: float,
@@ -82,7 +84,7 @@ def bodies(
     brick = meshing.load(recipe)
     radius = groove.ball_radius / b
     race_brick = _sized(brick, recipe, a / b, (BLOCK * radius,) * 3)
-    hats = _hats(race_brick, recipe, a / b)
+    basis = _pressure_basis(race_brick, recipe, a / b)
 
     def race_shape(points: Array) -> Array:
         height = groove.race_height(points[0] * b, points[1] * b) / b
@@ -112,9 +114,9 @@ def bodies(
     return TrueBodies(
         ball=elastic_body.condense(
             ball_brick,
-            hats,
+            basis,
             groove.ball.poisson_ratio,
-            Support.EQUATOR,
+            Support.SYMMETRY_PLANE,
             ball_shape,
             slope_into_ball if pressure_turns else None,
             progress,
@@ -122,15 +124,17 @@ def bodies(
         ),
         race=elastic_body.condense(
             race_brick,
-            hats,
+            basis,
             groove.race.poisson_ratio,
             Support.HALF_SPACE,
             race_shape,
             common_slope if pressure_turns else None,
             progress,
         ),
-        flat=elastic_body.condense(race_brick, hats, groove.race.poisson_ratio, Support.HALF_SPACE, progress=progress),
-        hats=hats,
+        half_space=elastic_body.condense(
+            race_brick, basis, groove.race.poisson_ratio, Support.HALF_SPACE, progress=progress
+        ),
+        basis=basis,
         unit_length=b,
     )
 
@@ -167,7 +171,7 @@ def _sized(brick: MeshHex, recipe: meshing.Recipe, ellipticity: float, size: tup
     return MeshHex(points, brick.t, _boundaries=brick.boundaries, sort_t=False)
 
 
-def _hats(brick: MeshHex, recipe: meshing.Recipe, ellipticity: float) -> PressureHats:
-    every = elastic_body.hats_of(brick)
+def _pressure_basis(brick: MeshHex, recipe: meshing.Recipe, ellipticity: float) -> PressureBasis:
+    every = elastic_body.pressure_basis_of(brick)
     reach = recipe.x[0].length * (1.0 + 1e-6)
-    return PressureHats(every.lines_x[every.lines_x <= reach * ellipticity], every.lines_y[every.lines_y <= reach])
+    return PressureBasis(every.lines_x[every.lines_x <= reach * ellipticity], every.lines_y[every.lines_y <= reach])

@@ -16,53 +16,47 @@ from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm,
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from qsbearing.bearing import BallBearing, BearingKind
+    from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.effects import CentrifugalForce, GyroscopicMoment, MomentShares
-    from qsbearing.faults import Fault, SceneError
-    from qsbearing.file_fault import FileFault, SceneFileError
-    from qsbearing.hertz import HertzForm, PointContact, point_contact, subsurface_shear
-    from qsbearing.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.operation import Operation
-    from qsbearing.outcome import message, warnings
-    from qsbearing.raceway_control import RacewayControl
-    from qsbearing.scene import HertzAngle, Scene, TiltLever
-    from qsbearing.scene_file import load_scene
+    from qsbearing.effects.raceway_control import RacewayControl
+    from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+    from qsbearing.io.scene_file import load_scene
+    from qsbearing.messages import message, warnings
+    from qsbearing.scene.bearing import BallBearing, BearingKind
+    from qsbearing.scene.material import SILICON_NITRIDE, STEEL, Material
+    from qsbearing.scene.operation import Operation
+    from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
     from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
-    from qsbearing.solving import solve
+    from qsbearing.solver import solve
+    from qsbearing.validation import ErrorDetail, SceneError
 
+# fmt: off
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
-_HOME = {
-    "BallBearing": "bearing",
-    "BearingKind": "bearing",
-    "CentrifugalForce": "effects",
-    "Fault": "faults",
-    "FileFault": "file_fault",
-    "GyroscopicMoment": "effects",
-    "HertzAngle": "scene",
-    "HertzForm": "hertz",
-    "Material": "material",
-    "MomentShares": "effects",
-    "Operation": "operation",
-    "PointContact": "hertz",
-    "RacewayContacts": "solution",
-    "RacewayControl": "raceway_control",
-    "SILICON_NITRIDE": "material",
-    "STEEL": "material",
-    "Scene": "scene",
-    "SceneError": "faults",
-    "SceneFileError": "file_fault",
-    "Solution": "solution",
-    "Reason": "solution",
-    "Status": "solution",
-    "TiltLever": "scene",
-    "load_scene": "scene_file",
-    "point_contact": "hertz",
-    "solve": "solving",
-    "message": "outcome",
-    "stiffness": "solution",
-    "warnings": "outcome",
-    "subsurface_shear": "hertz",
+_HOMES = {
+    "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
+    "effects": ("CentrifugalForce", "GyroscopicMoment", "MomentShares"),
+    "effects.raceway_control": ("RacewayControl",),
+    "io.file_errors": ("FileErrorDetail", "SceneFileError"),
+    "io.scene_file": ("load_scene",),
+    "messages": ("message", "warnings"),
+    "scene.bearing": ("BallBearing", "BearingKind"),
+    "scene.material": ("SILICON_NITRIDE", "STEEL", "Material"),
+    "scene.operation": ("Operation",),
+    "scene.scene": ("HertzAngle", "Scene", "TiltLever"),
+    "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
+    "solver": ("solve",),
+    "validation": ("ErrorDetail", "SceneError"),
 }
+_HOME = {name: home for home, names in _HOMES.items() for name in names}
+
+__all__ = [
+    "SILICON_NITRIDE", "STEEL", "BallBearing", "BearingKind", "CentrifugalForce", "ErrorDetail", "FileErrorDetail",
+    "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm",
+    "Operation", "Pa", "PointContact", "RacewayContacts", "RacewayControl", "Reason", "Scene", "SceneError",
+    "SceneFileError", "Solution", "Status", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
+    "mm", "mrad", "point_contact", "rad", "rpm", "solve", "stiffness", "subsurface_shear", "um", "warnings",
+]
+# fmt: on
 
 
 def __getattr__(name: str) -> Any:
@@ -77,53 +71,3 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted({*globals(), *_HOME})
-
-
-__all__ = [
-    "SILICON_NITRIDE",
-    "STEEL",
-    "BallBearing",
-    "BearingKind",
-    "CentrifugalForce",
-    "Fault",
-    "FileFault",
-    "GPa",
-    "GyroscopicMoment",
-    "HertzAngle",
-    "HertzForm",
-    "MPa",
-    "Material",
-    "MomentShares",
-    "N",
-    "Nm",
-    "Nmm",
-    "Operation",
-    "Pa",
-    "PointContact",
-    "RacewayContacts",
-    "RacewayControl",
-    "Reason",
-    "Scene",
-    "SceneError",
-    "SceneFileError",
-    "Solution",
-    "Status",
-    "TiltLever",
-    "deg",
-    "kN",
-    "kg",
-    "kg_m3",
-    "load_scene",
-    "m",
-    "message",
-    "mm",
-    "mrad",
-    "point_contact",
-    "rad",
-    "rpm",
-    "solve",
-    "stiffness",
-    "subsurface_shear",
-    "um",
-    "warnings",
-]

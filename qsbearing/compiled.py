@@ -5,8 +5,14 @@ Python solves. Only entries are written to disk, each with all that it calls com
 numba would notice a change in an entry's own file only, so the cache lives in a folder named after a digest of all
 compiled files: edit any formula and the kernel is rebuilt.
 
-With the environment variable ``NUMBA_DISABLE_JIT=1`` every function here is the plain Python that stands in the source:
-slower by a factor of hundreds, the same equations.
+Environment variables:
+
+``NUMBA_DISABLE_JIT=1``
+    every function here is the plain Python that stands in the source: slower by a factor of hundreds, the same
+    equations.
+``QSBEARING_PLAIN_NUMBA=1``
+    numba's own compiler pipeline in place of `_PartCompiler` below: the same digits, twice the compilation time. For
+    versions of numba that were never tried it is used in any case.
 """
 
 from __future__ import annotations
@@ -39,8 +45,9 @@ def _source_digest() -> str:
     digest = hashlib.sha256(numba.__version__.encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         source = path.read_bytes()
-        if b"qsbearing.compiled" in source or path.name == "state.py":
+        if b"qsbearing.compiled" in source or path.name in ("workspace.py", "case.py"):
             digest.update(source)
+    digest.update(b"parts" if _BUILDS_PARTS else b"plain")
     return digest.hexdigest()[:16]
 
 
@@ -71,6 +78,8 @@ def _forget_old_kernels(root: Path) -> None:
         shutil.rmtree(stale, ignore_errors=True)
 
 
+# The pipeline of parts relies on internals of numba that were tried with these versions only.
+_BUILDS_PARTS = (0, 61) <= numba.version_info[:2] <= (0, 68) and os.environ.get("QSBEARING_PLAIN_NUMBA") != "1"
 _CACHE_FOLDER = _usable_cache_folder() if COMPILED else None
 _entries: set[str] = set()
 
@@ -78,9 +87,8 @@ _entries: set[str] = set()
 class _Part(JITCodeLibrary):
     """The code of a kernel function: there to be linked into an entry, neither optimised nor made machine code itself.
 
-    Left to itself, numba does both for every function, each time with all that it calls, and so with what lies at the
-    bottom some hundred times. An entry does it once for all (hard cases: 8 s of compilation instead of 27; the same
-    digits, the same time a point).
+    Left to itself, numba does both for every function, each time with all that it calls, and so with the lowest ones
+    many times. An entry does it once for all: half of the compilation time, the same digits, the same time a point.
     """
 
     def _optimize_final_module(self) -> None:
@@ -127,15 +135,12 @@ class _PartCompiler(CompilerBase):
         return [passes]
 
 
-# The ordinary compiler makes the same code of parts, only later: for versions of numba whose inner life is unknown.
-_PARTS_ARE_KNOWN = (0, 61) <= numba.version_info[:2] <= (0, 68)
-
 # error_model "numpy": no hidden branch before each division; the formulas guard their own.
 # no_cfunc_wrapper: nothing calls these from C, and each wrapper is another function to compile.
 # _nrt: nothing here allocates, so there are no references to count.
 # No fastmath: the same digits on every run, and NaN stays NaN.
 _OPTIONS: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False, "no_rewrites": True}
-_PART: Any = {"no_cpython_wrapper": True} | ({"pipeline_class": _PartCompiler} if _PARTS_ARE_KNOWN else {})
+_PART: Any = {"no_cpython_wrapper": True} | ({"pipeline_class": _PartCompiler} if _BUILDS_PARTS else {})
 _njit: Any = numba.njit  # its stubs do not know these options
 
 
@@ -155,9 +160,28 @@ def entry(function: F) -> F:
     before = numba_config.CACHE_DIR  # type: ignore[attr-defined]
     try:
         numba_config.CACHE_DIR = _CACHE_FOLDER or before  # type: ignore[attr-defined]
-        return cast(F, _njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function))
+        dispatcher = _njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function)
     finally:
         numba_config.CACHE_DIR = before  # type: ignore[attr-defined]
+    if COMPILED and _CACHE_FOLDER is not None:
+        _survive_damage(dispatcher._cache)
+    return cast(F, dispatcher)
+
+
+def _survive_damage(cache: Any) -> None:
+    """Let a damaged file of the cache be said and compiled anew: numba would end in an error of pickle."""
+    load = cache.load_overload
+
+    def load_or_discard(signature: Any, target: Any) -> Any:
+        try:
+            return load(signature, target)
+        except Exception as error:  # a damaged pickle may raise anything
+            what = f"{type(error).__name__}: {error}"
+            print(f"qsbearing: a file in {_CACHE_FOLDER} is damaged ({what}): compiling anew", file=sys.stderr)
+            cache.flush()
+            return None
+
+    cache.load_overload = load_or_discard
 
 
 class _Compilation(numba_event.Listener):
@@ -171,8 +195,9 @@ class _Compilation(numba_event.Listener):
         if self._said or not function.__module__.startswith("qsbearing") or function.__qualname__ not in _entries:
             return
         self._said = True
+        what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
         where = f"kept in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to keep it in: each start will do this"
-        print(f"qsbearing: compiling the solver, once, some seconds ({where})", file=sys.stderr, flush=True)
+        print(f"qsbearing: compiling {what}, once, some seconds ({where})", file=sys.stderr, flush=True)
 
     def on_end(self, event: numba_event.Event) -> None:
         pass

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import fields, is_dataclass
 from enum import StrEnum
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing import readings
-from qsbearing.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.state import working_memory
-from qsbearing.verdict import (
+from qsbearing.columns import DISPLACEMENT, LOAD, columns
+from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.kernel import results as readings
+from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_CONSISTENT_CONTROL,
@@ -19,29 +20,39 @@ from qsbearing.verdict import (
     NOT_CONVERGED,
     OPEN_SIDE,
     OVER_SHOULDER,
-    RUNAWAY,
+    UNSUPPORTED,
 )
+from qsbearing.kernel.workspace import working_memory
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.units import deg
 
 if TYPE_CHECKING:
     import pandas
     from numpy.typing import NDArray
 
-    from qsbearing.case import CaseMaker
-    from qsbearing.scene import Scene
+    from qsbearing.flatten import CaseMaker
+    from qsbearing.scene.scene import Scene
+
+Index = int | tuple[int, ...] | None
+"""One case, along the case axes of its solution; None where there is a single case."""
 
 CHUNK = 4096
 """Cases whose records exist at a time while something is read off a large solution."""
+
+SOFTEST = 1e-9
+"""A direction this much softer than the stiffest is resisted by rounding only (chosen: far above the rounding of a
+stiffness, 1e-13, and far below any bearing's ratio of stiffnesses)."""
 
 
 class Status(StrEnum):
     """How a case ended."""
 
     CONVERGED = "converged"
-    """Balls and ring are in balance."""
+    """Balls and ring are in equilibrium."""
     NO_EQUILIBRIUM = "no_equilibrium"
-    """Nothing in the bearing supports the load; `outcome.message` says which channel or which hypothesis fails."""
+    """Nothing in the bearing supports the load; `message` says which channel or which hypothesis fails."""
     NOT_CONVERGED = "not_converged"
-    """No balance was found; that is no proof that there is none."""
+    """No equilibrium was found; that is no proof that there is none."""
 
 
 class Reason(StrEnum):
@@ -58,13 +69,12 @@ class Reason(StrEnum):
 
 
 _REASONS = {
-    RUNAWAY: Reason.UNSUPPORTED,
+    UNSUPPORTED: Reason.UNSUPPORTED,
     FRICTION_WITHOUT_LOAD: Reason.FRICTION_WITHOUT_LOAD,
     OPEN_SIDE: Reason.OPEN_SIDE,
     OVER_SHOULDER: Reason.OVER_SHOULDER,
 }
-"""Several may hold; the first of these is told."""
-
+"""Several may hold; the first of these is reported."""
 
 STATUS_OF_CODE = {
     CONVERGED: Status.CONVERGED,
@@ -73,49 +83,39 @@ STATUS_OF_CODE = {
 }
 
 
+def _contact_result(what: int, unit: str, meaning: str) -> cached_property[NDArray]:
+    """A property of `RacewayContacts` with its docstring."""
+
+    def read(contacts: RacewayContacts) -> NDArray:
+        return contacts._solution._read(contacts._side, what, unit)
+
+    read.__doc__ = meaning
+    return cached_property(read)
+
+
 class RacewayContacts:
     """All contacts of one raceway; arrays of shape (*cases, ball), computed when first asked for.
 
     NaN stands where there is no number: cases not solved, balls beyond a case's ball count, and the angle and approach
-    of a ball at rest that touches neither raceway and so has no defined place.
+    of a ball at rest that touches neither raceway, whose position is undetermined.
     """
+
+    angle = _contact_result(
+        readings.ANGLE, "", "From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."
+    )
+    load = _contact_result(readings.LOAD, "force", "Normal load Q, zero where the ball has lost the raceway [N].")
+    approach = _contact_result(
+        readings.APPROACH, "length", "Elastic approach of ball and ring; negative: the gap of a lost contact [m]."
+    )
+    semi_major_axis = _contact_result(readings.SEMI_MAJOR_AXIS, "length", "Of the ellipse, a [m]; zero without load.")
+    semi_minor_axis = _contact_result(readings.SEMI_MINOR_AXIS, "length", "Of the ellipse, b [m]; zero without load.")
+    max_pressure = _contact_result(
+        readings.MAX_PRESSURE, "pressure", "Hertz's p0 at the centre of the ellipse [Pa]; zero without load."
+    )
 
     def __init__(self, solution: Solution, side: float) -> None:
         self._solution = solution
         self._side = side
-
-    def _read(self, what: int, power: str) -> NDArray:
-        return self._solution._read(self._side, what, power)
-
-    @cached_property
-    def angle(self) -> NDArray:
-        """Contact angle, from the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."""
-        return self._read(readings.ANGLE, "")
-
-    @cached_property
-    def load(self) -> NDArray:
-        """Normal load Q, zero where the ball has lost the raceway, never negative [N]."""
-        return self._read(readings.LOAD, "force")
-
-    @cached_property
-    def approach(self) -> NDArray:
-        """Elastic approach of ball and ring; negative: the gap of a lost contact [m]."""
-        return self._read(readings.APPROACH, "length")
-
-    @cached_property
-    def semi_major_axis(self) -> NDArray:
-        """Of the contact ellipse, a [m]; zero without load."""
-        return self._read(readings.SEMI_MAJOR_AXIS, "length")
-
-    @cached_property
-    def semi_minor_axis(self) -> NDArray:
-        """Of the contact ellipse, b [m]; zero without load."""
-        return self._read(readings.SEMI_MINOR_AXIS, "length")
-
-    @cached_property
-    def max_pressure(self) -> NDArray:
-        """Hertz's p0 at the centre of the ellipse [Pa]; zero without load."""
-        return self._read(readings.MAX_PRESSURE, "pressure")
 
     @cached_property
     def required_friction(self) -> NDArray | None:
@@ -123,16 +123,15 @@ class RacewayContacts:
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
         """
-        if self._solution.scene.gyroscopic_moment is None:
-            return None
-        return self._read(readings.REQUIRED_FRICTION, "")
+        asked = self._solution.scene.gyroscopic_moment
+        return self._solution._read_if(asked, self._side, readings.REQUIRED_FRICTION, "")
 
 
 class Solution:
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
-    hold NaN everywhere but in `status`, `iterations` and `residual`; `outcome.message` says why.
+    hold NaN everywhere but in `status`, `iterations` and `residual`; `message` says why.
     """
 
     def __init__(
@@ -174,6 +173,55 @@ class Solution:
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
+    def _place(self, index: Index) -> tuple[int, ...]:
+        """The index of one case along each case axis.
+
+        Raises:
+            ValueError: the index is missing or does not name one case of this solution.
+        """
+        given = () if index is None else index if isinstance(index, tuple) else (index,)
+        if len(given) != len(self.shape) or not all(-n <= i < n for i, n in zip(given, self.shape, strict=True)):
+            hint = f"{self.shape} cases; give index, such as {tuple(n - 1 for n in self.shape)}"
+            found = hint if self.shape else "a single case; leave index out"
+            raise ValueError(f"index = {index!r} names none of its cases: this solution has {found}")
+        return tuple(int(i) % n for i, n in zip(given, self.shape, strict=True))
+
+    def _flat_index(self, index: Index) -> int:
+        """The number of a case, counted along the flattened case axes."""
+        place = self._place(index)
+        return int(np.ravel_multi_index(place, self.shape)) if place else 0
+
+    def __repr__(self) -> str:
+        name = f"Solution of {self.scene.bearing.name or 'a bearing'}"
+        if self.shape:
+            return f"{name}: {self._maker.count} cases {self.shape}, {self._counts()}"
+        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
+        if not self.converged:
+            return f"{lines[0]}{', ' if self.reason else ''}{self.reason}"
+        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
+            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
+            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+        for side, contacts in (("inner", self.inner), ("outer", self.outer)):
+            angles = contacts.angle[contacts.load > 0.0] / deg
+            if angles.size:
+                span = " to ".join(dict.fromkeys(f"{angle:.5g}" for angle in (angles.min(), angles.max())))
+                lines.append(f"  {side} raceway: largest load {contacts.load.max():.6g} N, contact angle {span} deg")
+        return "\n".join(lines)
+
+    def _counts(self) -> str:
+        """How many cases ended how, and the first of each kind that is not solved."""
+        shown = []
+        for code, status in STATUS_OF_CODE.items():
+            cases = np.flatnonzero(self._codes == code)
+            if cases.size:
+                where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
+                shown.append(f"{cases.size} {status}{where}")
+        return ", ".join(shown)
+
+    def _case_name(self, number: int) -> str:
+        place = tuple(map(int, np.unravel_index(number, self.shape)))
+        return str(place[0] if len(place) == 1 else place)
+
     def _stretches(self) -> Any:
         """(slice, case records) of all cases, some at a time."""
         if self._cases is not None:
@@ -202,6 +250,9 @@ class Solution:
                 out[part] *= _unit(cases, unit)[:, None]
         return self._shaped(out, balls)
 
+    def _read_if(self, asked: object, side: float, what: int, unit: str) -> NDArray | None:
+        return None if asked is None else self._read(side, what, unit)
+
     @property
     def converged(self) -> Any:
         """Whether each case is solved; shape (*cases)."""
@@ -209,19 +260,19 @@ class Solution:
 
     @property
     def status(self) -> Any:
-        """`Status` of a single case, or an array of its words; shape (*cases)."""
+        """`Status` of a single case, or an array of their names; shape (*cases)."""
         if not self.shape:
             return STATUS_OF_CODE[int(self._codes[0])]
-        words = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(words[self._codes])
+        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
+        return self._shaped(names[self._codes])
 
     @property
     def reason(self) -> Any:
-        """`Reason` why there is no equilibrium, as a word; empty where there is one; shape (*cases)."""
-        words = np.full(self._notes.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
+        names = np.full(self._notes.shape, "", dtype=f"<U{max(map(len, Reason))}")
         for bit, reason in reversed(_REASONS.items()):
-            words[(self._codes == NO_EQUILIBRIUM) & ((self._notes & bit) != 0)] = reason
-        return str(words[0]) if not self.shape else self._shaped(words)
+            names[(self._codes == NO_EQUILIBRIUM) & ((self._notes & bit) != 0)] = reason
+        return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
     def control_is_consistent(self) -> Any:
@@ -233,7 +284,7 @@ class Solution:
 
     @property
     def iterations(self) -> Any:
-        """Newton iterations spent, safety nets included; shape (*cases)."""
+        """Newton iterations spent, fallbacks included; shape (*cases)."""
         return self._shaped(self._iterations)
 
     @property
@@ -243,9 +294,9 @@ class Solution:
 
     @property
     def speed_reached(self) -> Any:
-        """The part of the speed that the verdict is for; shape (*cases).
+        """The part of the speed that the status is for; shape (*cases).
 
-        1 but where a balance followed up in speed was found to have ended below it: then the part that shows it.
+        1 but where an equilibrium continued in speed was found to end below it: then the part that shows it.
         """
         return self._shaped(self._reached)
 
@@ -259,7 +310,7 @@ class Solution:
 
     @cached_property
     def load(self) -> NDArray:
-        """On the inner ring, reactions of held channels included; shape (*cases, 5) [N, N, N, N m, N m]."""
+        """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
         out = np.where((self._codes == CONVERGED)[:, None], self._load, np.nan)
         for part, cases in self._stretches():
             out[part] *= cases["force"][:, None]
@@ -279,70 +330,104 @@ class Solution:
     @cached_property
     def centrifugal_force(self) -> NDArray | None:
         """Of each ball [N]; None where the scene does not name it."""
-        if self.scene.centrifugal_force is None:
-            return None
-        return self._read(OUTER_SIDE, readings.CENTRIFUGAL_FORCE, "force")
+        return self._read_if(self.scene.centrifugal_force, OUTER_SIDE, readings.CENTRIFUGAL_FORCE, "force")
 
     @cached_property
     def gyroscopic_moment(self) -> NDArray | None:
         """Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."""
-        if self.scene.gyroscopic_moment is None:
-            return None
-        return self._read(OUTER_SIDE, readings.GYROSCOPIC_MOMENT, "moment")
+        return self._read_if(self.scene.gyroscopic_moment, OUTER_SIDE, readings.GYROSCOPIC_MOMENT, "moment")
 
     @cached_property
     def orbital_speed(self) -> NDArray | None:
         """omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."""
-        if self.scene.raceway_control is None:
-            return None
-        return self._read(OUTER_SIDE, readings.ORBITAL_SPEED, "speed")
+        return self._read_if(self.scene.raceway_control, OUTER_SIDE, readings.ORBITAL_SPEED, "speed")
 
     @cached_property
     def rotation_speed(self) -> NDArray | None:
         """omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None without a
         ball effect."""
-        if self.scene.raceway_control is None:
-            return None
-        return self._read(OUTER_SIDE, readings.ROTATION_SPEED, "speed")
+        return self._read_if(self.scene.raceway_control, OUTER_SIDE, readings.ROTATION_SPEED, "speed")
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
         """ "outer" or "inner" for each ball; shape (*cases, ball); None without a ball effect."""
         if self.scene.raceway_control is None:
             return None
-        words = np.array(["outer", "inner", ""])
+        names = np.array(["outer", "inner", ""])
         index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._control, self._maker.ball_axis))
-        return words[index]
+        return names[index]
+
+    @cached_property
+    def stiffness(self) -> NDArray:
+        """The ring's exact tangent stiffness dF/dd, with speed; shape (*cases, 5, 5), SI; NaN where not solved.
+
+        Rows are loads, columns displacements, both in the order x, y, z, tilt y, tilt z, all channels included whether
+        load or displacement is prescribed. It is the elimination that the solver itself uses: symmetric without the
+        gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
+        need not be.
+        """
+        out = np.empty((self._maker.count, 5, 5))
+        for part, cases in self._stretches():
+            out[part] = self._tangents(part, cases)
+        return self._shaped(out, 5, 5)
+
+    @cached_property
+    def compliance(self) -> NDArray:
+        """Inverse of the stiffness over the free channels, those whose load is prescribed; shape (*cases, 5, 5), SI.
+
+        NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
+        free direction.
+        """
+        out = np.full((self._maker.count, 5, 5), np.nan)
+        free = self._free_channels
+        for part, cases in self._stretches():
+            scaled, scale = self._scaled_stiffness(part, cases)
+            regular = np.isfinite(scaled).all((-1, -2))
+            regular[regular] = np.linalg.cond(scaled[regular]) < 1.0 / SOFTEST if free.size else False
+            numbers = np.flatnonzero(regular) + part.start
+            inverse = np.linalg.inv(scaled[regular]) * (scale[:, :, None] * scale[:, None, :])[regular]
+            out[np.ix_(numbers, free, free)] = inverse
+        return self._shaped(out, 5, 5)
+
+    @property
+    def _free_channels(self) -> NDArray:
+        """Numbers of the channels whose load is prescribed."""
+        given = [getattr(self.scene.operation, channel.displacement) for channel in CHANNELS]
+        return np.array([i for i, displacement in enumerate(given) if displacement is None], int)
+
+    def _scaled_stiffness(self, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
+        """Stiffness of the free channels with tilts measured at the pitch circle, all in N/m; and the scale of each."""
+        free = self._free_channels
+        scale = np.ones((cases.size, 5))
+        scale[:, 3:] = 2.0 / (cases["pitch_diameter"] * cases["length"])[:, None]
+        scale = scale[:, free]
+        matrix = self._tangents(part, cases)[:, free[:, None], free]
+        return matrix * scale[:, :, None] * scale[:, None, :], scale
+
+    def _tangents(self, part: slice, cases: NDArray) -> NDArray:
+        """Stiffness (case, 5, 5) of a stretch of flattened cases."""
+        out = np.empty((cases.size, 5, 5))
+        readings.stiffness_of_cases(
+            cases,
+            *working_memory(self._maker.ball_axis),
+            self._codes[part],
+            self._ring[part],
+            self._position[part],
+            self._control[part],
+            out,
+        )
+        return out
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """One row a ball (and case), units in the column names; needs pandas (the `frame` extra)."""
+        """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).
+
+        Contacts and motion of the ball; displacement, load and stiffness of the ring (its diagonal), status and reason
+        of the case, and the numbers of the scene under the keys of a scene file. A case that is not solved keeps its
+        rows, with NaN for what there is not.
+        """
         import pandas
 
-        columns: dict[str, Any] = {}
-        full = (*self.shape, self._maker.ball_axis)
-        for axis, index in enumerate(np.indices(full)[:-1]):
-            columns[f"case_{axis}"] = index.ravel()
-        columns["ball"] = np.indices(full)[-1].ravel()
-        columns["azimuth_deg"] = np.degrees(self.azimuth).ravel()
-        for name, contacts in (("inner", self.inner), ("outer", self.outer)):
-            columns[f"{name}_load_N"] = contacts.load.ravel()
-            columns[f"{name}_angle_deg"] = np.degrees(contacts.angle).ravel()
-            columns[f"{name}_approach_um"] = contacts.approach.ravel() * 1e6
-            columns[f"{name}_semi_major_axis_mm"] = contacts.semi_major_axis.ravel() * 1e3
-            columns[f"{name}_semi_minor_axis_mm"] = contacts.semi_minor_axis.ravel() * 1e3
-            columns[f"{name}_max_pressure_MPa"] = contacts.max_pressure.ravel() / 1e6
-            if contacts.required_friction is not None:
-                columns[f"{name}_required_friction"] = contacts.required_friction.ravel()
-        if self.centrifugal_force is not None:
-            columns["centrifugal_force_N"] = self.centrifugal_force.ravel()
-        if self.gyroscopic_moment is not None:
-            columns["gyroscopic_moment_Nmm"] = self.gyroscopic_moment.ravel() * 1e3
-        if self.orbital_speed is not None and self.rotation_speed is not None and self.raceway_control is not None:
-            columns["orbital_speed_rpm"] = self.orbital_speed.ravel() * 30.0 / np.pi
-            columns["rotation_speed_rpm"] = self.rotation_speed.ravel() * 30.0 / np.pi
-            columns["raceway_control"] = self.raceway_control.ravel()
-        frame = pandas.DataFrame(columns)
-        return frame[frame["azimuth_deg"].notna()].reset_index(drop=True)
+        return pandas.DataFrame(columns(self))
 
 
 def _unit(cases: NDArray, unit: str) -> NDArray:
@@ -356,33 +441,20 @@ def _unit(cases: NDArray, unit: str) -> NDArray:
 
 
 def stiffness(scene: Scene, solution: Solution) -> NDArray:
-    """The ring's exact tangent stiffness dF/dd at the solution, with speed; shape (*cases, 5, 5), SI.
-
-    Rows are loads, columns displacements, both in the order x, y, z, tilt y, tilt z, all channels included whether
-    loaded or held. It is the elimination that the solver itself uses: symmetric without the gyroscopic moment and with
-    fixed inertia forces; at speed the inertia forces follow the contact angles and it need not be.
+    """`solution.stiffness`, after a look at whether the solution is one of this scene.
 
     Raises:
         ValueError: the solution belongs to another scene.
     """
-    if scene is not solution.scene:
-        raise ValueError("this solution belongs to another scene: solve this one first")
-    out = np.empty((solution._maker.count, 5, 5))
-    for part, cases in solution._stretches():
-        out[part] = tangents(solution, part, cases)
-    return solution._shaped(out, 5, 5)
+    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
+        raise ValueError(
+            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
+        )
+    return solution.stiffness
 
 
-def tangents(solution: Solution, part: slice, cases: NDArray) -> NDArray:
-    """Stiffness (case, 5, 5) of a stretch of flattened cases."""
-    out = np.empty((cases.size, 5, 5))
-    readings.stiffness_of_cases(
-        cases,
-        *working_memory(solution._maker.ball_axis),
-        solution._codes[part],
-        solution._ring[part],
-        solution._position[part],
-        solution._control[part],
-        out,
-    )
-    return out
+def _is_equal(one: Any, other: Any) -> bool:
+    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
+    if is_dataclass(one) and type(one) is type(other):
+        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
+    return np.array_equal(one, other)

@@ -1,291 +1,144 @@
-"""One case, the direct way: a start from closed forms or from rest, Newton's method, the verdict.
-
-Each start arrives in cases that the other does not: what the likelier of the two misses is tried from the other. That
-is all for nearly every case. What does not end in a balance that stands is left to the detours of hard cases,
-which are compiled only when a case first needs them.
-"""
+"""`solve`: all cases of a scene, in threads; the one place where the parts meet."""
 
 from __future__ import annotations
 
-from math import sqrt
+import os
+import time
+from typing import TYPE_CHECKING, Any
 
-from numpy import ndarray, recarray
+import numpy as np
 
-from qsbearing.ball import (
-    UNLIMITED,
-    evaluate,
-    inertia,
-    is_moving,
-    limit_friction,
-    set_inner,
-    set_outer,
-    take_place,
-    tell_place,
-)
-from qsbearing.compiled import entry, kernel
-from qsbearing.contact import direction
-from qsbearing.keeping import SOLVED, keep, restore
-from qsbearing.newton import FLOOR, any_held, applied_load, close_chains, newton, stop
-from qsbearing.raceway_control import INNER, OUTER, PER_BALL
-from qsbearing.ring import add_force, channel_scale, find_equals, inner_groove_centre, place_balls
-from qsbearing.start import moving_thrust, ring_at_rest, seat_balls
-from qsbearing.verdict import (
-    CONVERGED,
-    NO_CONSISTENT_CONTROL,
-    UNLOADED_RING,
-    contradicted_controls,
-    is_unloaded,
-    objections,
-)
+from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
+from qsbearing.kernel.workspace import working_memory
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import Solution
 
-UNFINISHED = 3
-"""A case's code while only a detour may still find its balance."""
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
-# Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest.
-THRUST_REACH = 5.0
-# How well the balance at rest must be known for Newton to start from it.
-REST_TOLERANCE = 1e-3
+THREADS_VARIABLE = "QSBEARING_THREADS"
+CHUNK = 1024
+"""Cases that one thread solves at a time: enough to hide Python, few enough to share out evenly."""
+
+TOLERANCE = 1e-12
+KEPT_RECORDS = 64
+"""Solutions of up to this many cases keep their case records; larger ones make them again where they are needed."""
 
 
-@kernel
-def is_thrust_like(case: recarray) -> bool:
-    """Whether the axial load shapes the balls' balance at speed more than radial loads and moments do."""
-    if case.is_held[0] or case.prescribed[0] <= 0.0:
-        return False
-    side = 0.0
-    for i in range(1, 5):
-        if not case.is_held[i]:
-            value = case.prescribed[i] / channel_scale(case, i)
-            side += value * value
-    return sqrt(side) < THRUST_REACH * case.prescribed[0]
+def thread_count(threads: int | None = None) -> int:
+    """Threads to use: the argument, else the environment variable QSBEARING_THREADS, else all cores.
 
-
-@kernel
-def is_load_ahead(case: recarray) -> bool:
-    """Whether loads shape the balls' balance at speed more than inertia does."""
-    s, c = case.sin_free, case.cos_free
-    fc, _, _, mg, _, _ = inertia(case, INNER if case.control == INNER else OUTER, s, c, s, c)
-    return applied_load(case) > case.ball_count * max(fc, abs(mg))
-
-
-@kernel
-def rest(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, float]:
-    """Newton's method on the bearing at rest, from where the ring is: (converged, iterations, residual).
-
-    The balls are left as one link each, to be seated.
+    Raises:
+        ValueError: not a positive whole number.
     """
-    stop(case, ring, balls)
-    return newton(case, ring, balls, tolerance)
+    if threads is None:
+        named = os.environ.get(THREADS_VARIABLE)
+        if named is None:
+            return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        try:
+            threads = int(named)
+        except ValueError:
+            raise ValueError(f"{THREADS_VARIABLE} = {named!r}: must be a whole number of threads") from None
+    if threads < 1:
+        raise ValueError(f"threads = {threads}: at least one is needed")
+    return threads
 
 
-@kernel
-def seat_at_rest(case: recarray, ring: recarray, balls: ndarray) -> int:
-    """Put balls at speed where they lie at rest under the loads that act; returns the iterations taken."""
-    ring_at_rest(case, ring.displacement)
-    _, iterations, _ = rest(case, ring, balls, REST_TOLERANCE)
-    seat_balls(case, ring, balls)
-    return iterations
+def solve(
+    scene: Scene, *, start: Solution | None = None, threads: int | None = None, tolerance: float = TOLERANCE
+) -> Solution:
+    """Solve every case of a scene.
 
+    Args:
+        scene: what to solve; its array fields broadcast to the case axes.
+        start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
+        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
+            it, 1e-10 is accepted and `Solution.residual` tells.
 
-@kernel
-def first_guess(case: recarray, ring: recarray, balls: ndarray) -> None:
-    """Place ring and balls for Newton's first iteration, by closed forms alone.
+    Returns:
+        Solution: raises nothing for a physical outcome; `status` and `outcome.message` say what happened, case by case.
 
-    Under thrust every ball starts in the balance of thrust at speed, whatever else moves its inner groove: Newton
-    closes the chain. Otherwise balls start as they would sit at rest.
+    Raises:
+        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
     """
-    if not is_thrust_like(case):
-        ring_at_rest(case, ring.displacement)
-        stop(case, ring, balls)
-        seat_balls(case, ring, balls)
+    if not 0.0 < tolerance <= 0.1:
+        raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    began = time.perf_counter()
+    maker = CaseMaker(scene)
+    count = maker.count
+    ring, position, control = _state(start, maker)
+    load, residual, reached = np.empty((count, 5)), np.empty(count), np.empty(count)
+    codes, notes = np.empty(count, np.int8), np.empty(count, np.int8)
+    iterations = np.empty(count, np.int32)
+    cases: NDArray | None = None
+    workers = thread_count(threads)
+
+    def solve_stretch(begin: int, stop: int) -> NDArray:
+        records = maker.make(begin, stop)
+        part = slice(begin, stop)
+        given = (
+            records,
+            *working_memory(maker.ball_axis),
+            tolerance,
+            start is not None,
+            ring[part],
+            position[part],
+            control[part],
+            load[part],
+            codes[part],
+            notes[part],
+            iterations[part],
+            residual[part],
+            reached[part],
+        )
+        solve_cases(*given)
+        if codes[part].max() == UNFINISHED:
+            from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
+
+            solve_unfinished(np.flatnonzero(codes[part] == UNFINISHED), *given)
+        return records
+
+    if count <= KEPT_RECORDS:
+        cases = solve_stretch(0, count)
+    else:
+        _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
+    seconds = time.perf_counter() - began
+    return Solution(maker, cases, ring, position, control, load, codes, notes, iterations, residual, reached, seconds)
+
+
+def _in_threads(solve_stretch: Any, count: int, workers: int) -> None:
+    begins = range(0, count, CHUNK)
+    if workers == 1:
+        for begin in begins:
+            solve_stretch(begin, min(begin + CHUNK, count))
         return
-    x, u1, u2 = moving_thrust(case, balls[0].control, case.prescribed[0])
-    s, c = case.sin_free, case.cos_free
-    outer_approach, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)
-    inner_approach, si, ci, _ = direction(case.inner_coefficient - 0.5, s, c, x - u1, -u2)
-    for i in range(5):
-        ring.displacement[i] = case.prescribed[i] if case.is_held[i] else 0.0
-    ring.displacement[0] = x
-    for n in range(ring.balls):
-        set_outer(balls[n], so, co, outer_approach)
-        set_inner(balls[n], si, ci, inner_approach)
+    from concurrent.futures import ThreadPoolExecutor
+
+    solve_stretch(0, min(CHUNK, count))  # compiled or loaded once, not by every thread
+    with ThreadPoolExecutor(workers) as pool:
+        for done in [pool.submit(solve_stretch, begin, min(begin + CHUNK, count)) for begin in begins[1:]]:
+            done.result()
 
 
-@kernel
-def choose_controls(case: recarray, ring: recarray, balls: ndarray, first: int) -> None:
-    """Give every ball the raceway control asked for; where each has its own, this one until its balance says."""
-    for n in range(ring.balls):
-        balls[n].changes = 0
-        balls[n].control = first if case.control == PER_BALL else case.control
-
-
-@kernel
-def prepare(
-    case: recarray,
-    ring: recarray,
-    balls: ndarray,
-    is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-) -> None:
-    """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
-    place_balls(case, ring, balls)
-    find_equals(case, ring, balls)
-    ring.floor = FLOOR * case.series_stiffness
-    ring.ran_away, ring.at_rest = False, False
-    ring.reached = 1.0
-    limit_friction(ring, UNLIMITED)
-    for i in range(5):
-        ring.load[i] = 0.0 if case.is_held[i] else case.prescribed[i]
-        ring.displacement[i] = displacement[i] * ring.in_plane[i] if is_warm else 0.0
-        if case.is_held[i]:
-            ring.displacement[i] = case.prescribed[i]
-    choose_controls(case, ring, balls, OUTER)
-    for n in range(ring.balls):
-        ball = balls[n]
-        set_outer(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
-        set_inner(ball, case.sin_free, case.cos_free, 0.0)
-        if is_warm:
-            take_place(case, ball, position[ball.number])
-            if case.control == PER_BALL and is_moving(case):
-                ball.control = control[ball.number]
-
-
-@kernel
-def settle_controls(case: recarray, ring: recarray, balls: ndarray, tolerance: float) -> tuple[bool, int, int, float]:
-    """From where ring and balls are: (whether a balance stands, notes, iterations, relative residual).
-
-    With per-ball control a balance may change the controls that Jones's criterion contradicts, and is sought again from
-    where it stands.
-    """
-    total, notes = 0, 0
-    while True:
-        converged, iterations, residual = newton(case, ring, balls, tolerance)
-        total += iterations
-        if not converged or case.control != PER_BALL:
-            break
-        wrong, changed = contradicted_controls(case, ring, balls)
-        if changed == 0:
-            notes = NO_CONSISTENT_CONTROL if wrong > 0 else 0
-            break
-    return converged and objections(case, ring, balls) == 0, notes, total, residual
-
-
-@kernel
-def solve_directly(
-    case: recarray, ring: recarray, balls: ndarray, tolerance: float, is_warm: bool
-) -> tuple[bool, int, int, float]:
-    """Solve one case from the start given, then its own: (whether a balance stands, notes, iterations, residual).
-
-    At speed its own are closed forms and the balance at rest, the likelier first; with per-ball control from the outer
-    control of all balls, then from the inner. A balance that contradicts its controls stands if none of these leads to
-    another.
-    """
-    unloaded = UNLOADED_RING if is_unloaded(case) else 0
-    if not is_moving(case):
-        if not is_warm:
-            ring_at_rest(case, ring.displacement)
-        converged, total, residual = rest(case, ring, balls, tolerance)
-        seat_balls(case, ring, balls)
-        return converged and objections(case, ring, balls) == 0, unloaded, total, residual
-    total, contradicted = 0, -1.0
-    if is_warm:
-        close_chains(case, ring, balls)
-        stands, notes, total, residual = settle_controls(case, ring, balls, tolerance)
-        if stands:
-            return True, unloaded | notes, total, residual
-    is_rest_first = not is_thrust_like(case) and is_load_ahead(case)
-    for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
-        for start in range(2):
-            choose_controls(case, ring, balls, control)
-            if (start == 0) == is_rest_first:
-                total += seat_at_rest(case, ring, balls)
-            else:
-                first_guess(case, ring, balls)
-            stands, notes, iterations, residual = settle_controls(case, ring, balls, tolerance)
-            total += iterations
-            if stands and notes == 0:
-                return True, unloaded, total, residual
-            if stands and contradicted < 0.0:
-                keep(ring, balls, SOLVED)
-                contradicted = residual
-    if contradicted >= 0.0:
-        restore(ring, balls, SOLVED)
-        return True, unloaded | NO_CONSISTENT_CONTROL, total, contradicted
-    return False, unloaded, total, 1.0
-
-
-@kernel
-def ring_load(case: recarray, ring: recarray, balls: ndarray, load: ndarray) -> None:
-    """The ring's load in all channels: what was prescribed, and of held channels the reaction, the balls' sum."""
-    reaction = ring.before
-    for i in range(5):
-        reaction[i] = 0.0
-    if any_held(case):
-        for j in range(case.ball_count):
-            ball = balls[balls[j].place]
-            a1, a2 = inner_groove_centre(case, ring.displacement, ball.cosine, ball.sine)
-            evaluate(case, ball, a1, a2, ring.floor, ring.grip)
-            add_force(ball, balls[j].azimuth_cosine, balls[j].azimuth_sine, reaction)
-    for i in range(5):
-        # what equal balls cancel is zero, not the rounding of their sum
-        load[i] = reaction[i] * ring.in_plane[i] if case.is_held[i] else case.prescribed[i]
-
-
-@kernel
-def deliver(
-    case: recarray,
-    ring: recarray,
-    balls: ndarray,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-) -> None:
-    """Write where ring and balls stand, in the case's units; zero for balls that the case does not have."""
-    for i in range(5):
-        displacement[i] = ring.displacement[i]
-    for j in range(position.shape[0]):
-        ball = balls[balls[j].place]
-        is_there = j < case.ball_count
-        for i in range(3):
-            position[j, i] = 0.0
-        if is_there:
-            tell_place(case, ball, position[j])
-        control[j] = ball.control if is_there else 0
-    ring_load(case, ring, balls, load)
-
-
-@entry
-def solve_cases(
-    cases: ndarray,
-    rings: ndarray,
-    balls: ndarray,
-    tolerance: float,
-    is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-    status: ndarray,
-    notes: ndarray,
-    iterations: ndarray,
-    residual: ndarray,
-    reached: ndarray,
-) -> None:
-    """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
-
-    displacement (case, 5) and position (case, ball, 3) hold the start if is_warm, and the result in the case's units;
-    load (case, 5) the ring's loads, reactions of held channels included; reached the part of the speed that all this is
-    for. rings (1) and balls are working memory. An unfinished case keeps its start.
-    """
-    ring = rings[0]
-    for k in range(cases.size):
-        case = cases[k]
-        prepare(case, ring, balls, is_warm, displacement[k], position[k], control[k])
-        stands, notes[k], iterations[k], residual[k] = solve_directly(case, ring, balls, tolerance, is_warm)
-        reached[k] = 1.0
-        status[k] = CONVERGED if stands else UNFINISHED
-        if stands:
-            deliver(case, ring, balls, displacement[k], position[k], control[k], load[k])
+def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:
+    """Ring, ball positions and controls to fill, holding the start where there is one."""
+    count, balls = maker.count, maker.ball_axis
+    if start is None:
+        return np.empty((count, 5)), np.empty((count, balls, 3)), np.zeros((count, balls), np.int8)
+    if not isinstance(start, Solution):
+        raise TypeError(f"start = {start!r}: must be a Solution")
+    if start._maker.ball_axis != balls or start._maker.count not in (1, count):
+        raise ValueError(
+            f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"{balls}: a start must match, or be a single case with as many balls"
+        )
+    ring = np.empty((count, 5))
+    position, control = np.empty((count, balls, 3)), np.empty((count, balls), np.int8)
+    ring[:], position[:], control[:] = start._ring, start._position, start._control
+    # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
+    failed = np.broadcast_to(start._codes != CONVERGED, count)
+    ring[failed], position[failed], control[failed] = 0.0, 0.0, 0
+    return ring, position, control

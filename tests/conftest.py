@@ -1,6 +1,11 @@
-"""How hypothesis runs here: the same examples every time, no deadline, few enough for a suite of a minute."""
+"""How the tests run: the same examples of hypothesis every time, and one thread for small matrices."""
 
 from __future__ import annotations
+
+import os
+
+# Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from hypothesis import settings
 

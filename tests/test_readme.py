@@ -1,4 +1,4 @@
-"""The README stays true: its code runs, its scene solves, its commands are CI's, its tables are the record's."""
+"""README and guide stay true: code runs, commands are CI's, tables are the records', links and files exist."""
 
 from __future__ import annotations
 
@@ -9,16 +9,22 @@ from pathlib import Path
 import pytest
 
 import qsbearing as qs
-from tests.benchmarks import tables
-from tests.benchmarks.record import RECORD
+from tests.benchmarks import cost, tables
+from tests.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+ACCURACY = tables.GUIDE / "accuracy.md"
+PAGES = sorted(tables.GUIDE.glob("*.md"))
 
 
 def blocks(language: str) -> list[str]:
-    """Code blocks of one language."""
+    """The README's code blocks of one language."""
     return re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
+
+
+def test_the_readme_stays_short() -> None:
+    assert len(README.splitlines()) <= 150
 
 
 def test_the_python_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[str]) -> None:
@@ -44,17 +50,53 @@ def test_ci_calls_the_test_command_literally() -> None:
     assert commands[0] in (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()
 
 
-def test_the_tables_are_made_from_the_record() -> None:
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    assert tables.filled(README, record) == README
-    assert "|" in tables.timing(record)
+@pytest.mark.parametrize("page", tables.PAGES)
+def test_the_tables_are_made_from_the_records(page: str) -> None:
+    assert tables.filled(page) == (tables.GUIDE / page).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("floor", ["formulas", "what is asked", "the kernel", "answers", "the door"])
-def test_every_file_on_the_map_exists(floor: str) -> None:
-    (line,) = [line for line in README.splitlines() if line.startswith(f"| {floor} |")]
-    names = re.findall(r"`([a-z_]+)/?`", line)
-    assert len(names) > 2
-    for name in names:
-        place = ROOT / "qsbearing" / name
-        assert place.is_dir() or place.with_suffix(".py").exists(), name
+def test_the_table_of_time_against_accuracy_is_made_from_its_record() -> None:
+    page = ACCURACY.read_text(encoding="utf-8")
+    assert cost.filled(page, cost.load()) == page
+
+
+def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
+    for page in PAGES:
+        marks = set(re.findall(r"<!-- end of (.+?) -->", page.read_text(encoding="utf-8")))
+        known = set(tables.PAGES.get(page.name, {})) | ({cost.MARK} if page == ACCURACY else set())
+        assert marks == known, page.name
+
+
+def test_the_counts_that_the_readme_states_are_the_records() -> None:
+    assert f"{len(load_reference())} scenes against an independent solution" in README
+    hard = tables.read(tables.HARD_CASES)
+    within = sum(case["verdict"] == "within 1e-9" for case in hard)
+    assert f"{len(hard)} named hard cases, {within} of which" in " ".join(README.split())
+    for path in tables.CAMPAIGNS.glob("*.json"):
+        record = json.loads(path.read_text(encoding="utf-8"))
+        for number in (record["count"], record["classes"]["converged"]):
+            assert f"{number:,}" in README, path.name
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *PAGES], ids=lambda page: page.name)
+def test_every_link_leads_to_a_file(page: Path) -> None:
+    links = re.findall(r"\]\(([^)#]+)", page.read_text(encoding="utf-8"))
+    for link in links:
+        assert link.startswith("https://") or (page.parent / link).exists(), link
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *PAGES], ids=lambda page: page.name)
+def test_every_file_that_is_named_exists(page: Path) -> None:
+    """A path in back quotes is one of the repository or of the package."""
+    for name in set(re.findall(r"`((?:\w+/)+(?:\w+\.\w+)?|\w+\.py)`", page.read_text(encoding="utf-8"))):
+        assert any((folder / name).exists() for folder in (ROOT, ROOT / "qsbearing")), name
+
+
+def test_the_map_names_every_folder_of_the_package() -> None:
+    folders = {path.name for path in (ROOT / "qsbearing").iterdir() if (path / "__init__.py").exists()}
+    lines = [line.split("|")[1] for line in README.splitlines() if line.startswith("| `")]
+    assert folders <= {name for line in lines for name in re.findall(r"`(\w+)/`", line)}
+
+
+def test_the_picture_is_light() -> None:
+    assert (tables.GUIDE / "b218_speed.svg").stat().st_size < 60_000

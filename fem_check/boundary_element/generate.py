@@ -6,7 +6,7 @@
 tamaas (L. Frerot et al., J. Open Source Software 5, 2020) solves the normal contact of half-spaces with piecewise
 constant pressure on a regular grid, by Polonsky & Keer's conjugate gradients, with a non-periodic convolution. Nothing
 of it is shared with the finite elements. Each contact is solved twice on one grid, with the exact gap and with its
-parabola; the parabola's answer is Hertz's, so the ratio of the two is free of most of the grid's own error, and its
+parabola; the parabola's solution is Hertz's, so the ratio of the two is free of most of the grid's own error, and its
 difference to Hertz, kept too, shows how large that error is.
 """
 

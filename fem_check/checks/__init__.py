@@ -1,4 +1,4 @@
-"""The checks, one question a file. A new one: a new file that states question, reference and tolerance; a line here."""
+"""The checks, one question per file. A new one: a new file with question, reference and tolerance; a line here."""
 
 from fem_check.checks import (
     ball_in_inner_groove,

@@ -1,4 +1,5 @@
-"""Is the far field right, or only put in? Clamped boxes of growing size must tend to it without being told."""
+"""Is the prescribed far field right? Clamped boxes of growing size, which do not use it, must tend to the same
+result."""
 
 from __future__ import annotations
 
@@ -33,14 +34,14 @@ def run(level: Level, progress: Progress) -> Findings:
         else:
             made, support = meshing.clamped_box(elements, SIZES[0], ellipticity), Support.HALF_SPACE
         mesh = stretched(meshing.load(made), ellipticity, 1.0, 1.0)
-        hats = elastic_body.hats_of(mesh)
-        body = elastic_body.condense(mesh, hats, problem.race.poisson_ratio, support, progress=progress)
+        basis = elastic_body.pressure_basis_of(mesh)
+        body = elastic_body.condense(mesh, basis, problem.race.poisson_ratio, support, progress=progress)
         unit = contact.edge_positions(exact.semi_minor_axis, made.x[0].length / made.x[0].elements)
-        field = contact.solve(problem, hats, contact.total_flexibility(problem, body, body), unit)
-        approaches.append(float(field.approaches.mean()))
+        solution = contact.solve(problem, basis, contact.total_flexibility(problem, body, body), unit)
+        approaches.append(float(solution.approaches.mean()))
     *clamped, open_far = approaches
     assert body is not None
-    # What the walls take back falls like 1/distance; the patch's size enters with 1/distance^3.
+    # The effect of the fixed walls falls like 1/distance; the patch's size enters with 1/distance^3.
     table = np.column_stack([np.ones(3), 1.0 / np.asarray(SIZES), 1.0 / np.asarray(SIZES) ** 3])
     limit = float(np.linalg.solve(table, np.asarray(clamped))[0])
     case = f"inner groove, Q = {LOAD:.0f} N"
@@ -54,7 +55,7 @@ def run(level: Level, progress: Progress) -> Findings:
             approach,
             None,
             None,
-            "a finding: what a finite box costs",
+            "a finding: the error of a finite box",
         )
         for size, approach in zip(SIZES, clamped, strict=True)
     ]
@@ -100,9 +101,9 @@ def run(level: Level, progress: Progress) -> Findings:
 
 CHECK = Check(
     name="body_size",
-    question="Do clamped boxes, growing, tend to the answer that the exact far field gives at once?",
+    question="Do clamped boxes, growing, tend to the approach that the exact far field gives?",
     kind=Kind.VERIFICATION,
-    reference="the limit of clamped boxes, which knows nothing of the far field",
+    reference="the limit of clamped boxes, which do not use the far field",
     tolerance="0.5 %",
     run=run,
     largest_dofs=lambda level: meshing.clamped_box(ELEMENTS[level], SIZES[-1], 8.2).dofs,

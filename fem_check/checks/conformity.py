@@ -1,4 +1,4 @@
-"""How does Hertz's error grow as the groove closes round the ball: where does it reach 1 %, where 5 %?"""
+"""How does Hertz's error grow as the groove conforms more closely to the ball: where does it reach 1 %, where 5 %?"""
 
 from __future__ import annotations
 
@@ -28,20 +28,22 @@ def deviations(groove: BallInGroove, level: Level, progress: Progress) -> dict[s
     found: dict[str, list[float]] = {"approach": [], "semi_major_axis": [], "semi_minor_axis": [], "max_pressure": []}
     for load in LOADS:
         problem = groove.problem(load)
-        pair = half_space_contact.bodies(problem, half_space_contact.SEQUENCES[level][-1], progress=progress)
-        unit = contact.edge_positions(hertz(problem).semi_minor_axis, pair.edge_element)
-        flexibility = contact.total_flexibility(problem, pair.ball, pair.race)
+        bodies = half_space_contact.condensed_bodies(
+            problem, half_space_contact.SEQUENCES[level][-1], progress=progress
+        )
+        unit = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
+        flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
         read = []
         for gap in (groove.gap, None):
-            field = contact.solve(problem, pair.hats, flexibility, unit, gap)
-            a, b, p0 = measuring.ellipse(field)
-            read.append([float(each.mean()) for each in (field.approaches, a, b, p0)])
+            solution = contact.solve(problem, bodies.basis, flexibility, unit, gap)
+            a, b, p0 = measuring.ellipse(solution)
+            read.append([float(each.mean()) for each in (solution.approaches, a, b, p0)])
         for name, true, parabola in zip(found, *read, strict=True):
             found[name].append(100.0 * (true / parabola - 1.0))
     return found
 
 
-def load_where(error: list[float], limit: float) -> float | None:
+def load_at_error(error: list[float], limit: float) -> float | None:
     """Load at which an error reaches a limit; None where it stays below up to the largest load."""
     size = np.abs(error)
     if size[-1] < limit:
@@ -63,14 +65,14 @@ def run(level: Level, progress: Progress) -> Findings:
         curves[f"{coefficient:g}"] = curve
         worst = [max(abs(curve[name][i]) for name in curve) for i in range(len(LOADS))]
         for limit in LIMITS:
-            load = load_where(worst, limit)
+            load = load_at_error(worst, limit)
             # Where no load of the range reaches the limit, the range's end is given and the text says so.
             shown = LOADS[-1] if load is None else load
             pressure = hertz(groove.problem(shown)).max_pressure
-            said = "not reached up to this load" if load is None else "reached"
+            reached = "not reached up to this load" if load is None else "reached"
             rows.append(
                 Row(
-                    f"f = {coefficient:g}: Hertz's worst quantity off by {limit:g} %, {said}",
+                    f"f = {coefficient:g}: Hertz's worst quantity off by {limit:g} %, {reached}",
                     "max_pressure (Hertz) there",
                     "Pa",
                     pressure,
@@ -82,17 +84,17 @@ def run(level: Level, progress: Progress) -> Findings:
                 )
             )
     series["curves"] = curves
-    pair = half_space_contact.bodies(base.problem(LOAD), half_space_contact.SEQUENCES[level][-1])
+    bodies = half_space_contact.condensed_bodies(base.problem(LOAD), half_space_contact.SEQUENCES[level][-1])
     entry = {
-        "elements_per_semi_axis": pair.recipe.elements_per_semi_axis,
-        "dofs": pair.race.dofs,
-        "file": pair.recipe.file_name,
+        "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
+        "dofs": bodies.race.dofs,
+        "file": bodies.recipe.file_name,
     }
     notes = [
         f"The gap's shape alone, on half-spaces; boundary-element values from {values.source()}. What finite bodies "
         "add to the approach is about the same for every groove and stands under true_geometry."
     ]
-    return Findings(rows, entry, pair.race.solver, {"conformity": series}, notes)
+    return Findings(rows, entry, bodies.race.solver, {"conformity": series}, notes)
 
 
 CHECK = Check(

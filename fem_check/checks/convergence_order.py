@@ -25,16 +25,16 @@ def run(level: Level, progress: Progress) -> Findings:
     errors: dict[str, list[float]] = {name: [] for name in QUANTITIES}
     single: dict[str, list[float]] = {name: [] for name in QUANTITIES}
     for count in COUNTS[level]:
-        readings = []
+        results = []
         for stretch in STRETCHES:
-            pair = half_space_contact.bodies(problem, count, stretch, progress=progress)
-            readings.append(half_space_contact.solve_on(problem, pair)[1])
-        sizes.append(pair.edge_element)
+            bodies = half_space_contact.condensed_bodies(problem, count, stretch, progress=progress)
+            results.append(half_space_contact.solve_on(problem, bodies)[1])
+        sizes.append(bodies.edge_element)
         for name in QUANTITIES:
             reference = getattr(exact, name)
-            means = np.array([getattr(reading.mean, name) for reading in readings]) / reference - 1.0
+            means = np.array([getattr(each.mean, name) for each in results]) / reference - 1.0
             errors[name].append(float(np.sqrt(np.mean(means**2))))
-            all_positions = np.concatenate([reading.each[name] for reading in readings]) / reference - 1.0
+            all_positions = np.concatenate([each.each[name] for each in results]) / reference - 1.0
             single[name].append(float(np.abs(all_positions).max()))
     rows = []
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure"):
@@ -49,7 +49,7 @@ def run(level: Level, progress: Progress) -> Findings:
                 max(0.0, LEAST_ORDER - order),
                 None,
                 0.0,
-                "the order must not fall below what the edge allows; above it, it is the averaging's gift",
+                "the order must not fall below what the edge allows; averaging over the positions can raise it",
             )
         )
     rows.append(
@@ -62,12 +62,12 @@ def run(level: Level, progress: Progress) -> Findings:
             max(values[-1] for name, values in single.items() if name != "max_shear_depth"),
             None,
             None,
-            "a finding: what the mean over the positions takes out",
+            "a finding: what the mean over the positions averages out",
         )
     )
     series = {"convergence": {"size": sizes, "rms_error": errors, "worst_single_position": single}}
-    entry = {"elements_per_semi_axis": COUNTS[level][-1], "dofs": pair.race.dofs, "file": pair.recipe.file_name}
-    return Findings(rows, entry, pair.race.solver, series)
+    entry = {"elements_per_semi_axis": COUNTS[level][-1], "dofs": bodies.race.dofs, "file": bodies.recipe.file_name}
+    return Findings(rows, entry, bodies.race.solver, series)
 
 
 CHECK = Check(

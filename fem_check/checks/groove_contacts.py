@@ -5,7 +5,7 @@ from __future__ import annotations
 from fem_check import half_space_contact, meshing, references
 from fem_check.agreement import Findings, Level, Progress, Row
 from fem_check.contact_problem import ContactProblem
-from fem_check.half_space_contact import Answer
+from fem_check.half_space_contact import MeshStudy
 from fem_check.pictures import contact_pictures
 from fem_check.scenes import groove_contact, operating_loads
 
@@ -17,22 +17,22 @@ def run(race: str, level: Level, progress: Progress) -> Findings:
     contact = groove_contact(SCENE, race)
     rows = []
     loads = operating_loads(SCENE, race)
-    found: Answer | None = None
+    found: MeshStudy | None = None
     for label, load in loads:
-        found = half_space_contact.answer(contact.problem(load), level, progress)
+        found = half_space_contact.mesh_study(contact.problem(load), level, progress)
         rows += half_space_contact.rows(f"{label}: Q = {load:.1f} N", found, level, references.HERTZ_SOURCE)
     assert found is not None
     return Findings(
-        rows, mesh_entry(found), found.pair.race.solver, contact_pictures(found.field, found.pair, loads[-1][0])
+        rows, mesh_entry(found), found.bodies.race.solver, contact_pictures(found.solution, found.bodies, loads[-1][0])
     )
 
 
-def mesh_entry(found: Answer) -> dict[str, object]:
+def mesh_entry(found: MeshStudy) -> dict[str, object]:
     """The finest mesh, as the record keeps it."""
     return {
-        "elements_per_semi_axis": found.pair.recipe.elements_per_semi_axis,
-        "dofs": found.pair.race.dofs,
-        "file": found.pair.recipe.file_name,
+        "elements_per_semi_axis": found.bodies.recipe.elements_per_semi_axis,
+        "dofs": found.bodies.race.dofs,
+        "file": found.bodies.recipe.file_name,
     }
 
 
@@ -43,7 +43,7 @@ def largest_dofs(level: Level) -> int:
 
 def single(
     case: str, problem: ContactProblem, level: Level, progress: Progress, source: str
-) -> tuple[list[Row], Answer]:
-    """One contact: its rows and the answer."""
-    found = half_space_contact.answer(problem, level, progress)
+) -> tuple[list[Row], MeshStudy]:
+    """One contact: its rows and the mesh study."""
+    found = half_space_contact.mesh_study(problem, level, progress)
     return half_space_contact.rows(case, found, level, source), found

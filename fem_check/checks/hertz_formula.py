@@ -1,4 +1,4 @@
-"""Does `qsbearing.hertz`, which the bearing model uses, agree with the references and with the finite elements?"""
+"""Does `qsbearing.contact.hertz`, used by the bearing model, agree with the references and with finite elements?"""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.groove import RACES
 from fem_check.half_space_contact import TOLERANCES, WHY
 from fem_check.scenes import groove_contact
-from qsbearing.hertz import effective_modulus
+from qsbearing.contact.hertz import effective_modulus
 
-# Both routes claim full precision; each loses a few digits of 16 in its root finding.
+# Both derivations claim full precision; each loses a few digits of 16 in its root finding.
 CLOSED_FORM_TOLERANCE = 1e-8
 SHAPES = (1.0, 1.001, 2.0, 5.0, 10.0, 20.0, 50.0)
 
@@ -48,12 +48,12 @@ def run(level: Level, progress: Progress) -> Findings:
         exact, found = references.hertz(problem), of_qsbearing(problem)
         for name, unit in QUANTITIES.items():
             tolerance = CLOSED_FORM_TOLERANCE
-            why = "two routes at full precision, some digits lost in root finding"
+            why = "two derivations at full precision, some digits lost in root finding"
             if name == "max_shear_stress":
-                tolerance, why = 1e-7, "one of the routes integrates numerically"
+                tolerance, why = 1e-7, "one of the two integrates numerically"
             if name == "max_shear_depth":
-                # A maximum found to 1e-8 of its value is found to the root of that in its place.
-                tolerance, why = 1e-4, "a flat maximum: its place is known to the root of its value's precision"
+                # A maximum found to 1e-8 of its value is found to the square root of that in its position.
+                tolerance, why = 1e-4, "at a maximum the position is known to the square root of the value's precision"
             rows.append(
                 Row(
                     f"a/b = {shape:g}, closed form",
@@ -67,10 +67,10 @@ def run(level: Level, progress: Progress) -> Findings:
                     why,
                 )
             )
-    answer = None
+    study = None
     for race in RACES:
         problem = groove_contact(groove_contacts.SCENE, race).problem(1000.0)
-        answer = half_space_contact.answer(problem, level, progress)
+        study = half_space_contact.mesh_study(problem, level, progress)
         predicted = of_qsbearing(problem)
         for name, unit in QUANTITIES.items():
             rows.append(
@@ -78,24 +78,24 @@ def run(level: Level, progress: Progress) -> Findings:
                     f"B218 {race}, Q = 1000 N, finite elements",
                     name,
                     unit,
-                    answer.farthest(name, predicted[name]),
+                    study.farthest(name, predicted[name]),
                     "finite elements, finest mesh, worst alignment",
                     predicted[name],
-                    100.0 * answer.uncertainty(name) / abs(predicted[name]),
+                    100.0 * study.uncertainty(name) / abs(predicted[name]),
                     TOLERANCES[level][name],
                     WHY[level],
                 )
             )
-    assert answer is not None and np.isfinite(answer.seconds)
-    return Findings(rows, groove_contacts.mesh_entry(answer), answer.pair.race.solver)
+    assert study is not None and np.isfinite(study.seconds)
+    return Findings(rows, groove_contacts.mesh_entry(study), study.bodies.race.solver)
 
 
 CHECK = Check(
     name="hertz_formula",
-    question="Does qsbearing.hertz agree with an independent closed form and with the finite elements?",
+    question="Does qsbearing.contact.hertz agree with an independent closed form and with the finite elements?",
     kind=Kind.VERIFICATION,
     reference="Hertz in Carlson's integrals; Boussinesq's stresses integrated; finite elements",
-    tolerance="1e-8 between closed forms (shear 1e-7, its depth 1e-4); finite elements: the level's own gates",
+    tolerance="1e-8 between closed forms (shear 1e-7, its depth 1e-4); finite elements: the level's own tolerances",
     run=run,
     largest_dofs=groove_contacts.largest_dofs,
 )

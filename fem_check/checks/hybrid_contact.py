@@ -23,12 +23,12 @@ def run(level: Level, progress: Progress) -> Findings:
     problem = replace(groove_contact(groove_contacts.SCENE, "inner"), ball=ball).problem(LOAD)
     case = f"silicon nitride ball, inner groove: Q = {LOAD:.0f} N"
     rows, found = groove_contacts.single(case, problem, level, progress, references.HERTZ_SOURCE)
-    return Findings(rows, groove_contacts.mesh_entry(found), found.pair.race.solver)
+    return Findings(rows, groove_contacts.mesh_entry(found), found.bodies.race.solver)
 
 
 CHECK = Check(
     name="hybrid_contact",
-    question="Ceramic ball in a steel groove: are two unlike bodies put together rightly?",
+    question="Ceramic ball in a steel groove: are two different materials combined correctly?",
     kind=Kind.VERIFICATION,
     reference="Hertz in closed form with 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2",
     tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",

@@ -10,7 +10,7 @@ from fem_check.checks import groove_contacts
 from fem_check.contact_problem import QUANTITIES
 from fem_check.elastic_body import CondensedBody, Support
 from fem_check.half_space_contact import soundness_rows, stretched
-from fem_check.pressure_hats import PressureHats
+from fem_check.pressure_basis import PressureBasis
 from fem_check.references import axis_ratio, hertz
 from fem_check.scenes import groove_contact
 
@@ -38,18 +38,18 @@ def recipe(level: Level) -> meshing.Recipe:
 
 def _body(
     level: Level, ellipticity: float, poisson_ratio: float, progress: Progress
-) -> tuple[CondensedBody, PressureHats]:
+) -> tuple[CondensedBody, PressureBasis]:
     mesh = stretched(meshing.load(recipe(level)), ellipticity, 1.0, 1.0)
-    hats = elastic_body.hats_of(mesh)
-    return elastic_body.condense(mesh, hats, poisson_ratio, Support.HALF_SPACE, progress=progress), hats
+    basis = elastic_body.pressure_basis_of(mesh)
+    return elastic_body.condense(mesh, basis, poisson_ratio, Support.HALF_SPACE, progress=progress), basis
 
 
 def run(level: Level, progress: Progress) -> Findings:
-    """B218's inner groove: one factorisation for all loads, each contact at its own place in the mesh."""
+    """B218's inner groove: one factorisation for all loads, each contact at its own size in the mesh."""
     groove = groove_contact(groove_contacts.SCENE, "inner")
     problem = groove.problem(LOADS[0])
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
-    body, hats = _body(level, ellipticity, problem.race.poisson_ratio, progress)
+    body, basis = _body(level, ellipticity, problem.race.poisson_ratio, progress)
     # Elements grow by this from one to the next, so the mesh's pattern repeats: the edge passes through one element.
     growth = recipe(level).x[1].growth
     smallest = hertz(problem).semi_minor_axis * growth
@@ -57,10 +57,10 @@ def run(level: Level, progress: Progress) -> Findings:
     for load in LOADS:
         problem = groove.problem(load)
         steps = (np.arange(contact.POSITIONS) + 0.5) / contact.POSITIONS - 0.5
-        field = contact.solve(
-            problem, hats, contact.total_flexibility(problem, body, body), smallest * growth ** (-steps)
+        solution = contact.solve(
+            problem, basis, contact.total_flexibility(problem, body, body), smallest * growth ** (-steps)
         )
-        measured = measuring.measure(field, body, body)
+        measured = measuring.measure(solution, body, body)
         exact = hertz(problem)
         found.append(measured.mean)
         rows += [
@@ -73,15 +73,16 @@ def run(level: Level, progress: Progress) -> Findings:
                 getattr(measured.mean, name),
                 100.0 * measured.position_uncertainty(name) / getattr(exact, name),
                 TOLERANCE if name != "max_shear_depth" else None,
-                "a gate set beforehand, for one mesh over two decades; the depth, flat at the maximum, is shown only",
+                "a tolerance set beforehand, for one mesh over two decades; the depth, flat at the maximum, is shown "
+                "only",
             )
             for name, unit in QUANTITIES.items()
         ]
         rows += soundness_rows(f"Q = {load:g} N", [measured])
     for name, expected in EXPONENTS.items():
-        values = [getattr(reading, name) for reading in found]
+        values = [getattr(each, name) for each in found]
         slope = float(np.polyfit(np.log(LOADS), np.log(values), 1)[0])
-        # Two ends each 0.2 % off the other way over two decades change the exponent by 0.004/ln(100) = 0.0009.
+        # Errors of 0.2 % with opposite signs at the two ends change the exponent by 0.004/ln(100) = 0.0009.
         rows.append(
             Row(
                 "50 to 5000 N",
@@ -92,7 +93,8 @@ def run(level: Level, progress: Progress) -> Findings:
                 slope,
                 None,
                 EXPONENT_TOLERANCE if name != "max_shear_depth" else None,
-                "0.2 % at either end, the other way, over ln(100) would be 0.13 % and 0.26 %: half of the smaller",
+                "errors of 0.2 % of opposite sign at the two ends change the exponents by 0.13 and 0.26 %; "
+                "the tolerance is below both",
             )
         )
     entry = {
@@ -103,7 +105,7 @@ def run(level: Level, progress: Progress) -> Findings:
     series = {
         "load_series": {
             "load_N": list(LOADS),
-            **{name: [getattr(reading, name) for reading in found] for name in QUANTITIES},
+            **{name: [getattr(each, name) for each in found] for name in QUANTITIES},
             **{f"hertz_{name}": [getattr(hertz(groove.problem(load)), name) for load in LOADS] for name in QUANTITIES},
         }
     }

@@ -1,4 +1,4 @@
-"""Does it hold for contacts that nothing here was tuned on: another bearing, a slender ellipse (k = 20)?"""
+"""Contacts that the meshes were not tuned on: another bearing, and a slender ellipse (k = 20)."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def run(level: Level, progress: Progress) -> Findings:
     more, found = groove_contacts.single(
         f"a/b = {SLENDER:g}: Q = 1000 N", slender_problem(SLENDER), level, progress, references.HERTZ_SOURCE
     )
-    return Findings(rows + more, groove_contacts.mesh_entry(found), found.pair.race.solver)
+    return Findings(rows + more, groove_contacts.mesh_entry(found), found.bodies.race.solver)
 
 
 CHECK = Check(

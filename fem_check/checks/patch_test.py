@@ -1,4 +1,4 @@
-"""Does the element carry a constant strain exactly, and no stress under rigid motion, however the brick is bent?"""
+"""Does the element represent constant strain exactly, and rigid motion without stress, on a sheared brick?"""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from skfem import MeshHex
 from fem_check import meshing
 from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact_problem import Array
-from fem_check.elastic_body import Field, lame, stiffness
+from fem_check.elastic_body import DisplacementSpace, lame, stiffness
 from fem_check.linear_solver import factorise
 
 POISSON = 0.3
@@ -17,27 +17,27 @@ TOLERANCE = 1e-9
 
 
 def _sheared(points: Array) -> Array:
-    """An affine distortion, which straight-sided serendipity elements must not feel."""
+    """An affine distortion, which must not affect straight-sided serendipity elements."""
     return np.array([[1.0, 0.2, -0.1], [0.1, 0.8, 0.15], [-0.05, 0.1, 1.3]]) @ points
 
 
 def run(level: Level, progress: Progress) -> Findings:
-    """Prescribe an affine displacement on the skin, solve for the inside; then move the body rigidly."""
+    """Prescribe an affine displacement on the boundary, solve for the inside; then move the body rigidly."""
     recipe = meshing.half_space(4)
     brick = meshing.load(recipe)
     mesh = MeshHex(_sheared(brick.p), brick.t, _boundaries=brick.boundaries, sort_t=False)
-    field = Field(mesh)
-    matrix = stiffness(field, POISSON, progress)
-    reference = Field(brick).nodes
+    space = DisplacementSpace(mesh)
+    matrix = stiffness(space, POISSON, progress)
+    reference = DisplacementSpace(brick).nodes
     high = reference.max(axis=1, keepdims=True)
-    skin = np.any((reference < 1e-9) | (reference > high - 1e-9), axis=0)
+    boundary = np.any((reference < 1e-9) | (reference > high - 1e-9), axis=0)
     strain = np.array([[1.0, 0.3, -0.2], [0.3, -0.5, 0.4], [-0.2, 0.4, 0.7]])
-    exact = (strain @ field.nodes).T.ravel()
-    free = np.flatnonzero(~np.repeat(skin, 3))
-    held = np.flatnonzero(np.repeat(skin, 3))
+    exact = (strain @ space.nodes).T.ravel()
+    free = np.flatnonzero(~np.repeat(boundary, 3))
+    fixed = np.flatnonzero(np.repeat(boundary, 3))
     factor = factorise(matrix[free][:, free].tocsc())
     found = exact.copy()
-    found[free] = factor.solve(-(matrix[free][:, held] @ exact[held]))
+    found[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
     factor.release()
     first, second = lame(POISSON)
     stress = first * np.trace(strain) * np.eye(3) + 2.0 * second * strain
@@ -67,10 +67,10 @@ def run(level: Level, progress: Progress) -> Findings:
             "rounding",
         ),
     ]
-    size = float(np.abs(field.nodes).max())
-    turned = np.cross(np.array([0.3, -0.2, 0.5]), field.nodes.T).ravel() / size
+    size = float(np.abs(space.nodes).max())
+    turned = np.cross(np.array([0.3, -0.2, 0.5]), space.nodes.T).ravel() / size
     scale = float(abs(matrix).max())
-    for name, motion in (("translation", np.tile([1.0, 2.0, 3.0], field.count)), ("small rotation", turned)):
+    for name, motion in (("translation", np.tile([1.0, 2.0, 3.0], space.count)), ("small rotation", turned)):
         rows.append(
             Row(
                 f"rigid {name}",
@@ -90,7 +90,7 @@ def run(level: Level, progress: Progress) -> Findings:
 
 CHECK = Check(
     name="patch_test",
-    question="Does the finite element carry constant strain and rigid motion exactly?",
+    question="Does the finite element represent constant strain and rigid motion exactly?",
     kind=Kind.VERIFICATION,
     reference="exact solutions of elasticity: affine displacement, rigid motion",
     tolerance="1e-9 relative: rounding",

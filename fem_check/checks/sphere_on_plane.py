@@ -56,7 +56,7 @@ def run(level: Level, progress: Progress) -> Findings:
                 "half a unit of the printed last digit",
             )
         )
-    return Findings(head + rows, groove_contacts.mesh_entry(found), found.pair.race.solver)
+    return Findings(head + rows, groove_contacts.mesh_entry(found), found.bodies.race.solver)
 
 
 CHECK = Check(

@@ -8,7 +8,7 @@ from fem_check import contact, half_space_contact, measuring, meshing, true_bodi
 from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
 from fem_check.boundary_element import values
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import QUANTITIES, ContactReading
+from fem_check.contact_problem import QUANTITIES, ContactQuantities
 from fem_check.groove import RACES, BallInGroove
 from fem_check.references import HERTZ_SOURCE, hertz
 from fem_check.scenes import SceneProblemError, groove_contact
@@ -23,14 +23,14 @@ LINEAR_TOLERANCE = 5.0
 
 def half_space(
     groove: BallInGroove, load: float, level: Level, progress: Progress
-) -> tuple[ContactReading, ContactReading]:
+) -> tuple[ContactQuantities, ContactQuantities]:
     """The contact of half-spaces with the exact gap and with its parabola, on one and the same mesh."""
     problem = groove.problem(load)
-    pair = half_space_contact.bodies(problem, half_space_contact.SEQUENCES[level][-1], progress=progress)
-    unit = contact.edge_positions(hertz(problem).semi_minor_axis, pair.edge_element)
-    flexibility = contact.total_flexibility(problem, pair.ball, pair.race)
+    bodies = half_space_contact.condensed_bodies(problem, half_space_contact.SEQUENCES[level][-1], progress=progress)
+    unit = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
+    flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
     true, parabola = (
-        measuring.measure(contact.solve(problem, pair.hats, flexibility, unit, gap), pair.ball, pair.race).mean
+        measuring.measure(contact.solve(problem, bodies.basis, flexibility, unit, gap), bodies.ball, bodies.race).mean
         for gap in (groove.gap, None)
     )
     return true, parabola
@@ -46,7 +46,7 @@ def gap_rows(
             f"{case}: not among the boundary-element values; run fem_check.boundary_element.generate"
         )
     true, parabola = half_space(groove, load, level, progress)
-    # The parabola's answer on the same mesh stands for Hertz: what the mesh does to both drops out of the ratio.
+    # The parabola's solution on the same mesh stands for Hertz: the mesh error common to both cancels in the ratio.
     found = {name: getattr(true, name) / getattr(parabola, name) for name in reference}
     rows = [
         Row(
@@ -71,24 +71,27 @@ def finite_part(
     """What the finite bodies add, part by part, in per cent of the half-spaces'; and the approach itself [m]."""
     problem = groove.problem(load)
     exact = hertz(problem)
-    pair = true_bodies.bodies(
+    bodies = true_bodies.condensed_bodies(
         groove, exact.semi_major_axis, exact.semi_minor_axis, elements, progress, pressure_turns=pressure_turns
     )
-    unit = np.array([pair.unit_length])
+    unit = np.array([bodies.unit_length])
     read = {}
-    for name, (ball, race) in {"flat": (pair.flat, pair.flat), "true": (pair.ball, pair.race)}.items():
+    for name, (ball, race) in {
+        "half_space": (bodies.half_space, bodies.half_space),
+        "true": (bodies.ball, bodies.race),
+    }.items():
         flexibility = contact.total_flexibility(problem, ball, race)
-        field = contact.solve(problem, pair.hats, flexibility, unit, groove.gap)
-        a, b, p0 = measuring.ellipse(field)
+        solution = contact.solve(problem, bodies.basis, flexibility, unit, groove.gap)
+        a, b, p0 = measuring.ellipse(solution)
         read[name] = {
-            "approach": float(field.approaches[0]),
+            "approach": float(solution.approaches[0]),
             "semi_major_axis": float(a[0]),
             "semi_minor_axis": float(b[0]),
             "max_pressure": float(p0[0]),
         }
-    found = {name: 100.0 * (read["true"][name] / read["flat"][name] - 1.0) for name in read["true"]}
-    found["added_approach"] = read["true"]["approach"] - read["flat"]["approach"]
-    found["dofs"] = pair.ball.dofs
+    found = {name: 100.0 * (read["true"][name] / read["half_space"][name] - 1.0) for name in read["true"]}
+    found["added_approach"] = read["true"]["approach"] - read["half_space"]["approach"]
+    found["dofs"] = bodies.ball.dofs
     return found
 
 
@@ -102,8 +105,8 @@ def run(level: Level, progress: Progress) -> Findings:
         shape, finite, turned = [], [], []
         for load in LOADS[level]:
             case = f"B218 {race}, Q = {load:.0f} N"
-            gated, part = gap_rows(groove, load, case, level, progress)
-            rows += gated
+            compared, part = gap_rows(groove, load, case, level, progress)
+            rows += compared
             shape.append(part)
             finite.append(finite_part(groove, load, ELEMENTS[level], progress))
             turned.append(finite_part(groove, load, ELEMENTS[level], progress, pressure_turns=True))
@@ -122,7 +125,7 @@ def run(level: Level, progress: Progress) -> Findings:
                             total,
                             None,
                             BODY_TOLERANCES[name],
-                            "a gate set beforehand: the ellipse is made by the gap, not by the size of the bodies",
+                            "a tolerance set beforehand: the gap determines the ellipse, not the size of the bodies",
                         )
                     )
                 rows.append(
@@ -153,7 +156,7 @@ def run(level: Level, progress: Progress) -> Findings:
                 float(value / load),
                 None,
                 LINEAR_TOLERANCE,
-                "a gate set beforehand: the bodies' own compliance does not know the contact's size",
+                "a tolerance set beforehand: the bodies' own compliance does not depend on the contact's size",
             )
             for load, value in zip(loads, added, strict=True)
         ]
@@ -177,7 +180,7 @@ def run(level: Level, progress: Progress) -> Findings:
         "dofs": dofs,
         "file": meshing.finite_body(ELEMENTS[level]).file_name,
     }
-    solver = half_space_contact.bodies(
+    solver = half_space_contact.condensed_bodies(
         groove_contact(groove_contacts.SCENE, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-1]
     ).race.solver
     return Findings(rows, entry, solver, {"true_geometry": series}, notes)

@@ -1,9 +1,9 @@
-"""The cheapest mesh that will do: chosen by the cost record, its time scaled to this machine.
+"""The cheapest mesh for an accuracy: chosen by the cost record, its time scaled to this machine.
 
-The record holds, for each mesh and shape of contact, the worst error over the ways to lay 2, 4 or 8 places of the
-contact's edge in an element. Load and materials do not enter it: contacts of one shape are similar at every load, and
-Poisson's ratios from 0.2 to 0.45 move the error by less than two per cent of itself. What is solved, besides, are two
-coarser meshes, for the uncertainty of the answer; their time is part of the price.
+The record holds, for each mesh and shape of contact, the worst error over all ways to space 2, 4 or 8 positions of the
+contact's edge evenly in an element. Load and materials do not enter it: contacts of one shape are similar at every
+load, and Poisson's ratios from 0.2 to 0.45 move the error by less than two per cent of itself. Two coarser meshes are
+solved besides, for the uncertainty of the result; their time counts too.
 """
 
 from __future__ import annotations
@@ -17,30 +17,30 @@ import numpy as np
 from fem_check import half_space_contact, meshing
 from fem_check.contact_problem import ContactProblem
 from fem_check.cost import record
-from fem_check.cost.rungs import JUDGED
+from fem_check.cost.configurations import JUDGED
 from fem_check.elastic_body import Progress
 from fem_check.references import axis_ratio
 
 MARGIN = 1.1
 """On the errors of the record: between its shapes they change smoothly, with the materials by two per cent."""
 MEMORY_MARGIN = 1.35
-"""The meshes solved before the finest leave something behind."""
-PLACES = (2, 4, 8)
-"""One place of the edge tells nothing of its own scatter, so it is not on offer."""
+"""The meshes solved before the finest leave some memory in use."""
+POSITION_COUNTS = (2, 4, 8)
+"""One position of the edge gives no estimate of its scatter, so it is not offered."""
 SEQUENCES = {5: (3, 4, 5), 6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (8, 12, 16)}
-"""Meshes solved for an answer and its uncertainty, by elements per semi-axis of the finest."""
+"""Meshes solved for a result and its uncertainty, by elements per semi-axis of the finest."""
 
 
 class AdviceError(Exception):
-    """Nothing measured will do here; the message says what the best would be."""
+    """No measured mesh meets the accuracy here; the message states the best attainable."""
 
 
 @dataclass(frozen=True)
-class Way:
-    """A mesh and number of places, with what the record says of them."""
+class MeshChoice:
+    """A mesh and number of edge positions, with error, time and memory from the record."""
 
     elements: int
-    places: int
+    positions: int
     sequence: tuple[int, ...]
     """Meshes to solve, coarse to fine, the last of `elements`."""
     error: float
@@ -59,7 +59,7 @@ class Expected:
     seconds: float
     memory_MB: float
     machine_factor: float
-    """This machine's time over that of the record's, on the coarsest mesh."""
+    """Time on this machine over that on the record's machine, for the coarsest mesh."""
 
 
 def table() -> dict[str, Any]:
@@ -70,41 +70,43 @@ def table() -> dict[str, Any]:
     return found
 
 
-def choose(problem: ContactProblem, accuracy: float, table: dict[str, Any], solver: str, free_MB: float | None) -> Way:
-    """The way that is expected to be quickest among those that are accurate enough and can be had here.
+def choose(
+    problem: ContactProblem, accuracy: float, table: dict[str, Any], solver: str, free_MB: float | None
+) -> MeshChoice:
+    """The choice expected to be quickest among those that are accurate enough and available here.
 
     Args:
         accuracy: largest relative error wanted.
         table: a cost record.
         solver: key of the linear solver that will be used.
-        free_MB: memory to be had; None: unknown, taken as enough.
+        free_MB: available memory; None: unknown, taken as enough.
 
     Raises:
         AdviceError: none is; the message states the best attainable.
     """
-    every = ways(problem, table, solver)
-    obstacles = {way.elements: _obstacle(way, free_MB) for way in every}
-    here = [way for way in every if obstacles[way.elements] is None]
-    good = [way for way in here if way.error <= accuracy]
+    every = choices(problem, table, solver)
+    obstacles = {choice.elements: _obstacle(choice, free_MB) for choice in every}
+    here = [choice for choice in every if obstacles[choice.elements] is None]
+    good = [choice for choice in here if choice.error <= accuracy]
     if good:
-        return min(good, key=lambda way: (way.seconds, way.error))
-    best = min(here, key=lambda way: way.error, default=None)
-    could = [way for way in every if way.error <= accuracy]
+        return min(good, key=lambda choice: (choice.seconds, choice.error))
+    best = min(here, key=lambda choice: choice.error, default=None)
+    could = [choice for choice in every if choice.error <= accuracy]
     if could:
-        first = min(could, key=lambda way: way.seconds)
+        first = min(could, key=lambda choice: choice.seconds)
         reason = f"takes {first.elements} elements per semi-axis, and {obstacles[first.elements]}"
     else:
-        finest = min(every, key=lambda way: way.error)
+        finest = min(every, key=lambda choice: choice.error)
         reason = f"is beyond the finest mesh measured, {finest.elements} elements per semi-axis"
     attainable = (
         f"the best attainable here is {best.error:.1e}, with {best.elements} elements per semi-axis"
         if best
-        else "no mesh measured can be had here"
+        else "no measured mesh is available here"
     )
     raise AdviceError(f"an accuracy of {accuracy:.3g} {reason}; {attainable}")
 
 
-def ways(problem: ContactProblem, table: dict[str, Any], solver: str) -> list[Way]:
+def choices(problem: ContactProblem, table: dict[str, Any], solver: str) -> list[MeshChoice]:
     """All that the record has measured, for a contact of this shape.
 
     Raises:
@@ -118,30 +120,30 @@ def ways(problem: ContactProblem, table: dict[str, Any], solver: str) -> list[Wa
             "--elements instead"
         )
     counts = {entry["elements_per_semi_axis"] for entry in table["shapes"]}
-    bodies = len({body.poisson_ratio for body in problem.bodies})
+    unlike = len({body.poisson_ratio for body in problem.bodies})
     found = []
     for finest, sequence in SEQUENCES.items():
         if finest not in counts:
             continue
-        for places in PLACES:
-            seconds = [_seconds(table, count, solver, bodies, places) for count in sequence]
+        for positions in POSITION_COUNTS:
+            seconds = [_seconds(table, count, solver, unlike, positions) for count in sequence]
             memory = _interpolated(table, finest, solver, "peak_memory_MB")
-            error = MARGIN * _error(table, finest, places, ellipticity)
-            found.append(Way(finest, places, sequence, error, sum(seconds), seconds[0], memory))
+            error = MARGIN * _error(table, finest, positions, ellipticity)
+            found.append(MeshChoice(finest, positions, sequence, error, sum(seconds), seconds[0], memory))
     return found
 
 
-def _obstacle(way: Way, free_MB: float | None) -> str | None:
-    """Why a mesh cannot be had here; None if it can."""
-    if free_MB is not None and MEMORY_MARGIN * way.memory_MB > free_MB:
-        return f"about {MEMORY_MARGIN * way.memory_MB:.0f} MB, of which {free_MB:.0f} MB are free"
-    for count in way.sequence:
+def _obstacle(choice: MeshChoice, free_MB: float | None) -> str | None:
+    """Why a mesh is not available here; None if it is."""
+    if free_MB is not None and MEMORY_MARGIN * choice.memory_MB > free_MB:
+        return f"about {MEMORY_MARGIN * choice.memory_MB:.0f} MB, of which {free_MB:.0f} MB are free"
+    for count in choice.sequence:
         if not meshing.is_at_hand(meshing.half_space(count)):
             return f"that mesh has to be made, but {meshing.gmsh_problem()}"
     return None
 
 
-def _error(table: dict[str, Any], elements: int, places: int, ellipticity: float) -> float:
+def _error(table: dict[str, Any], elements: int, positions: int, ellipticity: float) -> float:
     """Worst error of the two shapes measured on either side."""
     entries = sorted(
         (entry for entry in table["shapes"] if entry["elements_per_semi_axis"] == elements),
@@ -150,14 +152,14 @@ def _error(table: dict[str, Any], elements: int, places: int, ellipticity: float
     shapes = [entry["ellipticity"] for entry in entries]
     above = min(int(np.searchsorted(shapes, ellipticity)), len(shapes) - 1)
     around = entries[max(above - 1, 0) : above + 1]
-    return max(entry["worst_error"][str(places)][name] for entry in around for name in JUDGED)
+    return max(entry["worst_error"][str(positions)][name] for entry in around for name in JUDGED)
 
 
-def _seconds(table: dict[str, Any], elements: int, solver: str, bodies: int, places: int) -> float:
-    """One mesh: condensing each of the unlike bodies, then the contact at every place of its edge."""
-    whole = _interpolated(table, elements, solver, "seconds")
+def _seconds(table: dict[str, Any], elements: int, solver: str, unlike: int, positions: int) -> float:
+    """One mesh: condensing each of the unlike bodies, then the contact at every position of its edge."""
+    total = _interpolated(table, elements, solver, "seconds")
     contact = _interpolated(table, elements, table["main_solver"], "contact_seconds")
-    return bodies * max(whole - contact, 0.0) + contact * places / max(PLACES)
+    return unlike * max(total - contact, 0.0) + contact * positions / max(POSITION_COUNTS)
 
 
 def _interpolated(table: dict[str, Any], elements: int, solver: str, name: str) -> float:
@@ -165,54 +167,56 @@ def _interpolated(table: dict[str, Any], elements: int, solver: str, name: str) 
 
     A solver that the record's machine did not have is taken to be as quick as its main one.
     """
-    main = record.mesh_ladder(table["rungs"], table["main_solver"])
-    own = record.mesh_ladder(table["rungs"], solver) or main
+    main = record.mesh_refinement(table["configurations"], table["main_solver"])
+    own = record.mesh_refinement(table["configurations"], solver) or main
     measured = {entry["elements_per_semi_axis"]: entry[name]["median"] for entry in own}
     if elements in measured or len(own) < 2:
         return float(measured.get(elements, own[-1][name]["median"]))
     dofs = next(entry["dofs"] for entry in main if entry["elements_per_semi_axis"] == elements)
-    x, y = (np.log(values) for values in _pairs(own, name))
+    x, y = (np.log(values) for values in _dofs_and_medians(own, name))
     above = int(np.clip(np.searchsorted(x, np.log(dofs)), 1, len(x) - 1))
     slope = (y[above] - y[above - 1]) / (x[above] - x[above - 1])
     return float(np.exp(y[above] + slope * (np.log(dofs) - x[above])))
 
 
-def _pairs(ladder: list[dict[str, Any]], name: str) -> tuple[list[float], list[float]]:
-    return [entry["dofs"] for entry in ladder], [entry[name]["median"] for entry in ladder]
+def _dofs_and_medians(refinement: list[dict[str, Any]], name: str) -> tuple[list[float], list[float]]:
+    return [entry["dofs"] for entry in refinement], [entry[name]["median"] for entry in refinement]
 
 
-def expected(way: Way, problem: ContactProblem, progress: Progress) -> Expected:
-    """Predict the whole run from the coarsest mesh of a way, solved twice.
+def expected(choice: MeshChoice, problem: ContactProblem, progress: Progress) -> Expected:
+    """Predict the whole run from the coarsest mesh of a choice, solved twice.
 
-    The first time it meets all that a process does only once; the second is comparable with the record. What it leaves
-    is kept, and serves the run.
+    The first solve includes what a process does only once; the second is comparable with the record. Its
+    condensed body stays cached for the run.
     """
     start = time.perf_counter()
-    half_space_contact.solve_on(problem, half_space_contact.bodies(problem, way.sequence[0], progress=progress))
-    half_space_contact.forget()
+    half_space_contact.solve_on(
+        problem, half_space_contact.condensed_bodies(problem, choice.sequence[0], progress=progress)
+    )
+    half_space_contact.clear_cache()
     again = time.perf_counter()
-    pair = half_space_contact.bodies(problem, way.sequence[0], progress=progress)
-    half_space_contact.solve_on(problem, pair, way.places)
+    bodies = half_space_contact.condensed_bodies(problem, choice.sequence[0], progress=progress)
+    half_space_contact.solve_on(problem, bodies, choice.positions)
     end = time.perf_counter()
-    factor = (end - again) / way.coarsest_seconds
-    return Expected(end - start + factor * (way.seconds - way.coarsest_seconds), way.memory_MB, factor)
+    factor = (end - again) / choice.coarsest_seconds
+    return Expected(end - start + factor * (choice.seconds - choice.coarsest_seconds), choice.memory_MB, factor)
 
 
-def announcement(way: Way, expected: Expected) -> str:
-    """What will be done, before it is done."""
-    coarser = " and ".join(str(count) for count in way.sequence[:-1])
+def choice_message(choice: MeshChoice, expected: Expected) -> str:
+    """The choice and the expected time and memory, as a sentence."""
+    coarser = " and ".join(str(count) for count in choice.sequence[:-1])
     return (
-        f"Chosen: {way.elements} elements per semi-axis, {way.places} places of the contact's edge, with {coarser} "
-        f"elements for the uncertainty; error {way.error:.1e} or less. Expected: {expected.seconds:.1f} s in all, "
-        f"{way.memory_MB:.0f} MB (the coarsest mesh took {expected.machine_factor:.2f} times as long here as where the "
-        "table was measured)."
+        f"Chosen: {choice.elements} elements per semi-axis, {choice.positions} positions of the contact's edge, with "
+        f"{coarser} elements for the uncertainty; error {choice.error:.1e} or less. Expected: "
+        f"{expected.seconds:.1f} s in all, {choice.memory_MB:.0f} MB (the coarsest mesh took "
+        f"{expected.machine_factor:.2f} times as long here as where the table was measured)."
     )
 
 
-def outcome(asked: float, way: Way, expected: Expected, entry: dict[str, Any]) -> dict[str, Any]:
-    """What was expected and what was reached, for the record of the contact.
+def accuracy_record(asked: float, choice: MeshChoice, expected: Expected, entry: dict[str, Any]) -> dict[str, Any]:
+    """Expected and reached accuracy, time and memory, for the record of the contact.
 
-    `deviation` is None with the true gap, where Hertz is no measure of the mesh.
+    `deviation` is None with the true gap, where Hertz is not the exact solution.
     """
     rows = [row for row in entry["rows"] if row["quantity"] in JUDGED]
     far = max(rows, key=lambda row: abs(row["deviation_percent"]))
@@ -220,12 +224,12 @@ def outcome(asked: float, way: Way, expected: Expected, entry: dict[str, Any]) -
     is_parabolic = entry["mesh"]["geometry"] == "parabolic"
     return {
         "asked": asked,
-        "elements_per_semi_axis": way.elements,
-        "places": way.places,
-        "sequence": list(way.sequence),
-        "expected_error": way.error,
+        "elements_per_semi_axis": choice.elements,
+        "positions": choice.positions,
+        "sequence": list(choice.sequence),
+        "expected_error": choice.error,
         "expected_seconds": expected.seconds,
-        "expected_memory_MB": way.memory_MB,
+        "expected_memory_MB": choice.memory_MB,
         "machine_factor": expected.machine_factor,
         "seconds": entry["seconds"],
         "peak_memory_MB": entry["peak_memory_MB"],
@@ -236,10 +240,10 @@ def outcome(asked: float, way: Way, expected: Expected, entry: dict[str, Any]) -
     }
 
 
-def conclusion(found: dict[str, Any]) -> str:
-    """What was reached, after it was done."""
+def result_message(found: dict[str, Any]) -> str:
+    """Accuracy, time and memory reached, as a sentence."""
     reached = (
-        "Hertz is no measure of the mesh with the true gap"
+        "not known with the true gap, where Hertz is not the exact solution"
         if found["deviation"] is None
         else f"{found['deviation']:.1e} off Hertz at most ({found['deviation_of'].replace('_', ' ')})"
     )

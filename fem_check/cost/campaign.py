@@ -7,8 +7,8 @@ from typing import Any
 
 from fem_check import linear_solver
 from fem_check.agreement import Level
-from fem_check.cost import closed_forms, fresh_process, machine, record, rungs, shapes, timing, trial
-from fem_check.cost.rungs import Rung
+from fem_check.cost import closed_forms, configurations, fresh_process, holdout, machine, record, shapes, timing
+from fem_check.cost.configurations import Configuration
 from fem_check.elastic_body import Progress
 from fem_check.references import axis_ratio
 
@@ -18,7 +18,7 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
     start = time.perf_counter()
     usable, main = linear_solver.available(), linear_solver.chosen()
     found = machine.machine()
-    problem = rungs.problem()
+    problem = configurations.problem()
     progress("closed forms", 0.0)
     forms = closed_forms.measure(problem)
     wanted = shapes.wanted(level, main)
@@ -26,13 +26,13 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
     for done, shape in enumerate(wanted):
         progress(f"{shape.elements} elements, a/b = {shape.ellipticity:g}", 0.2 * done / len(wanted))
         shaped.append(fresh_process.call(shapes.solve, shape))
-    ladder = rungs.ladder(level, main, [name for name in usable if name != main])
-    answers = timing.interleaved(
-        rungs.solve, ladder, level, lambda stage, part: progress(stage, 0.2 + 0.7 * part), _in_words
+    planned = configurations.planned(level, main, [name for name in usable if name != main])
+    results = timing.interleaved(
+        configurations.solve, planned, level, lambda stage, part: progress(stage, 0.2 + 0.7 * part), _label
     )
-    series = [[] if isinstance(runs, str) else [run["seconds"] for run in runs] for runs in answers]
-    over = timing.ratios(series, ladder.index(Rung(record.REFERENCE, main)))
-    entries = [_entry(*each) for each in zip(ladder, answers, over, strict=True)]
+    series = [[] if isinstance(runs, str) else [run["seconds"] for run in runs] for runs in results]
+    over = timing.ratios(series, planned.index(Configuration(record.REFERENCE, main)))
+    entries = [_entry(*each) for each in zip(planned, results, over, strict=True)]
     measured = {
         "kind": "fem_cost",
         "made_by": f"fem-check cost --level {level}",
@@ -45,27 +45,31 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
         },
         "main_solver": main,
         "solvers": {
-            name: {"words": record.SOLVERS[name], "status": record.MEASURED if name in usable else record.NOT_INSTALLED}
+            name: {"label": record.SOLVERS[name], "status": record.MEASURED if name in usable else record.NOT_INSTALLED}
             for name in linear_solver.known()
         },
-        "families": {family.name: family.words for family in rungs.FAMILIES},
-        "rungs": entries,
+        "families": {family.name: family.label for family in configurations.FAMILIES},
+        "configurations": entries,
         "shapes": shaped,
         "closed_forms": forms,
         "orders": record.orders(shaped, entries),
         "scaling": record.scaling(entries),
     }
-    tried = trial.measure(measured, level, lambda stage, part: progress(stage, 0.9 + 0.1 * part))
-    return {**measured, "trials": tried, "seconds": round(time.perf_counter() - start, 1)}
+    tested = holdout.measure(measured, level, lambda stage, part: progress(stage, 0.9 + 0.1 * part))
+    return {**measured, "holdout_contacts": tested, "seconds": round(time.perf_counter() - start, 1)}
 
 
-def _in_words(rung: Rung) -> str:
-    return f"{rung.elements} elements, {rung.family}, {rung.far_field}, {rung.solver}"
+def _label(configuration: Configuration) -> str:
+    return (
+        f"{configuration.elements} elements, {configuration.family}, {configuration.far_field}, {configuration.solver}"
+    )
 
 
-def _entry(rung: Rung, runs: list[dict[str, Any]] | str, over: dict[str, Any] | None) -> dict[str, Any]:
-    """A rung as the record keeps it; what was not measured is None, and `status` says why."""
-    named = rung.describe()
+def _entry(
+    configuration: Configuration, runs: list[dict[str, Any]] | str, over: dict[str, Any] | None
+) -> dict[str, Any]:
+    """A configuration as the record keeps it; what was not measured is None, and `status` says why."""
+    named = configuration.describe()
     if isinstance(runs, str):
         return {**named, "status": runs, **dict.fromkeys(record.GIVEN)}
     first = runs[0]

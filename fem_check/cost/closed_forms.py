@@ -1,4 +1,4 @@
-"""The closed forms of the same contact: what they cost, compiled in a batch and called from Python, and how far off.
+"""The closed forms of the same contact: their time, compiled in a batch and called from Python, and their errors.
 
 Their errors are against `references`, Hertz in another form; the exact form's error is the rounding of the two.
 """
@@ -17,7 +17,7 @@ from fem_check.contact_problem import Array, ContactProblem
 from fem_check.cost.timing import spread
 from fem_check.references import hertz
 from qsbearing.compiled import COMPILED, entry
-from qsbearing.hertz import FORM_CODES, HertzForm, effective_modulus, ellipse_constants
+from qsbearing.contact.hertz import FORM_CODES, HertzForm, effective_modulus, ellipse_constants
 
 CASES = 2000
 """Contacts in one compiled batch."""
@@ -25,7 +25,7 @@ CALLS = 200
 """Calls from Python in one timing."""
 REPEATS = 15
 
-WORDS = {
+LABELS = {
     HertzForm.BREWE_HAMROCK_1977: "Brewe & Hamrock 1977",
     HertzForm.HAMROCK_BREWE_1983: "Hamrock & Brewe 1983",
     HertzForm.EXACT: "exact Hertz",
@@ -34,49 +34,49 @@ QUANTITIES = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 
 
 @entry
-def _batch(form: int, load: Array, curvature_x: Array, curvature_y: Array, modulus: float, answers: Array) -> None:
+def _batch(form: int, load: Array, curvature_x: Array, curvature_y: Array, modulus: float, results: Array) -> None:
     for i in range(load.size):
         a, b, stiffness, _ = ellipse_constants(form, curvature_x[i], curvature_y[i], modulus)
         scale = load[i] ** (1.0 / 3.0)
-        answers[i, 0] = (load[i] / stiffness) ** (2.0 / 3.0)
-        answers[i, 1] = a * scale
-        answers[i, 2] = b * scale
-        answers[i, 3] = 1.5 * load[i] / (np.pi * a * b * scale * scale)
+        results[i, 0] = (load[i] / stiffness) ** (2.0 / 3.0)
+        results[i, 1] = a * scale
+        results[i, 2] = b * scale
+        results[i, 3] = 1.5 * load[i] / (np.pi * a * b * scale * scale)
 
 
 def measure(problem: ContactProblem) -> list[dict[str, Any]]:
-    """Each form's errors and seconds a contact; `compiled` is None where the kernel runs as plain Python."""
+    """Each form's errors and seconds per contact; `compiled` is None where the kernel runs as plain Python."""
     modulus = effective_modulus(
         problem.ball.elastic_modulus,
         problem.ball.poisson_ratio,
         problem.race.elastic_modulus,
         problem.race.poisson_ratio,
     )
-    # One per cent of variety: as in a sweep, no two contacts alike, all of this shape.
+    # A scatter of one per cent: as in a sweep, no two contacts alike, all of this shape.
     generator = np.random.default_rng(0)
     load, x, y = (
         value * generator.uniform(0.99, 1.01, CASES)
         for value in (problem.load, problem.curvature_x, problem.curvature_y)
     )
-    answers = np.zeros((CASES, len(QUANTITIES)))
+    results = np.zeros((CASES, len(QUANTITIES)))
     single: dict[HertzForm, Callable[[], Any]] = {
         form: partial(qsbearing.point_contact, problem.load, problem.curvature_x, problem.curvature_y, modulus, form)
-        for form in WORDS
+        for form in LABELS
     }
     batch: dict[HertzForm, Callable[[], Any]] = {
-        form: partial(_batch, FORM_CODES[form], load, x, y, modulus, answers) for form in WORDS
+        form: partial(_batch, FORM_CODES[form], load, x, y, modulus, results) for form in LABELS
     }
     python = _in_turn(single, CALLS)
     compiled = _in_turn(batch, 1) if COMPILED else None
     exact = hertz(problem)
     found = []
-    for form, words in WORDS.items():
+    for form, label in LABELS.items():
         contact = single[form]()
         error = {name: getattr(contact, name) / getattr(exact, name) - 1.0 for name in QUANTITIES}
         found.append(
             {
                 "form": str(form),
-                "words": words,
+                "label": label,
                 "error": error,
                 "worst_error": max(abs(value) for value in error.values()),
                 "python_seconds": spread(python[form]),

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 A = TypeVar("A")
 R = TypeVar("R")
 
-LOADED = ["fem_check.cost.rungs"]
+LOADED = ["fem_check.cost.configurations"]
 """Modules that the processes start with, so that loading them is not measured."""
 
 
@@ -48,7 +48,7 @@ def call(function: Callable[[A], R], argument: A) -> R:
     process.start()
     sending.close()
     try:
-        done, answer = receiving.recv()
+        done, result = receiving.recv()
     except EOFError:
         process.join()
         raise ProcessError(f"its process ended with code {process.exitcode}, as it does when memory runs out") from None
@@ -60,5 +60,5 @@ def call(function: Callable[[A], R], argument: A) -> R:
             process.terminate()
             process.join()
     if not done:
-        raise ProcessError(answer)
-    return answer
+        raise ProcessError(result)
+    return result

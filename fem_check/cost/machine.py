@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from fem_check import records_store
-from qsbearing.cost.machine import hardware
+from qsbearing.studies.cost.machine import hardware
 
 
 def machine() -> dict[str, Any]:

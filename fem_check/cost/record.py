@@ -1,11 +1,11 @@
 """The cost record: what is in it, what is fitted to it; tables, figures and advice are made from it.
 
-Order of convergence. The pressure ends like a square root at the contact's edge, so bilinear hats carry it to the power
-3/2 of the element size h in the norm of the energy, and the contact's energy to h^3. Approach and semi-axes are that
-energy's derivatives: the approach by the load, the second moments of the pressure (a and b) by the two curvatures. Its
-error repeats with every element that the edge passes, and a derivative of what repeats over h loses one power: h^2 for
-the contact's edge at one place; the mean over all places in an element has lost the repeating part, and keeps h^3.
-The shear below the surface is no such derivative: for it this is a comparison only.
+Order of convergence. The pressure ends like a square root at the contact's edge, so bilinear basis functions carry it
+to the power 3/2 of the element size h in the norm of the energy, and the contact's energy to h^3. Approach and
+semi-axes are that energy's derivatives: the approach by the load, the second moments of the pressure (a and b) by the
+two curvatures. Its error is periodic in the edge's position in an element, and a derivative of what has the period h
+loses one power: h^2 for the contact's edge at one position; in the mean over all positions in an element the periodic
+part cancels, which leaves h^3. The shear below the surface is no such derivative: for it this is a comparison only.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from typing import Any
 
 from fem_check import records_store
 from fem_check.agreement import Level
-from fem_check.cost import fits, rungs, shapes
-from fem_check.cost.rungs import JUDGED
+from fem_check.cost import configurations, fits, shapes
+from fem_check.cost.configurations import JUDGED
 from fem_check.records_store import RecordError
 
 FOLDER = records_store.FOLDER / "cost"
@@ -28,20 +28,31 @@ SOLVERS = {
     "scipy": "SuperLU (scipy)",
 }
 REFERENCE = 4
-"""Elements per semi-axis of the mesh whose time the others' are held against."""
+"""Elements per semi-axis of the mesh to whose time the others are compared."""
 MEASURED, NOT_INSTALLED = "measured", "not installed"
 THEORY = {"one_position": 2.0, "mean_of_positions": 3.0}
 """Orders, see above."""
 LARGE = 1e4
-"""Unknowns from which on times and memory are fitted: below, it is the start of everything that takes the time."""
+"""Unknowns from which on times and memory are fitted: below, start-up takes most of the time."""
 TIMED = ("seconds", "contact_seconds", "cpu_seconds", "peak_memory_MB", "base_memory_MB")
 GIVEN = ("dofs", "element_size", "error", "worst_error", "worst_single_position", *TIMED, "seconds_over_reference")
-"""What a rung has where it was measured, and None where not."""
-FIELDS = ("level", "machine", "contact", "solvers", "rungs", "shapes", "closed_forms", "orders", "scaling", "trials")
+"""Fields of a measured configuration; None in one that was not measured."""
+FIELDS = (
+    "level",
+    "machine",
+    "contact",
+    "solvers",
+    "configurations",
+    "shapes",
+    "closed_forms",
+    "orders",
+    "scaling",
+    "holdout_contacts",
+)
 
 
 def selected(entries: list[dict[str, Any]], **wanted: Any) -> list[dict[str, Any]]:
-    """The measured rungs with the given properties, coarse to fine; far fields as the ladder has them."""
+    """The measured configurations with the given properties, coarse to fine; far fields in the order of the record."""
     chosen = [
         entry
         for entry in entries
@@ -51,28 +62,29 @@ def selected(entries: list[dict[str, Any]], **wanted: Any) -> list[dict[str, Any
     return sorted(chosen, key=lambda entry: (far_fields.index(entry["far_field"]), entry["dofs"]))
 
 
-def mesh_ladder(entries: list[dict[str, Any]], solver: str) -> list[dict[str, Any]]:
-    """The rungs of all checks' own kind: 20-node hexahedra, exact far field."""
-    return selected(entries, family=rungs.SERENDIPITY.name, far_field="exact", solver=solver)
+def mesh_refinement(entries: list[dict[str, Any]], solver: str) -> list[dict[str, Any]]:
+    """The mesh refinement that all checks use: 20-node hexahedra, exact far field."""
+    return selected(entries, family=configurations.SERENDIPITY.name, far_field="exact", solver=solver)
 
 
 def orders(shaped: list[dict[str, Any]], entries: list[dict[str, Any]]) -> dict[str, Any]:
-    """Observed orders of convergence of the worst over all shapes, for one place of the edge and for the mean of 8."""
+    """Observed orders of convergence of the worst over all shapes, for one position of the edge and for the mean of
+    8."""
     sizes = {entry["elements_per_semi_axis"]: entry["element_size"] for entry in entries if entry["element_size"]}
     counts = sorted({entry["elements_per_semi_axis"] for entry in shaped} & set(sizes))
     series: dict[str, Any] = {"element_size": [sizes[count] for count in counts], "theory": THEORY}
-    for key, places in (("one_position", "1"), ("mean_of_positions", str(max(shapes.COUNTS)))):
+    for key, count_of_positions in (("one_position", "1"), ("mean_of_positions", str(max(shapes.COUNTS)))):
         series[key] = {}
         for name in JUDGED:
-            worst = [envelope(shaped, count, places, (name,)) for count in counts]
+            worst = [envelope(shaped, count, count_of_positions, (name,)) for count in counts]
             series[key][name] = {"error": worst, **fits.power_law(series["element_size"], worst)}
     return series
 
 
-def envelope(shaped: list[dict[str, Any]], elements: int, places: str, names: tuple[str, ...] = JUDGED) -> float:
-    """Largest error of a mesh over all shapes and the named quantities, with so many places of the edge."""
+def envelope(shaped: list[dict[str, Any]], elements: int, positions: str, names: tuple[str, ...] = JUDGED) -> float:
+    """Largest error of a mesh over all shapes and the named quantities, with so many positions of the edge."""
     return max(
-        entry["worst_error"][places][name]
+        entry["worst_error"][positions][name]
         for entry in shaped
         if entry["elements_per_semi_axis"] == elements
         for name in names
@@ -86,9 +98,9 @@ def scaling(entries: list[dict[str, Any]]) -> dict[str, Any]:
     """
     found = {}
     for solver in dict.fromkeys(entry["solver"] for entry in entries):
-        ladder = mesh_ladder(entries, solver)
-        large = [entry for entry in ladder if entry["dofs"] >= LARGE]
-        used = large if len(large) >= 3 else ladder
+        refinement = mesh_refinement(entries, solver)
+        large = [entry for entry in refinement if entry["dofs"] >= LARGE]
+        used = large if len(large) >= 3 else refinement
         dofs = [entry["dofs"] for entry in used]
         found[solver] = {
             "from_dofs": min(dofs, default=None),

@@ -1,4 +1,4 @@
-"""REPORT.md: its order, and nothing typed that a record does not hold."""
+"""REPORT.md: the order of its sections; every number in it comes from a record."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Built by `fem-check report` from the records in this folder; every number below 
 
 *Verification* asks whether the finite elements solve the contact problem right: bodies are half-spaces, the gap a
 parabola, Hertz is exact, and every per cent of deviation is an error. *Validation* asks how far Hertz is from a true
-ball in a true groove: the deviation is the finding, and only what an independent method also gives is gated. Neither is
-a measurement.
+ball in a true groove: the deviation is the finding, and only what an independent method also gives has a tolerance.
+Neither is a measurement.
 
-Each value found is the mean over several places of the contact's edge within an element; held against the reference is
-the worst of several meshes, one in the contact's proportions and others stretched out of them. The uncertainty is of
-the mesh: a sequence of sizes, places of the edge, and alignment together. A verdict of *finding* is not gated.
+Each value found is the mean over several positions of the contact's edge within an element; compared with the reference
+is the worst of several meshes, one in the contact's proportions and others stretched out of them. The uncertainty is
+that of the mesh: a sequence of sizes, positions of the edge, and alignment together. A *finding* has no tolerance.
 """
 
 
@@ -35,7 +35,7 @@ def write(records: Path, out: Path) -> Path:
         raise records_store.RecordError(f"no records in {records}: run `fem-check run` first")
     out.mkdir(parents=True, exist_ok=True)
     kinds = {"verification": "Verification", "validation": "Validation"}
-    order = {name: place for place, name in enumerate(kinds)}
+    order = {name: index for index, name in enumerate(kinds)}
     entries.sort(key=lambda entry: (order[entry["kind"]], entry["check"]))
     parts = [HEAD, "## Summary\n", tables.summary(entries) + "\n"]
     for kind, heading in kinds.items():

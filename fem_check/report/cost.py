@@ -10,7 +10,7 @@ from fem_check.cost import figures, tables
 
 HEAD = """## What accuracy costs
 
-Measured by `fem-check cost` on one contact, whose exact answer is Hertz. `fem-check contact --accuracy` chooses its
+Measured by `fem-check cost` on one contact, whose exact solution is Hertz. `fem-check contact --accuracy` chooses its
 mesh from these numbers.
 """
 

@@ -70,15 +70,15 @@ def title(contact: dict[str, Any]) -> str:
 def profiles(entry: Entry) -> Figure:
     """Pressure along both axes."""
     contact = entry["pictures"]["contact"]
-    figure, pair = plt.subplots(1, 2, figsize=(8.4, 3.3), sharey=True, layout="constrained")
+    figure, panels = plt.subplots(1, 2, figsize=(8.4, 3.3), sharey=True, layout="constrained")
     r = np.linspace(0.0, 1.0, 400)
-    for axes, key, name in zip(pair, ("x", "y"), ("a", "b"), strict=True):
+    for axes, key, name in zip(panels, ("x", "y"), ("a", "b"), strict=True):
         axes.plot(r, np.sqrt(1.0 - r**2), label="Hertz", **HERTZ)
         along = contact[f"along_{key}"]
         axes.plot(along[key], along["p"], label="finite elements, all positions", **FOUND)
         axes.set(xlabel=f"{key}/{name}", xlim=(0, 1.25))
-    pair[0].set(ylabel="p/p0")
-    pair[0].legend(loc="lower left")
+    panels[0].set(ylabel="p/p0")
+    panels[0].legend(loc="lower left")
     figure.suptitle(title(contact), fontsize=10)
     return figure
 
@@ -88,9 +88,9 @@ def shear_map(entry: Entry) -> Figure:
     contact = entry["pictures"]["contact"]
     y, z, tau = (np.asarray(contact["shear"][name]) for name in ("y", "z", "tau"))
     # The two Gauss points of an element on either side of the plane x = 0 fall on one point of it: their mean.
-    places, where = np.unique(np.round(np.stack([y, z]), 5), axis=1, return_inverse=True)
+    positions, where = np.unique(np.round(np.stack([y, z]), 5), axis=1, return_inverse=True)
     tau = np.bincount(where.ravel(), tau) / np.bincount(where.ravel())
-    y, z = places
+    y, z = positions
     seen = (z < 2.2) & (y < 1.35)
     figure, axes = plt.subplots(figsize=(6.0, 4.4), layout="constrained")
     mirrored = Triangulation(np.concatenate([y[seen], -y[seen]]), np.concatenate([z[seen], z[seen]]))
@@ -106,16 +106,16 @@ def shear_map(entry: Entry) -> Figure:
 def mesh(entry: Entry) -> Figure:
     """The block's lines, seen from above and from the side."""
     lines = entry["pictures"]["mesh"]
-    figure, pair = plt.subplots(1, 2, figsize=(8.4, 4.0), layout="constrained")
+    figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.0), layout="constrained")
     for axes, (first, second, labels) in zip(
-        pair, (("x", "y", ("x/a", "y/b")), ("y", "z", ("y/b", "depth z/b"))), strict=True
+        panels, (("x", "y", ("x/a", "y/b")), ("y", "z", ("y/b", "depth z/b"))), strict=True
     ):
         _grid(axes, lines[first], lines[second])
         axes.set(xlabel=labels[0], ylabel=labels[1], aspect="equal")
     angle = np.linspace(0.0, 0.5 * np.pi, 91)
-    pair[0].plot(np.cos(angle), np.sin(angle), color="#c44e52", linewidth=1.8)
-    pair[1].plot([0.0, 1.0], [0.0, 0.0], color="#c44e52", linewidth=4)
-    pair[1].invert_yaxis()
+    panels[0].plot(np.cos(angle), np.sin(angle), color="#c44e52", linewidth=1.8)
+    panels[1].plot([0.0, 1.0], [0.0, 0.0], color="#c44e52", linewidth=4)
+    panels[1].invert_yaxis()
     figure.suptitle(f"{lines['elements']} hexahedra with 20 nodes; red: the contact", fontsize=10)
     return figure
 

@@ -52,7 +52,7 @@ def agreement(entry: Entry) -> str:
 
 def sources(entry: Entry) -> str:
     """Every source and every reason for a tolerance that a check's rows name, once."""
-    told = dict.fromkeys(
+    sources = dict.fromkeys(
         f"- {row['reference_source']}" for row in entry["rows"] if row["tolerance_percent"] is not None
     )
     reasons = dict.fromkeys(
@@ -65,5 +65,5 @@ def sources(entry: Entry) -> str:
         for row in entry["rows"]
         if row["verdict"] == "finding" and row["why_tolerance"].startswith("a finding: ")
     )
-    text = "References:\n\n" + "\n".join(told) + "\n\nTolerances:\n\n" + "\n".join(reasons)
-    return text + ("\n\nFindings, not gated:\n\n" + "\n".join(findings) if findings else "")
+    text = "References:\n\n" + "\n".join(sources) + "\n\nTolerances:\n\n" + "\n".join(reasons)
+    return text + ("\n\nFindings, without a tolerance:\n\n" + "\n".join(findings) if findings else "")

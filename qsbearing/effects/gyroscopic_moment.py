@@ -19,7 +19,7 @@ from enum import StrEnum
 from typing import ClassVar
 
 from qsbearing.compiled import kernel
-from qsbearing.faults import choose, raise_if_any
+from qsbearing.validation import choose, raise_if_any
 
 
 class MomentShares(StrEnum):

@@ -1,6 +1,6 @@
 """Does `run --accuracy` keep its word? Random scenes that its table was not built from, each asked for one accuracy.
 
-`python -m tests.benchmarks.acceptance` prints what `tests.benchmarks.cost` keeps in the table: how many stay within
+`python -m tests.benchmarks.acceptance` prints what `tests.benchmarks.advice` keeps in the table: how many stay within
 what was asked of them, and how the times compare with those expected.
 """
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.cost import accuracy, answers
+from qsbearing.studies.cost import accuracy, answers
 from tests.benchmarks import random_scenes
 
 SEED = 77
@@ -58,17 +58,17 @@ def requests(count: int, seed: int) -> Iterator[tuple[qs.Scene, float]]:
 
 
 def outcomes(count: int = SCENES, seed: int = SEED, rounds: int = ROUNDS) -> list[Outcome]:
-    """So many scenes, each solved at the fidelity chosen, its time included, once a round, and once in full."""
+    """So many scenes, each solved at the level chosen, its time included, once a round, and once in full."""
     asked = list(requests(count, seed))
     taken = [[choose_and_solve(*request) for request in asked] for _ in range(rounds)]
     found = []
     for (scene, accuracy_asked), *turns in zip(asked, *taken, strict=True):
         reached, full, error = turns[0], qs.solve(scene), 0.0
         if full.converged:
-            judged = answers.errors(answers.read(reached.way.scene, reached.solution), answers.read(scene, full))
+            judged = answers.errors(answers.read(reached.option.scene, reached.solution), answers.read(scene, full))
             error = float(answers.accuracy(judged))
-        over = tuple(turn.seconds / turn.choice.way.seconds for turn in turns)
-        found.append(Outcome(accuracy_asked, error, bool(reached.way.left_out), reached.solves, over))
+        over = tuple(turn.seconds / turn.choice.option.seconds for turn in turns)
+        found.append(Outcome(accuracy_asked, error, bool(reached.option.left_out), reached.solves, over))
     return found
 
 

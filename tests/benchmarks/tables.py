@@ -1,17 +1,49 @@
-"""The README's timing tables, built from the record: `python -m tests.benchmarks.tables` puts them in."""
+"""The tables of the guide, built from the records: `python -m tests.benchmarks.tables` writes them into its pages."""
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import qsbearing as qs
+from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import tables as cost_tables
 from tests.benchmarks.record import RECORD
 
-README = Path(__file__).parents[2] / "README.md"
+GUIDE = Path(qs.__file__).parent / "guide"
+CAMPAIGNS = Path(__file__).parents[1] / "campaign" / "records"
+HARD_CASES = Path(__file__).parents[1] / "hard_cases" / "table.json"
+
+QUANTITIES = {
+    "approach": "approach",
+    "semi_major_axis": "a",
+    "semi_minor_axis": "b",
+    "max_pressure": "p0",
+    "max_shear_stress": "τmax",
+}
+HALF_SPACE_CHECKS = (
+    "sphere_on_plane",
+    "ball_in_inner_groove",
+    "ball_in_outer_groove",
+    "hybrid_contact",
+    "other_contacts",
+)
+
+
+def read(path: Path) -> Any:
+    """A record."""
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def markdown(headings: list[str], rows: list[list[str]]) -> str:
+    """A table."""
+    lines = ["| " + " | ".join(headings) + " |", "|" + "---|" * len(headings)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
 
 
 def between(times: dict[str, float], unit: str) -> str:
@@ -19,71 +51,174 @@ def between(times: dict[str, float], unit: str) -> str:
     return f"{times['median']:g} {unit} ({times['min']:g} to {times['max']:g})"
 
 
-def timing(record: dict[str, Any]) -> str:
+def timing() -> str:
     """What things cost."""
+    record = read(RECORD)
     start, single, batch, million = (record[name] for name in ("start_up", "single_calls", "batch", "million"))
     machine = record["machine"]
     rows = [
-        ("`qsbearing --help`", between(start["help_s"], "s")),
-        ("`qsbearing run b218`, from cold", between(start["run_s"], "s")),
-        ("the same, the first time, with compilation", f"{start['first_run_with_compilation_s']:g} s"),
-        ("one `solve(scene)`, thrust", between(single["thrust"], "µs")),
-        ("one `solve(scene)`, combined load, free tilt", between(single["combined"], "µs")),
-        (f"{batch['points']:,} random points, one thread", between(batch["one_thread"], "µs a point")),
-        (f"{batch['points']:,} random points, two threads", between(batch["two_threads"], "µs a point")),
-        (f"{million['points']:,} points: peak memory of the process", f"{million['peak_memory_MB']} MB"),
+        ["`qsbearing --help`", between(start["help_s"], "s")],
+        ["`qsbearing run b218`, from cold", between(start["run_s"], "s")],
+        ["the same, the first time, with compilation", f"{start['first_run_with_compilation_s']:g} s"],
+        ["one `solve(scene)`, thrust", between(single["thrust"], "µs")],
+        ["one `solve(scene)`, combined load, free tilt", between(single["combined"], "µs")],
+        [f"{batch['points']:,} random points, one thread", between(batch["one_thread"], "µs per point")],
+        [f"{batch['points']:,} random points, two threads", between(batch["two_threads"], "µs per point")],
+        [f"{million['points']:,} points: peak memory of the process", f"{million['peak_memory_MB']} MB"],
     ]
-    lines = ["| what | median (smallest to largest) |", "|---|---|", *(f"| {what} | {cost} |" for what, cost in rows)]
-    lines += [
-        "",
-        f"{batch['converged']:,} of the {batch['points']:,} points converged, the largest residual being "
+    return (
+        markdown(["what", "median (smallest to largest)"], rows)
+        + f"\n\n{batch['converged']:,} of the {batch['points']:,} points converged, the largest residual being "
         f"{batch['largest_residual']:.0e}. Measured on {machine['cores']} shared cores ({machine['processor']}), "
         f"Python {machine['python']}, numba {machine['numba']}, numpy {machine['numpy']}; the load average was "
-        f"{machine['load_average']:g} at the start.",
-    ]
-    return "\n".join(lines)
+        f"{machine['load_average']:g} at the start."
+    )
 
 
-def alternatives(record: dict[str, Any]) -> str:
-    """Beside what one would write instead, and what the starting values save."""
+def alternatives() -> str:
+    """Beside a general solver, and what the initial guess saves."""
+    record = read(RECORD)
     scipy, start = record["against_scipy"], record["starting_values"]
-    lines = [
-        f"| {scipy['points']} random points, one at a time | right | a point |",
-        "|---|---|---|",
-        f"| `scipy.optimize.root`, all 2Z + 3 unknowns | {scipy['scipy_right']} | {between(scipy['scipy_ms'], 'ms')} |",
-        f"| `qsbearing.solve` from the same start | {scipy['solve_right']} | {between(scipy['solve_ms'], 'ms')} |",
-        "",
-        f"| Newton iterations, {start['points']:,} random points | mean | median | 99 % within |",
-        "|---|---|---|---|",
-        *(
-            f"| {name} | {start[key]['mean']:g} | {start[key]['median']:g} | {start[key]['p99']:g} |"
-            for key, name in (
-                ("plain", "from pure thrust at rest, all balls at the static angle"),
-                ("improved", "from the closed-form thrust balance at speed (the default)"),
-            )
-        ),
+    times = [
+        ["`scipy.optimize.root`, all 2Z + 3 unknowns", str(scipy["scipy_right"]), between(scipy["scipy_ms"], "ms")],
+        ["`qsbearing.solve` from the same start", str(scipy["solve_right"]), between(scipy["solve_ms"], "ms")],
     ]
-    return "\n".join(lines)
+    iterations = [
+        [name, *(f"{start[key][value]:g}" for value in ("mean", "median", "p99"))]
+        for key, name in (
+            ("plain", "from pure thrust at rest, all balls at the static angle"),
+            ("improved", "from the closed-form thrust equilibrium at speed (the default)"),
+        )
+    ]
+    headings = [f"Newton iterations, {start['points']:,} random points", "mean", "median", "99 % within"]
+    return (
+        markdown([f"{scipy['points']} random points, one at a time", "correct", "per point"], times)
+        + "\n\n"
+        + markdown(headings, iterations)
+    )
 
 
-def filled(readme: str, record: dict[str, Any]) -> str:
-    """The README with its tables made anew."""
-    made = [("timing", timing(record)), ("alternatives", alternatives(record))]
-    finite_elements = cost_record.read()
-    if finite_elements is not None:
-        made.append(("finite elements", cost_tables.summary(finite_elements)))
-    for name, table in made:
+def finite_elements() -> str:
+    """Closed forms and meshes: error, time, memory."""
+    record = cost_record.read()
+    if record is None:
+        raise ValueError("there is no record of `fem-check cost`")
+    return cost_tables.summary(record)
+
+
+def contacts() -> str:
+    """Largest deviation from Hertz of each check of half-spaces."""
+    entries = records_store.read_all()
+    rows = []
+    for name in HALF_SPACE_CHECKS:
+        entry = entries[name]
+        worst = {
+            quantity: max(abs(row["deviation_percent"]) for row in entry["rows"] if row["quantity"] == quantity)
+            for quantity in QUANTITIES
+        }
+        rows.append([name, entry["level"], entry["verdict"], *(f"{value:.2g}" for value in worst.values())])
+    rows.append(
+        ["tolerance", "release", "", *(f"{_tolerance(entries[HALF_SPACE_CHECKS[1]], name):g}" for name in QUANTITIES)]
+    )
+    return markdown(["check", "level", "verdict", *QUANTITIES.values()], rows)
+
+
+def _tolerance(entry: dict[str, Any], quantity: str) -> float:
+    (value,) = {row["tolerance_percent"] for row in entry["rows"] if row["quantity"] == quantity}
+    return float(value)
+
+
+def true_geometry() -> str:
+    """Deviation of B218's true bodies from Hertz."""
+    table: dict[str, dict[str, float]] = {}
+    for row in records_store.read_all()["true_geometry"]["rows"]:
+        case = row["case"].removesuffix(": true bodies")
+        if case != row["case"]:
+            table.setdefault(case, {})[row["quantity"]] = row["deviation_percent"]
+    names = [name for name in QUANTITIES if name != "max_shear_stress"]
+    rows = [[case, *(f"{found[name]:+.2f}" for name in names)] for case, found in table.items()]
+    return markdown(["contact", *(QUANTITIES[name] for name in names)], rows)
+
+
+def gyroscopic_moment() -> str:
+    """Angles of B218 at rest, and at speed without and with the gyroscopic moment."""
+    scene = qs.load_scene("b218")
+    load = scene.operation.axial_load
+    at_rest = {"ball_effects": (), "raceway_control": None, "operation": qs.Operation(axial_load=load)}
+    scenes = {
+        "at rest": dataclasses.replace(scene, **at_rest),
+        "at speed, centrifugal force alone": dataclasses.replace(scene, ball_effects=(qs.CentrifugalForce(),)),
+        "at speed, and the gyroscopic moment": scene,
+    }
+    rows = []
+    for name, each in scenes.items():
+        solution = qs.solve(each)
+        rows.append([name, *(f"{angle[0] / qs.deg:.2f}" for angle in (solution.inner.angle, solution.outer.angle))])
+    return markdown(["", "αi, deg", "αo, deg"], rows)
+
+
+def campaigns() -> str:
+    """Every recorded campaign of random scenes."""
+    rows = []
+    for record in map(read, sorted(CAMPAIGNS.glob("*.json"))):
+        classes, refused = record["classes"], record["no_equilibrium"]
+        wrong = record["bar"]["failures"] if "bar" in record else record["failures_total"]
+        iterations = record["iterations_of_converged"]
+        rows.append(
+            [
+                record.get("envelope", "wild"),
+                str(record["seed"]),
+                *(f"{number:,}" for number in (record["count"], classes["converged"])),
+                f"{classes.get('no_equilibrium', 0):,} ({refused['proofs']:,} proofs)",
+                *(f"{number:,}" for number in (classes.get("not_converged", 0), wrong)),
+                " / ".join(f"{iterations[key]:,}" for key in ("median", "99 %", "most")),
+                f"{max(record['largest'].values()):.0e}",
+            ]
+        )
+    headings = ["envelope", "seed", "scenes", "converged", "no equilibrium", "not converged", "wrong"]
+    return markdown([*headings, "iterations: median / 99 % / most", "largest error of any balance"], rows)
+
+
+def hard_cases() -> str:
+    """How the named hard cases ended."""
+    cases = read(HARD_CASES)
+    within = sum(case["verdict"] == "within 1e-9" for case in cases)
+    expected = sum(case["verdict"] == "as expected" for case in cases)
+    return markdown(
+        ["cases", "within 1e-9 of their 50-digit solution", "without one, as expected", "otherwise"],
+        [[str(number) for number in (len(cases), within, expected, len(cases) - within - expected)]],
+    )
+
+
+PAGES: dict[str, dict[str, Callable[[], str]]] = {
+    "model.md": {"gyroscopic moment": gyroscopic_moment},
+    "timing.md": {"timing": timing, "alternatives": alternatives},
+    "finite_elements.md": {
+        "contacts": contacts,
+        "true geometry": true_geometry,
+        "finite elements": finite_elements,
+    },
+    "hard_cases.md": {"campaigns": campaigns, "hard cases": hard_cases},
+}
+"""Pages of the guide, and the tables of each."""
+
+
+def filled(page: str) -> str:
+    """A page of the guide with its tables made anew."""
+    text = (GUIDE / page).read_text(encoding="utf-8")
+    for name, make in PAGES[page].items():
         pattern = rf"(<!-- {name}: made by tests/benchmarks/tables.py -->\n).*?(<!-- end of {name} -->)"
-        readme, found = re.subn(pattern, lambda m, t=table: f"{m[1]}{t}\n{m[2]}", readme, flags=re.DOTALL)
+        table = make()
+        text, found = re.subn(pattern, lambda m, t=table: f"{m[1]}{t}\n{m[2]}", text, flags=re.DOTALL)
         if found != 1:
-            raise ValueError(f"README.md has {found} places for the table {name}, not one")
-    return readme
+            raise ValueError(f"{page} has {found} places for the table {name}, not one")
+    return text
 
 
 def main() -> None:
-    """Rewrite the README's tables."""
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    README.write_text(filled(README.read_text(encoding="utf-8"), record), encoding="utf-8")
+    """Rewrite the tables of every page."""
+    for page in PAGES:
+        (GUIDE / page).write_text(filled(page), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -4,28 +4,28 @@ Certificates, tried in this order; what is a proof and what is evidence is count
 
 unsupported direction (proof)
     A direction of the ring in the free channels along which the load works and no ball is ever pressed. Every loaded
-    contact of a bearing with one open side pushes the ring with Q (sin a, cos a), 0 <= a <= 90 degrees, so the balls'
-    forces fill a cone, spanned by each ball's axial and radial push; the friction of the gyroscopic moment must not
+    contact of a bearing with one open side presses the ring with Q (sin a, cos a), 0 <= a <= 90 degrees, so the balls'
+    forces fill a cone, spanned by each ball's axial and radial force; the friction of the gyroscopic moment must not
     act on the ring (outer control, or no such moment). The load's nearest point in the cone, by non-negative least
     squares, leaves a remainder r: if it is not nothing, r itself is the direction (Farkas), and all that is believed of
-    it is checked: r . load > 0 and r . push <= 0 for every push.
+    it is checked: r . load > 0 and r . force <= 0 for every force of a ball.
 null motion (proof)
     A motion of the ring that moves no groove centre in any ball's plane (one or two balls), along which the load works:
     the energy falls without end.
-open side, unique balance (proof)
-    The equations as they stand, with shoulders on both sides, have a balance, checked as any other, and in it a loaded
-    inner contact has a negative angle. At rest with constant Hertz stiffness the energy is convex, so the loads of its
-    least are unique and no other balance keeps to the supported side.
-open side, over the shoulder, friction without load: a balance (evidence)
+open side, unique equilibrium (proof)
+    The equations as they stand, with shoulders on both sides, have an equilibrium, checked as any other, and in it a
+    loaded inner contact has a negative angle. At rest with constant Hertz stiffness the energy is convex, so the loads
+    of its least are unique and no other equilibrium keeps to the supported side.
+open side, over the shoulder, friction without load: an equilibrium (evidence)
     The equations as they stand, which know no open side and no shoulders and let any contact carry its share of the
-    gyroscopic moment, have a balance, checked as any other, that breaks one of these restrictions. That there is no
-    other balance is not proved.
-friction above the load, a balance (evidence)
-    With friction that is never more than the contact's load, or than a tenth of it, there is a balance, checked as any
-    other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
-    whatever the load, have no balance elsewhere is not proved.
-the same, followed up in speed (evidence)
-    So it is at a part of the speed, on the way up from rest: the balance is checked at that part. Beyond it the balance
+    gyroscopic moment, have an equilibrium, checked as any other, that breaks one of these restrictions. That there is
+    no other is not proved.
+friction above the load, an equilibrium (evidence)
+    With friction that is never more than the contact's load, or than a tenth of it, there is an equilibrium, checked as
+    any other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
+    whatever the load, have no equilibrium elsewhere is not proved.
+the same at part of the speed (evidence)
+    So it is at a part of the speed, continued from rest: the equilibrium is checked at that part. Beyond it the one
     that comes from rest is none of a bearing.
 """
 
@@ -39,16 +39,12 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 import qsbearing as qs
-from qsbearing.operation import CHANNELS
+from qsbearing.scene.operation import CHANNELS
 from tests.campaign.checks import findings, tilt_lever
-from tests.campaign.envelope import Group
+from tests.campaign.group import Group
 
-PROOFS = ("unsupported direction", "null motion", "open side, unique balance")
-EVIDENCE = tuple(
-    f"{restriction}, {where}"
-    for restriction in ("open side", "over the shoulder", "friction without load", "friction above the load")
-    for where in ("a balance", "followed up in speed")
-)
+PROOFS = ("unsupported direction", "null motion", "open side, unique equilibrium")
+"""The other kinds are evidence."""
 NONE = "none"
 
 ROUNDING = 1e-12
@@ -77,20 +73,16 @@ class Certificate:
     """Why a case has no equilibrium."""
 
     kind: str
-    """One of PROOFS or EVIDENCE, or NONE."""
+    """One of PROOFS, or evidence by its name, or NONE."""
     direction: NDArray | None = None
     """For the first two: of the ring in the five channels, tilts times the pitch radius."""
-
-    @property
-    def is_proof(self) -> bool:
-        return self.kind in PROOFS
 
 
 # One case -------------------------------------------------------------------------------------------------------------
 
 
-def pushes(scene: qs.Scene, first: float) -> NDArray:
-    """(5, 2 Z): what a unit of axial and of radial push of each ball does in the five channels, moments over dm/2."""
+def forces_of_balls(scene: qs.Scene, first: float) -> NDArray:
+    """(5, 2 Z): what a unit of axial and of radial force of each ball does in the five channels, moments over dm/2."""
     count = int(np.asarray(scene.bearing.ball_count))
     psi = first + 2.0 * np.pi * np.arange(count) / count
     zero, one = np.zeros(count), np.ones(count)
@@ -126,7 +118,7 @@ def unsupported_direction(scene: qs.Scene) -> NDArray | None:
     size = np.abs(load).max(initial=0.0)
     if size == 0.0:
         return None
-    cone = pushes(scene, float(np.asarray(scene.operation.first_ball_azimuth)))[free]
+    cone = forces_of_balls(scene, float(np.asarray(scene.operation.first_ball_azimuth)))[free]
     wanted = load / size
     direction = wanted - cone @ nnls(cone, wanted, maxiter=100 * cone.shape[1])[0]
     length = np.linalg.norm(direction)
@@ -141,7 +133,7 @@ def unsupported_direction(scene: qs.Scene) -> NDArray | None:
 def supports_nothing(scene: qs.Scene, direction: NDArray) -> bool:
     """Whether along this direction the load works and no ball is pressed."""
     free, load = free_load(scene)
-    cone = pushes(scene, float(np.asarray(scene.operation.first_ball_azimuth)))
+    cone = forces_of_balls(scene, float(np.asarray(scene.operation.first_ball_azimuth)))
     held = np.ones(5, bool)
     held[free] = False
     works = direction[free] @ load / np.abs(load).max() > ROUNDING
@@ -154,7 +146,7 @@ def null_motion(scene: qs.Scene) -> NDArray | None:
     free, load = free_load(scene)
     if not free or friction_acts_on_ring(scene) or not load.any():
         return None
-    moves = pushes(scene, float(np.asarray(scene.operation.first_ball_azimuth)))[free].T
+    moves = forces_of_balls(scene, float(np.asarray(scene.operation.first_ball_azimuth)))[free].T
     _, sizes, directions = np.linalg.svd(moves, full_matrices=True)
     rank = int((sizes > ROUNDING * sizes[0]).sum())
     null = directions[rank:]
@@ -174,24 +166,25 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
     """A certificate for each of these scenes of a group, all of which the solution says to have no equilibrium."""
     certificates = [directional(group.part(int(k)).scene()) for k in index]
     broken = restrictions_broken(group, solution)
-    for place, k in enumerate(index):
-        if certificates[place].kind != NONE:
+    for position, k in enumerate(index):
+        if certificates[position].kind != NONE:
             continue
-        is_whole = float(solution.speed_reached[k]) == 1.0
-        is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_at_rest(group, int(k))
+        is_still = is_at_rest(group, int(k))
+        is_whole = is_still or float(solution.speed_reached[k]) == 1.0
+        is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_still
         for name, words in RESTRICTIONS.items():
             if not broken[name][k]:
                 continue
-            where = "a balance" if is_whole else "followed up in speed"
+            where = "an equilibrium" if is_whole else "at part of the speed"
             if name == "open_side" and is_unique:
-                where = "unique balance"
-            certificates[place] = Certificate(f"{words}, {where}")
+                where = "unique equilibrium"
+            certificates[position] = Certificate(f"{words}, {where}")
             break
     return certificates
 
 
 def directional(scene: qs.Scene) -> Certificate:
-    """The certificate of a single scene that needs no balance at all."""
+    """The certificate of a single scene that needs no equilibrium at all."""
     for kind, seek in (("unsupported direction", unsupported_direction), ("null motion", null_motion)):
         direction = seek(scene)
         if direction is not None:
@@ -218,10 +211,10 @@ def as_left(solution: qs.Solution) -> qs.Solution:
 def restrictions_broken(
     group: Group, solution: qs.Solution, limits: tuple[float | None, ...] = FRICTION_LIMITS
 ) -> dict[str, NDArray]:
-    """By restriction: whether each case was left in a sound balance that breaks it.
+    """By restriction: whether each case was left in a sound equilibrium that breaks it.
 
-    A balance of the equations as they stand, or with limited friction; sound at the part of the speed at which it was
-    left. What a solution says of reactions is not asked of such a state.
+    An equilibrium of the equations as they stand, or with limited friction; sound at the part of the speed at which it
+    was left. What a solution says of reactions is not asked of such a state.
     """
     scene = group.scene()
     part = np.asarray(solution.speed_reached, float)

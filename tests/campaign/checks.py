@@ -3,12 +3,12 @@
 Nothing of the kernel is used. From angles, approaches and loads as the user reads them follow
 
 * the motion and the inertia loads of every ball, by the kinematics of Jones and Harris in vectors (cos beta, sin beta);
-* every ball's two balances (19.9), (19.10) and the ring's five channels (19.13)-(19.15), held ones included;
+* every ball's two equations (19.9), (19.10) and the ring's five channels (19.13)-(19.15), held ones included;
 * that the two contacts' lengths close between the groove centres where the ring's displacement puts them;
 * Hertz: each ellipse satisfies the ellipticity equation in Carlson's integrals, and each load is K delta^1.5.
 
-Arrays have shape (case, ball) unless said otherwise. A ball that is not there, or has no place, has neither load nor
-part in anything.
+Arrays have shape (case, ball) unless said otherwise. A ball that is not there, or whose position is
+undetermined, has neither load nor part in anything.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from scipy.special import elliprd, elliprf, elliprg
 
 import qsbearing as qs
-from qsbearing.operation import CHANNELS
+from qsbearing.scene.operation import CHANNELS
 
-BALANCE = 1e-10
+MOST_IMBALANCE = 1e-10
 """Largest imbalance over the largest applied or inertial force: what a converged case promises."""
 
 EPS = float(np.finfo(float).eps)
@@ -51,6 +51,8 @@ class Findings:
     expressible: NDArray
     """The imbalance that rounding can make, on the same scale: of each load, of the lines along which it acts, and of
     the speeds that follow from these."""
+    misplaced: NDArray
+    """Whether a held channel is not where it is held."""
     closure: NDArray
     """Largest gap between the two contact lengths and the groove centres, over the largest length."""
     hertz: NDArray
@@ -81,7 +83,7 @@ class Findings:
         """By the name of each promise: which cases break it."""
         with np.errstate(invalid="ignore"):
             return {
-                "imbalance": ~(self.imbalance <= np.maximum(BALANCE, self.expressible)),
+                "imbalance": ~(self.imbalance <= np.maximum(MOST_IMBALANCE, self.expressible)),
                 "closure": ~(self.closure <= CLOSURE),
                 "hertz": ~(self.hertz <= HERTZ),
                 **{
@@ -131,13 +133,13 @@ def findings(
     diameter = _column(bearing.ball_diameter)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
     idle = ~(inner.loaded | outer.loaded)
-    for side in (inner, outer):  # at rest a ball that touches neither raceway has no place, whatever is told of it
+    for side in (inner, outer):  # at rest the position of a ball that touches neither raceway is undetermined
         side.placed &= ~(idle & is_still(scene))
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
-        throw, moment, sensitivity = inertia_loads(scene, solution, inner, outer)
-        # What touches neither raceway does not roll, nor does what only the rounding of its place, a sum of four
+        centrifugal, moment, sensitivity = inertia_loads(scene, solution, inner, outer)
+        # What touches neither raceway does not roll, nor does what only the rounding of its position, a sum of four
         # numbers, presses.
         moment = np.where(np.maximum(inner.approach, outer.approach) > 4.0 * EPS * diameter, moment, 0.0)
         for side in (inner, outer):
@@ -150,18 +152,21 @@ def findings(
         turned = [GAP * _turn(scene, solution, inner, outer, side) for side in (inner, outer)]
         by_rounding = _friction_by_rounding(solution, inner, outer, sensitivity, turned)
         # Centrifugal force goes with the square of a speed.
-        inertial = [most + 2.0 * throw * sensitivity * turn for most, turn in zip(by_rounding, turned, strict=True)]
+        inertial = [
+            most + 2.0 * centrifugal * sensitivity * turn for most, turn in zip(by_rounding, turned, strict=True)
+        ]
         imbalance, expressible = _imbalance(
-            scene, solution, inner, outer, throw, moment, psi, reactions, turned, inertial
+            scene, solution, inner, outer, centrifugal, moment, psi, reactions, turned, inertial
         )
         hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
-        small = BALANCE * _force_scale(scene, inner, outer, throw, moment)[:, None]
+        small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
         no_friction = [np.maximum(small, most) for most in by_rounding]
     return Findings(
         imbalance=imbalance,
         expressible=expressible,
+        misplaced=_misplaced(scene, solution),
         closure=closure,
         hertz=hertz,
         tension=_tension(solution),
@@ -179,8 +184,17 @@ def findings(
         not_finite=_not_finite(scene, solution, there),
         control=control,
         control_unsaid=control & solution.control_is_consistent,
-        misreported=~(solution.residual <= np.maximum(BALANCE, expressible)),
+        misreported=~(solution.residual <= np.maximum(MOST_IMBALANCE, expressible)),
     )
+
+
+def _misplaced(scene: qs.Scene, solution: qs.Solution) -> NDArray:
+    found = np.zeros(solution.shape, bool)
+    for c, channel in enumerate(CHANNELS):
+        held = getattr(scene.operation, channel.displacement)
+        if held is not None:
+            found |= ~(np.abs(solution.displacement[:, c] - held) <= 4 * EPS * np.abs(held))
+    return found
 
 
 def _any(which: Any, there: NDArray) -> NDArray:
@@ -236,9 +250,9 @@ def inertia_loads(
     orbit = (u * wi + v * wo) / (u + v)
     rotation = -(wi - wo) / (g * (u + v))
     sensitivity = (np.abs(wi) + np.abs(wo)) / np.abs(u * wi + v * wo) + 2.0 / np.abs(u + v)
-    throw, moment = zero, zero
+    centrifugal, moment = zero, zero
     if scene.centrifugal_force is not None:
-        throw = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
+        centrifugal = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
     if scene.gyroscopic_moment is not None:
         moment = _column(bearing.ball_inertia) * rotation * orbit * sin_beta
         own = 1.0 if scene.gyroscopic_moment.moment_shares is qs.MomentShares.HARRIS else 2.0
@@ -247,7 +261,7 @@ def inertia_loads(
     turns = inner.placed & outer.placed & ~is_still(scene)
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
-    return np.where(turns, throw, 0.0), np.where(turns, moment, 0.0), sensitivity
+    return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity
 
 
 def _mirrored(angle: NDArray) -> NDArray:
@@ -256,7 +270,7 @@ def _mirrored(angle: NDArray) -> NDArray:
     return np.where(np.abs(near) <= 0.5 * np.pi, near, np.copysign(np.pi, near) - near)
 
 
-# Balance --------------------------------------------------------------------------------------------------------------
+# Equilibrium --------------------------------------------------------------------------------------------------------
 
 
 def tilt_lever(scene: qs.Scene) -> NDArray:
@@ -266,14 +280,14 @@ def tilt_lever(scene: qs.Scene) -> NDArray:
     return np.asarray(scene.bearing.inner_groove_centre_radius, float)
 
 
-def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, throw: NDArray, moment: NDArray) -> NDArray:
+def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, centrifugal: NDArray, moment: NDArray) -> NDArray:
     """The largest applied or inertial force of each case; with a held channel contact loads too, being the reaction.
 
     Never less than the least load.
     """
     cases = inner.load.shape[0]
     half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
-    scale = np.maximum(throw, np.abs(moment) / _column(scene.bearing.ball_diameter)).max(axis=-1)
+    scale = np.maximum(centrifugal, np.abs(moment) / _column(scene.bearing.ball_diameter)).max(axis=-1)
     is_any_held = False
     for channel in CHANNELS:
         load = getattr(scene.operation, channel.load)
@@ -306,7 +320,7 @@ def _imbalance(
     solution: qs.Solution,
     inner: Contacts,
     outer: Contacts,
-    throw: NDArray,
+    centrifugal: NDArray,
     moment: NDArray,
     psi: NDArray,
     reactions: bool,
@@ -315,13 +329,13 @@ def _imbalance(
 ) -> tuple[NDArray, NDArray]:
     i, o = inner, outer
     axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
-    radial = i.load * i.cosine - o.load * o.cosine + i.friction * i.sine - o.friction * o.sine + throw
+    radial = i.load * i.cosine - o.load * o.cosine + i.friction * i.sine - o.friction * o.sine + centrifugal
     worst = np.maximum(np.abs(axial), np.abs(radial)).max(axis=-1)
-    push, lift = i.load * i.sine - i.friction * i.cosine, i.load * i.cosine + i.friction * i.sine
+    axial_force, radial_force = i.load * i.sine - i.friction * i.cosine, i.load * i.cosine + i.friction * i.sine
     lever = tilt_lever(scene)[..., None]
-    turn = lever * push + i.groove * i.friction
+    tilting = lever * axial_force + i.groove * i.friction
     cosine, sine = np.cos(psi), np.sin(psi)
-    sums = [push, lift * cosine, lift * sine, turn * sine, -turn * cosine]
+    sums = [axial_force, radial_force * cosine, radial_force * sine, tilting * sine, -tilting * cosine]
     half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
     for c, channel in enumerate(CHANNELS):
         arm = half_pitch if channel.is_rotation else 1.0
@@ -334,7 +348,7 @@ def _imbalance(
             wanted = np.asarray(0.0 if given is None else given, float)
             carried = np.where(np.abs(carried - wanted) <= 4 * EPS * np.abs(wanted), wanted, np.nan)
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
-    scale = _force_scale(scene, inner, outer, throw, moment)
+    scale = _force_scale(scene, inner, outer, centrifugal, moment)
     rounding = np.zeros(scale.shape)
     for side, turn_by_rounding, of_inertia in zip((i, o), turned, inertial, strict=True):
         rounding += (side.load * (4 * EPS + turn_by_rounding) + of_inertia).sum(axis=-1)
@@ -342,7 +356,7 @@ def _imbalance(
 
 
 def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side: Contacts) -> NDArray:
-    """How far a contact line turns when places move by the rounding of what they are made of, over that rounding."""
+    """How far a contact line turns when positions move by the rounding of what they are made of, over that rounding."""
     moved = np.abs(solution.displacement[:, :3]).sum(axis=-1, keepdims=True)
     tilted = np.abs(solution.displacement[:, 3:]).sum(axis=-1, keepdims=True)
     return (moved + tilt_lever(scene)[..., None] * tilted + i.length + o.length) / side.length
@@ -351,7 +365,7 @@ def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side
 def _friction_by_rounding(
     solution: qs.Solution, i: Contacts, o: Contacts, sensitivity: NDArray, turned: list[NDArray]
 ) -> list[NDArray]:
-    """(case, ball), of each contact: the friction that rounding of places makes or takes.
+    """(case, ball), of each contact: the friction that rounding of positions makes or takes.
 
     It follows the speeds and the sine of the controlling line as rolling sees it, which may be all but none where the
     line itself is not.

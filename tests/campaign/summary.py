@@ -1,4 +1,4 @@
-"""What a campaign comes to: the chunks' summaries put together."""
+"""What a campaign comes to: the ranges' lines put together, and held against the bar."""
 
 from __future__ import annotations
 
@@ -12,23 +12,11 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing
+from tests.campaign.certificates import NONE, PROOFS
+from tests.campaign.chunk import UNCONVERGED
+from tests.campaign.envelope import CHANCE, ENVELOPES, WHOLE, scene_name
 
 QUANTILES = {"median": 0.5, "99 %": 0.99, "99.9 %": 0.999, "99.99 %": 0.9999, "most": 1.0}
-
-CERTIFICATES = {
-    "unsupported direction": "proof: a ring direction along which the load works and no ball is pressed, found by "
-    "non-negative least squares and checked by its scalar products",
-    "null motion": "proof: a ring motion that moves no groove centre and along which the load works",
-    "open side, unique balance": "proof: at rest the balance with shoulders on both sides is unique; it is checked, "
-    "and has load at a negative inner angle",
-    "none": "nothing found: counted as a failure",
-}
-"""What the kinds prove; the others all alike:"""
-
-EVIDENCE = (
-    "evidence: the balance of the equations as they stand is checked, at the full speed or where it was followed up to "
-    "in speed, and breaks what the kind is named after; that there is no other is not proved"
-)
 
 
 def quantile(counts: dict[int, int], share: float) -> int | None:
@@ -61,64 +49,82 @@ def added(parts: Iterable[dict[str, int]]) -> dict[str, int]:
 
 def added_tables(parts: Iterable[dict[str, dict[str, int]]]) -> dict[str, dict[str, int]]:
     """The same for tables of counts."""
-    rows: dict[str, list[dict[str, int]]] = defaultdict(list)
+    rows: defaultdict[str, list[dict[str, int]]] = defaultdict(list)
     for part in parts:
         for name, counts in part.items():
             rows[name].append(counts)
     return {name: added(rows[name]) for name in sorted(rows)}
 
 
-def spread(chunks: list[dict[str, Any]], key: str) -> dict[str, int | None]:
-    """Quantiles of iterations."""
-    counts = {int(value): number for value, number in added(chunk[key] for chunk in chunks).items()}
-    return {name: quantile(counts, share) for name, share in QUANTILES.items()}
+def bar(envelope: str, count: int, unconverged: int, failures: int) -> dict[str, Any]:
+    """Whether the campaign is what it must be: no failure, and no more scenes not converged than allowed."""
+    limits = ENVELOPES[envelope]
+    allowed = limits.allowed(count)
+    words = f"at most {allowed} of {count} scenes not converged ({100 * limits.rate:g} %"
+    if limits.rate > 0.0 and count < WHOLE:
+        words += f", and what chance adds in {CHANCE:.0%} of so small samples"
+    words += "); none converged wrongly, refused without certificate, raised or hung"
+    return {
+        "asked": words,
+        "not_converged": unconverged,
+        "allowed": allowed,
+        "failures": failures,
+        "met": failures == 0 and unconverged <= allowed,
+    }
 
 
-def summarise(seed: int, chunks: list[dict[str, Any]], seconds: float, memory_MB: float) -> dict[str, Any]:
-    """The summary of these chunks.
+def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: float) -> dict[str, Any]:
+    """The summary of these lines of the journal.
 
     Args:
         seconds: wall time.
-        memory_MB: peak of all processes together.
     """
-    chunks = sorted(chunks, key=lambda chunk: chunk["chunk"])
-    scenes = sum(chunk["scenes"] for chunk in chunks)
-    reasons = added_tables(chunk["reasons"] for chunk in chunks)
+    lines = sorted(lines, key=lambda line: line["first"])
+    scenes = sum(line["stop"] - line["first"] for line in lines)
+    classes = added(line["classes"] for line in lines)
+    reasons = added_tables(line["reasons"] for line in lines)
     kinds = added(reasons.values())
-    failures = added({_sort(failure): 1} for chunk in chunks for failure in chunk["failures"])
-    worst = max(chunks, key=lambda chunk: chunk["worst"]["iterations"], default=None)
-    digest = hashlib.sha256("".join(chunk["digest"] for chunk in chunks).encode()).hexdigest()[:16]
+    listed = [entry for line in lines for entry in line["listed"]]
+    failed = [entry for entry in listed if entry["status"] != UNCONVERGED]
+    iterations = {
+        which: {int(value): number for value, number in table.items()}
+        for which, table in added_tables(line["iterations"] for line in lines).items()
+    }
+    most, worst = max((line["most_iterations"] for line in lines), default=[-1, -1])
+    proofs, without = (sum(kinds.get(kind, 0) for kind in which) for which in (PROOFS, (NONE,)))
     return {
+        "envelope": envelope,
         "seed": seed,
         "count": scenes,
-        "classes": added(chunk["classes"] for chunk in chunks),
-        "failures": failures,
-        "failures_total": sum(failures.values()),
-        "failures_whose_file_ends_otherwise": sum(
-            failure["reproduced"] is False for chunk in chunks for failure in chunk["failures"]
-        ),
-        "iterations_of_converged": spread(chunks, "iterations"),
-        "iterations_of_the_rest": spread(chunks, "iterations_without"),
-        "most_iterations": None
-        if worst is None
-        else f"{seed}/{worst['chunk']}/{worst['worst'].get('index')}: {worst['worst']['iterations']}",
+        "classes": classes,
+        "bar": bar(envelope, scenes, classes.get(UNCONVERGED, 0), len(failed)),
+        "failures": added({entry["what"].partition(":")[0]: 1} for entry in failed),
+        "not_converged": [
+            scene_name(envelope, seed, entry["scene"]) for entry in listed if entry["status"] == UNCONVERGED
+        ],
+        **{
+            f"iterations_of_{which}": {
+                name: quantile(iterations.get(which, {}), share) for name, share in QUANTILES.items()
+            }
+            for which in ("converged", "rest")
+        },
+        "most_iterations": f"{scene_name(envelope, seed, worst)}: {most}" if most >= 0 else None,
         "largest": {
-            name: max((chunk["largest"][name] for chunk in chunks), default=0.0)
+            name: max((line["largest"][name] for line in lines), default=0.0)
             for name in ("residual", "imbalance", "closure", "hertz")
         },
-        "noted": added(chunk["noted"] for chunk in chunks),
+        "noted": added(line["noted"] for line in lines),
         "no_equilibrium": {
             "reasons_and_certificates": reasons,
             "certificates": kinds,
-            "proofs": sum(number for kind, number in kinds.items() if CERTIFICATES.get(kind, "").startswith("proof")),
-            "evidence": sum(number for kind, number in kinds.items() if kind not in CERTIFICATES),
-            "what_they_are": {kind: CERTIFICATES.get(kind, EVIDENCE) for kind in kinds},
+            "proofs": proofs,
+            "evidence": sum(kinds.values()) - proofs - without,
+            "without": without,
         },
-        "families": added_tables(chunk["families"] for chunk in chunks),
-        "digest": digest,
+        "families": added_tables(line["families"] for line in lines),
+        "digest": hashlib.sha256("".join(line["digest"] for line in lines).encode()).hexdigest()[:16],
         "seconds": round(seconds, 1),
-        "microseconds_of_work_per_scene": round(1e6 * sum(chunk["seconds"] for chunk in chunks) / max(scenes, 1), 1),
-        "peak_memory_MB": round(memory_MB),
+        "processor_microseconds_per_scene": round(1e6 * sum(line["seconds"] for line in lines) / max(scenes, 1), 1),
         "versions": {
             "qsbearing": qsbearing.__version__,
             "source": source_digest(),
@@ -127,8 +133,3 @@ def summarise(seed: int, chunks: list[dict[str, Any]], seconds: float, memory_MB
         },
         "cores": os.cpu_count(),
     }
-
-
-def _sort(failure: dict[str, Any]) -> str:
-    """What went wrong, without its numbers."""
-    return failure["what"] if not failure["what"].startswith("raises") else failure["what"].partition(":")[0]

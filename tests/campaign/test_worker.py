@@ -1,68 +1,45 @@
-"""Workers that do not come back are ended, and what they hung on is left out; all else is done."""
+"""Workers that do not come back are ended, and the scene that they hang on is found; all else is done."""
 
 from __future__ import annotations
 
+import multiprocessing
 import time
-from collections.abc import Callable, Collection
 from typing import Any
 
 import pytest
 
-from tests.campaign.sizes import GROUP
-from tests.campaign.worker import Task, solve_chunks
+from tests.campaign.worker import solve_ranges
 
-HANGS_AT = (1, 4)
-"""Group and scene of chunk 5 that never end."""
+HANGS_AT = 13
 
 
-def run_chunk(
-    seed: int,
-    chunk: int,
-    count: int,
-    *,
-    isolated: Collection[int] = (),
-    hung: Collection[int] = (),
-    beat: Callable[[int, int], None] = lambda group, scene: None,
-) -> dict[str, Any]:
-    """Stands in for the solver: quick everywhere, endless at one place."""
-    group, scene = HANGS_AT
-    for number in range(3):
-        if number not in isolated:
-            beat(number, -1)
-            if (chunk, number) == (5, group):
-                time.sleep(3600)
-            continue
-        for k in range(GROUP):
-            if GROUP * number + k in hung:
-                continue
-            beat(number, k)
-            if (chunk, number, k) == (5, group, scene):
-                time.sleep(3600)
-    return {"chunk": chunk, "hung": sorted(hung), "isolated": sorted(isolated), "seed": seed}
+def solve(first: int, stop: int) -> tuple[int, int]:
+    """Stands in for the solver: quick everywhere, endless at one scene."""
+    if first <= HANGS_AT < stop:
+        time.sleep(3600)
+    return first, stop
 
 
-def fails(seed: int, chunk: int, count: int, **rest: Any) -> dict[str, Any]:
-    """A fault of the campaign itself."""
-    if chunk:
-        raise KeyError("a slip")
-    return {}
+def fails(first: int, stop: int) -> None:
+    raise KeyError("a slip")
 
 
-def test_a_scene_that_never_ends_is_left_out() -> None:
-    """The group is tried scene by scene, then without the one that hangs; the other chunks never notice."""
-    found = {done["chunk"]: done for done in solve_chunks([Task(4, 9), Task(5, 9), Task(6, 9)], 7, 2, 1.5, run_chunk)}
-    assert sorted(found) == [4, 5, 6]
-    assert found[5]["isolated"] == [HANGS_AT[0]]
-    assert found[5]["hung"] == [GROUP * HANGS_AT[0] + HANGS_AT[1]]
-    assert found[4]["hung"] == found[6]["hung"] == []
-    assert all(done["memory_MB"] > 1.0 for done in found.values())
+def test_a_scene_that_never_ends_is_found() -> None:
+    """Its range is tried in halves; nothing else is lost, whatever shared a worker or a range with it."""
+    found: dict[tuple[int, int], Any] = {}
+    for part, answer in solve_ranges([(0, 8), (8, 16), (16, 24)], solve, workers=2, patience=2.0):
+        found[part] = answer
+        assert len(multiprocessing.active_children()) <= 2, "a worker that hangs is still there"
+    assert found.pop((HANGS_AT, HANGS_AT + 1)) is None
+    assert all(part == answer for part, answer in found.items())
+    assert sorted(found) == [(0, 8), (8, 12), (12, 13), (14, 16), (16, 24)]
 
 
 def test_a_fault_of_the_campaign_is_told() -> None:
-    """Not a scene's failure: the traceback comes home."""
-    with pytest.raises(RuntimeError, match="a slip"):
-        list(solve_chunks([Task(3, 9)], 7, 1, 30.0, fails))
+    """Not a scene's failure: it comes home."""
+    with pytest.raises(KeyError, match="a slip"):
+        list(solve_ranges([(0, 8)], fails, workers=1, patience=60.0))
 
 
 def test_nothing_to_do() -> None:
-    assert list(solve_chunks([], 7, 2)) == []
+    assert list(solve_ranges([], solve, workers=2)) == []

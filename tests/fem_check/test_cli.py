@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from matplotlib.figure import Figure
 
 from fem_check import memory, meshing, records_store, runner
 from fem_check.agreement import Findings, Level, Row
@@ -116,7 +117,7 @@ def _interrupting():
 
 
 def test_contact_of_another_scene():
-    result = call("contact", "--scene", "7210c", "--race", "outer", "--load-N", "300", "--elements", "5", "--json")
+    result = call("contact", "--scene", "7210c", "--race", "inner", "--load-N", "300", "--elements", "5", "--json")
     assert result.exit_code == 0
     record = json.loads(result.stdout)
     approach = record["rows"][0]
@@ -136,9 +137,10 @@ def test_report_is_the_same_every_time(tmp_path):
     assert "patch_test" in first["REPORT.md"].decode()
 
 
-def test_the_committed_report_is_that_of_the_committed_records(tmp_path):
+def test_the_committed_report_is_that_of_the_committed_records(tmp_path, monkeypatch):
     if not (records_store.FOLDER / "REPORT.md").is_file():
         pytest.skip("no report is committed")
+    monkeypatch.setattr(Figure, "savefig", lambda *arguments, **options: None)
     book.write(records_store.FOLDER, tmp_path)
     # The text: pictures may differ by a pixel between builds of matplotlib.
     assert (tmp_path / "REPORT.md").read_text() == (records_store.FOLDER / "REPORT.md").read_text()

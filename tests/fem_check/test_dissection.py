@@ -6,14 +6,14 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 from fem_check import dissection, linear_solver, meshing
-from fem_check.elastic_body import Field, stiffness
+from fem_check.elastic_body import DisplacementSpace, stiffness
 
 
 @pytest.fixture(scope="module")
 def brick():
-    field = Field(meshing.load(meshing.half_space(4)))
-    matrix = stiffness(field, 0.3)
-    ranks = dissection.grid_ranks(field.nodes)
+    space = DisplacementSpace(meshing.load(meshing.half_space(4)))
+    matrix = stiffness(space, 0.3)
+    ranks = dissection.grid_ranks(space.nodes)
     free = np.flatnonzero(np.repeat(ranks[2] < ranks[2].max(), 3))  # held at its deepest face
     return sp.csc_matrix(matrix[free][:, free]), ranks[:, free // 3]
 
@@ -24,8 +24,8 @@ def test_it_is_a_permutation(brick):
 
 
 def test_vertices_stand_on_even_ranks():
-    field = Field(meshing.load(meshing.half_space(4)))
-    ranks = dissection.grid_ranks(field.nodes)
+    space = DisplacementSpace(meshing.load(meshing.half_space(4)))
+    ranks = dissection.grid_ranks(space.nodes)
     # A node of a 20-node brick lies between vertices along one axis at most.
     assert (ranks % 2).sum(axis=0).max() == 1
 

@@ -1,4 +1,4 @@
-"""Small parts: point load, hats, active set, solvers, convergence, rows."""
+"""Small parts: point load, basis, active set, solvers, convergence, rows."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from scipy.optimize import nnls
 
 from fem_check import boussinesq, contact, convergence, linear_solver
 from fem_check.agreement import Row
-from fem_check.pressure_hats import PressureHats
+from fem_check.pressure_basis import PressureBasis
 
 
 def test_point_load_on_the_surface_and_below():
@@ -21,24 +21,24 @@ def test_point_load_on_the_surface_and_below():
 
 
 def test_far_field_of_the_hats_is_that_of_their_force():
-    hats = PressureHats(np.linspace(0, 1, 4), np.linspace(0, 1, 4))
+    basis = PressureBasis(np.linspace(0, 1, 4), np.linspace(0, 1, 4))
     points = np.array([[30.0, 0.0], [40.0, 0.0], [0.0, 50.0]])
-    found = boussinesq.hat_displacement(points, hats.samples[0], hats.loads, 0.3)
+    found = boussinesq.pressure_displacement(points, basis.samples[0], basis.loads, 0.3)
     whole = found.sum(axis=2)
-    force = 4.0 * hats.forces.sum()
+    force = 4.0 * basis.forces.sum()
     single = np.stack(boussinesq.point_load_displacement(points[0], points[1], points[2], 0.3)) * force
     # The quadrupole of a patch of size 1 at distance 50: (1/50)^2.
     np.testing.assert_allclose(whole, single, rtol=2e-3, atol=1e-12)
 
 
 def test_hats_integrate_exactly():
-    hats = PressureHats(np.array([0.0, 0.3, 1.0]), np.array([0.0, 0.6, 2.0]))
+    basis = PressureBasis(np.array([0.0, 0.3, 1.0]), np.array([0.0, 0.6, 2.0]))
     x, y = np.meshgrid([0.0, 0.3, 1.0], [0.0, 0.6, 2.0], indexing="ij")
     inside = (x**2 + (y / 2.0) ** 2).ravel() <= 1.0 + 1e-9
-    assert hats.points.shape[1] == inside.sum()
+    assert basis.points.shape[1] == inside.sum()
     # The hat at the origin is (1 - x/0.3)(1 - y/0.6): its volume and second moment by hand.
-    assert hats.forces[0] == pytest.approx(0.3 * 0.6 / 4.0)
-    assert hats.weighted(lambda x, y: x**2)[0] == pytest.approx(0.3**3 / 12.0 * 0.3)
+    assert basis.forces[0] == pytest.approx(0.3 * 0.6 / 4.0)
+    assert basis.weighted(lambda x, y: x**2)[0] == pytest.approx(0.3**3 / 12.0 * 0.3)
 
 
 def test_active_set_is_the_constrained_minimum():

@@ -101,7 +101,7 @@ def placed(scene: jh.Scene, case: Case) -> jh.Scene:
 
 def from_package(case: Case, exact: Case) -> tuple[jh.Scene, Balls, list[Any]]:
     """Newton's method at full precision from where the package's answer stands."""
-    solution = qs.solve(scene_of(case))
+    solution = qs.solve(scene_of(case["name"]))
     if not solution.converged:
         raise ArithmeticError(f"{case['name']}: no start")
     if case["control"] == "per_ball":

@@ -5,32 +5,20 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
-import numpy as np
 from mpmath import mp
 
 import qsbearing as qs
 from tests.hard_cases.cases import CASES
-from tests.qsbearing.test_against_reference import bearing_numbers, choices, material, operation_numbers
+from tests.reference import as_scene
+from tests.reference.as_scene import bearing_numbers, material, operation_numbers
 from tests.reference.scenes import Case
 
 BY_NAME = {case["name"]: case for case in CASES}
 
 
-def scene_of(case: Case, *, stacked: int = 0) -> qs.Scene:
+def scene_of(name: str, *, stacked: int = 0) -> qs.Scene:
     """The scene; with `stacked`, so many equal cases in one scene of arrays."""
-
-    def numbers(found: dict[str, float]) -> dict[str, Any]:
-        return {name: np.full(stacked, value) if stacked else value for name, value in found.items()}
-
-    bearing = qs.BallBearing(
-        **numbers(bearing_numbers(case)),
-        ball_material=qs.Material(**numbers(material(case, "ball_material"))),
-        ring_material=qs.Material(**numbers(material(case, "ring_material"))),
-        kind=qs.BearingKind(case["kind"]),
-        name=case["name"],
-    )
-    operation = operation_numbers(case) | {"first_ball_azimuth": float(case["first_azimuth"])}
-    return qs.Scene(bearing, qs.Operation(**numbers(operation)), **choices(case))
+    return as_scene.scene_of(*[BY_NAME[name]] * max(stacked, 1), stacked=stacked > 0)
 
 
 def exact_case(case: Case) -> Case:

@@ -79,7 +79,7 @@ def rows() -> list[Row]:
     reference = {entry["case"]["name"]: entry["result"] for entry in load_reference()}
     found = []
     for case in CASES:
-        solution = qs.solve(scene_of(case))
+        solution = qs.solve(scene_of(case["name"]))
         row: Row = {
             "case": case["name"],
             "what": case["why"],

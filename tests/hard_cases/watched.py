@@ -2,7 +2,7 @@
 
     python -m tests.hard_cases.watched NAME ...
 
-A name is a hard case's, or SEED/CHUNK/INDEX of a campaign's scene, or `trap`, which walks into each of the traps.
+A name is a hard case's, or `random SEED`, or `trap`, which walks into each of the traps.
 
 Three traps. numpy raises on a division by zero, an overflow or an invalid operation wherever one of its numbers takes
 part, and the fields of the kernel's records are such numbers. Python itself raises ZeroDivisionError, OverflowError
@@ -19,6 +19,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any
@@ -27,27 +28,22 @@ import numpy as np
 
 import qsbearing as qs
 from tests.hard_cases.scenes import BY_NAME, scene_of
-
-PACKAGE = Path(qs.__file__).parent
-SENTINELS: frozenset[tuple[str, str]] = frozenset()
-"""(function, variable) that hold infinity on purpose."""
+from tests.qsbearing.scenes import B218, INNER, OUTER, PER_BALL, turning
 
 
 def bad_numbers(value: Any) -> bool:
     """Whether a local variable is, or holds, an infinity or what is not a number."""
     if isinstance(value, float):
         return not math.isfinite(value)
-    if isinstance(value, tuple):
-        return any(bad_numbers(part) for part in value)
-    return False
+    return isinstance(value, tuple) and any(bad_numbers(part) for part in value)
 
 
 class Watch:
-    """A profile hook that looks at what the kernel's functions leave behind."""
+    """A profile hook that looks at what the functions of a folder leave behind."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
         self.seen: set[str] = set()
-        self.returns = 0
         self._ours: dict[CodeType, bool] = {}
 
     def __call__(self, frame: FrameType, event: str, argument: Any) -> None:
@@ -55,43 +51,50 @@ class Watch:
             return
         code = frame.f_code
         if code not in self._ours:
-            self._ours[code] = Path(code.co_filename).parent in (PACKAGE, PACKAGE / "effects")
+            self._ours[code] = self.folder in Path(code.co_filename).parents
         if not self._ours[code]:
             return
-        self.returns += 1
-        for name, value in frame.f_locals.items():
-            if bad_numbers(value) and (code.co_name, name) not in SENTINELS:
+        for name, value in (*frame.f_locals.items(), ("its result", argument)):
+            if bad_numbers(value):
                 self.seen.add(f"{Path(code.co_filename).stem}.{code.co_name}: {name} = {value}")
-        if bad_numbers(argument) and (code.co_name, "return") not in SENTINELS:
-            self.seen.add(f"{Path(code.co_filename).stem}.{code.co_name} returns {argument}")
 
 
-def named_scene(name: str) -> qs.Scene:
-    """A hard case, or a campaign's scene."""
-    if name in BY_NAME:
-        return scene_of(BY_NAME[name])
-    from tests.campaign.envelope import chunk_groups
-    from tests.campaign.sizes import GROUP
+def random_scene(seed: int) -> qs.Scene:
+    """Loads from nearly nothing to crushing, speeds to dm n = 3e6, balls with room between wide grooves and without."""
+    rng = np.random.default_rng(seed)
+    bearing = replace(
+        B218,
+        ball_count=int(rng.integers(2, 9)),
+        inner_groove_radius=B218.ball_diameter * rng.uniform(0.502, 0.6),
+        outer_groove_radius=B218.ball_diameter * rng.uniform(0.502, 0.6),
+        free_contact_angle=rng.uniform(0.0, 70.0) * qs.deg,
+        kind=qs.BearingKind(rng.choice(["angular_contact", "deep_groove"])),
+    )
+    thrust = 10.0 ** rng.uniform(-3.0, 5.0)
+    side = thrust * rng.uniform(-0.5, 0.5, 4) * np.array([1.0, 1.0, 0.05, 0.05])
+    loads = dict(zip(("radial_load_y", "radial_load_z", "moment_y", "moment_z"), map(float, side), strict=True))
+    control = (OUTER, INNER, PER_BALL)[rng.integers(3)]
+    return turning(float(rng.uniform(0.0, 24e3)), bearing, control=control, axial_load=thrust, **loads)
 
-    seed, chunk, index = map(int, name.split("/"))
-    return chunk_groups(seed, chunk, index + 1)[-1].part(index % GROUP).scene()
+
+def squared(x: float) -> float:
+    """Overflows without a word if x is a plain float, and numpy's way otherwise."""
+    square = x * x
+    return 1.0 / square
 
 
 def trap() -> dict[str, Any]:
     """What the traps catch when something walks into them."""
-    from qsbearing.contact import contact_load
-    from qsbearing.linear import solve_in_place
-
-    watch = Watch()
+    watch = Watch(Path(__file__).parent)
     raised = []
     with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
         sys.setprofile(watch)
-        contact_load(1e200, 1e200)  # plain floats overflow without a word
+        squared(1e200)
         sys.setprofile(None)
         for walk in (
-            lambda: contact_load(np.float64(1e200), 1e200),
-            lambda: contact_load(1e300, np.float64("inf")) and np.float64(1.0) / np.float64(0.0),
-            lambda: solve_in_place(np.full((2, 2), np.inf), np.ones(2), 2),
+            lambda: squared(np.float64(1e200)),
+            lambda: squared(np.float64(0.0)),
+            lambda: squared(np.float64("inf") - np.float64("inf")),
         ):
             try:
                 walk()
@@ -104,8 +107,8 @@ def watched(name: str) -> dict[str, Any]:
     """How a case ends under the traps."""
     if name == "trap":
         return trap()
-    scene = named_scene(name)
-    watch = Watch()
+    scene = scene_of(name) if name in BY_NAME else random_scene(int(name.removeprefix("random ")))
+    watch = Watch(Path(qs.__file__).parent)
     solve = qs.solve  # imported before it is watched
     with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
         sys.setprofile(watch)
@@ -118,15 +121,9 @@ def watched(name: str) -> dict[str, Any]:
     return {
         "status": str(solution.status),
         "displacement": solution.displacement.tolist(),
-        "returns": watch.returns,
         "seen": sorted(watch.seen),
     }
 
 
-def main(names: list[str]) -> None:
-    """One entry a case, as JSON."""
-    print(json.dumps({name: watched(name) for name in names}))
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    print(json.dumps({name: watched(name) for name in sys.argv[1:]}))

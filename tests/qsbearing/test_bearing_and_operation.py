@@ -1,4 +1,4 @@
-"""Bearings, operations and scenes: derived lengths, and every fault of an input named at once."""
+"""Bearings, operations and scenes: derived lengths, and every error of an input named at once."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from .scenes import B218, BOTH, CENTRIFUGAL, OUTER, SPINDLE
 B218_FIELDS = {field.name: getattr(B218, field.name) for field in fields(B218)}
 
 
-def faults_of(make: Any, **arguments: Any) -> dict[str, qs.Fault]:
-    """The faults of what cannot be made, by field."""
+def errors_of(make: Any, **arguments: Any) -> dict[str, qs.ErrorDetail]:
+    """The errors of what cannot be made, by field."""
     with pytest.raises(qs.SceneError) as caught:
         make(**arguments)
-    found = {fault.field: fault for fault in caught.value.faults}
-    assert len(found) == len(caught.value.faults)
-    for fault in caught.value.faults:
-        assert str(fault) in str(caught.value)
+    found = {error.field: error for error in caught.value.errors}
+    assert len(found) == len(caught.value.errors)
+    for error in caught.value.errors:
+        assert str(error) in str(caught.value)
     return found
 
 
-def bearing_faults(**changes: Any) -> dict[str, qs.Fault]:
-    return faults_of(qs.BallBearing, **{**B218_FIELDS, **changes})
+def bearing_errors(**changes: Any) -> dict[str, qs.ErrorDetail]:
+    return errors_of(qs.BallBearing, **{**B218_FIELDS, **changes})
 
 
 # ------------------------------------------------------------------------------------------------------ derived lengths
@@ -93,7 +93,7 @@ def test_lengths_of_an_array_of_bearings() -> None:
     assert bearing.groove_centre_distance[1] == B218.groove_centre_distance
 
 
-# -------------------------------------------------------------------------------------------------- faults of a bearing
+# -------------------------------------------------------------------------------------------------- errors of a bearing
 
 
 @pytest.mark.parametrize(
@@ -111,9 +111,9 @@ def test_lengths_of_an_array_of_bearings() -> None:
     ],
     ids=str,
 )
-def test_slips_of_unit_are_named(change: dict[str, Any], slip: str) -> None:
+def test_mistakes_of_unit_are_named(change: dict[str, Any], slip: str) -> None:
     """A number in the wrong unit is refused, and the unit it is likely in is said."""
-    assert any(slip in fault.cause for fault in bearing_faults(**change).values())
+    assert any(slip in error.cause for error in bearing_errors(**change).values())
 
 
 @pytest.mark.parametrize(
@@ -139,22 +139,22 @@ def test_slips_of_unit_are_named(change: dict[str, Any], slip: str) -> None:
     ],
     ids=str,
 )
-def test_each_fault_of_a_bearing(change: dict[str, Any], field: str, words: str) -> None:
+def test_each_error_of_a_bearing(change: dict[str, Any], field: str, words: str) -> None:
     """The field and what is wrong with it."""
-    found = bearing_faults(**change)
+    found = bearing_errors(**change)
     assert words in found[field].problem
 
 
 def test_one_bad_entry_of_an_array() -> None:
     """The worst entry is shown, and the good ones are not complained of."""
-    found = bearing_faults(ball_diameter=np.array([22.225e-3, 22.225, 22e-3]))
+    found = bearing_errors(ball_diameter=np.array([22.225e-3, 22.225, 22e-3]))
     assert set(found) == {"bearing.ball_diameter"}
     assert found["bearing.ball_diameter"].value == 22.225
 
 
-def test_all_faults_of_a_bearing_at_once() -> None:
-    """Six mistakes, six faults."""
-    found = bearing_faults(
+def test_all_errors_of_a_bearing_at_once() -> None:
+    """Six mistakes, six errors."""
+    found = bearing_errors(
         ball_count=-3,
         ball_diameter="thick",
         pitch_diameter=125.26,
@@ -180,7 +180,7 @@ def test_neighbouring_balls_just_fit() -> None:
         replace(B218, pitch_diameter=touching * (1 - 1e-9))
 
 
-# ----------------------------------------------------------------------------------------------- faults of an operation
+# ----------------------------------------------------------------------------------------------- errors of an operation
 
 
 @pytest.mark.parametrize(
@@ -196,7 +196,7 @@ def test_neighbouring_balls_just_fit() -> None:
 def test_a_channel_has_its_load_or_its_displacement(load: str, displacement: str) -> None:
     """Both at once is an error, zeros included; either alone is not."""
     tilts = {} if "tilt" in displacement else {"moment_y": 0.0, "moment_z": 0.0}
-    assert f"operation.{load}" in faults_of(qs.Operation, **tilts, **{load: 0.0, displacement: 0.0})
+    assert f"operation.{load}" in errors_of(qs.Operation, **tilts, **{load: 0.0, displacement: 0.0})
     qs.Operation(**tilts, **{load: 0.0})
     qs.Operation(**tilts, **{displacement: 0.0})
 
@@ -213,12 +213,12 @@ def test_a_channel_has_its_load_or_its_displacement(load: str, displacement: str
 def test_a_radial_load_needs_the_tilt_that_answers(radial: str, moment: str, tilt: str) -> None:
     """Free or held must be said; a radial load of zero needs neither, the other tilt does not count."""
     value = 1e-5 if "displacement" in radial else 100.0
-    fault = faults_of(qs.Operation, **{radial: value})[f"operation.{moment}"]
-    assert moment in fault.cause
-    assert tilt in fault.cause
+    error = errors_of(qs.Operation, **{radial: value})[f"operation.{moment}"]
+    assert moment in error.cause
+    assert tilt in error.cause
     other = "moment_y" if moment == "moment_z" else "moment_z"
-    assert f"operation.{moment}" in faults_of(qs.Operation, **{radial: value, other: 0.0})
-    assert f"operation.{moment}" in faults_of(qs.Operation, **{radial: np.array([0.0, value])})
+    assert f"operation.{moment}" in errors_of(qs.Operation, **{radial: value, other: 0.0})
+    assert f"operation.{moment}" in errors_of(qs.Operation, **{radial: np.array([0.0, value])})
     qs.Operation(**{radial: value, moment: 0.0})
     qs.Operation(**{radial: value, tilt: 0.0})
     qs.Operation(**{radial: 0.0})
@@ -237,23 +237,23 @@ def test_a_radial_load_needs_the_tilt_that_answers(radial: str, moment: str, til
         ("outer_speed", [1.0, float("nan")], "finite"),
     ],
 )
-def test_each_fault_of_an_operation(field: str, value: Any, words: str) -> None:
+def test_each_error_of_an_operation(field: str, value: Any, words: str) -> None:
     """The field and what is wrong with it."""
-    assert words in faults_of(qs.Operation, **{field: value})[f"operation.{field}"].problem
+    assert words in errors_of(qs.Operation, **{field: value})[f"operation.{field}"].problem
 
 
-def test_slips_of_unit_in_an_operation() -> None:
+def test_mistakes_of_unit_in_an_operation() -> None:
     """Micrometres as metres, degrees as radians."""
-    found = faults_of(qs.Operation, axial_displacement=14.7, tilt_y=1.5)
+    found = errors_of(qs.Operation, axial_displacement=14.7, tilt_y=1.5)
     assert "millimetres" in found["operation.axial_displacement"].cause
     assert "degrees" in found["operation.tilt_y"].cause
 
 
-def test_all_faults_of_an_operation_at_once() -> None:
+def test_all_errors_of_an_operation_at_once() -> None:
     """Doubled, unstated, not a number and out of range, in one error."""
     with pytest.raises(qs.SceneError) as caught:
         qs.Operation(speed="fast", axial_load=1.0, axial_displacement=1.0, radial_load_y=10.0, first_ball_azimuth=90.0)
-    assert [fault.field for fault in caught.value.faults] == [
+    assert [error.field for error in caught.value.errors] == [
         "operation.speed",
         "operation.first_ball_azimuth",
         "operation.axial_load",
@@ -262,37 +262,37 @@ def test_all_faults_of_an_operation_at_once() -> None:
     ]
 
 
-# ---------------------------------------------------------------------------------------------------- faults of a scene
+# ---------------------------------------------------------------------------------------------------- errors of a scene
 
 
 def test_effects_need_a_raceway_control_and_the_reverse() -> None:
     """Kinematics without a hypothesis, and a hypothesis without a use."""
     thrust = qs.Operation(axial_load=1e3, speed=100.0)
-    missing = faults_of(qs.Scene, bearing=B218, operation=thrust, ball_effects=BOTH)["raceway_control"]
+    missing = errors_of(qs.Scene, bearing=B218, operation=thrust, ball_effects=BOTH)["raceway_control"]
     assert "centrifugal_force and gyroscopic_moment" in missing.problem
     assert "outer, inner or per_ball" in missing.cause
-    idle = faults_of(qs.Scene, bearing=B218, operation=thrust, raceway_control=OUTER)["raceway_control"]
+    idle = errors_of(qs.Scene, bearing=B218, operation=thrust, raceway_control=OUTER)["raceway_control"]
     assert "no ball effect" in idle.problem
 
 
 def test_an_effect_named_twice() -> None:
     """Two of a kind would be counted once or twice: neither is meant."""
-    twice = faults_of(qs.Scene, bearing=B218, ball_effects=CENTRIFUGAL * 2, raceway_control=OUTER)
+    twice = errors_of(qs.Scene, bearing=B218, ball_effects=CENTRIFUGAL * 2, raceway_control=OUTER)
     assert "twice" in twice["ball_effects"].problem
 
 
 def test_a_speed_in_revolutions_per_minute() -> None:
     """10 000 rpm given as rad/s is possible; what no bearing has run at is refused, with the likely reason."""
     qs.Scene(B218, qs.Operation(speed=10_000 * qs.rpm))
-    fault = faults_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=15_000.0))["operation.speed"]
-    assert "revolutions per minute" in fault.cause
-    both = faults_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=1e6, outer_speed=-1e6))
+    error = errors_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=15_000.0))["operation.speed"]
+    assert "revolutions per minute" in error.cause
+    both = errors_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=1e6, outer_speed=-1e6))
     assert set(both) == {"operation.speed", "operation.outer_speed"}
 
 
-def test_all_faults_of_a_scene_at_once() -> None:
+def test_all_errors_of_a_scene_at_once() -> None:
     """An effect twice, no control, and a speed beyond any bearing."""
-    found = faults_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=1e6), ball_effects=CENTRIFUGAL * 2)
+    found = errors_of(qs.Scene, bearing=B218, operation=qs.Operation(speed=1e6), ball_effects=CENTRIFUGAL * 2)
     assert set(found) == {"ball_effects", "raceway_control", "operation.speed"}
 
 

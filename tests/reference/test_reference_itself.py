@@ -12,7 +12,8 @@ from mpmath import mp
 
 from . import jones_harris as jh
 from .generate import load_reference
-from .scenes import B218, SCENES, at_rest, hold, load, turning, upright
+from .published import CONTACTS, THRUST_TABLE, printed
+from .scenes import B218, SCENES, at_rest, hold, load, turning
 
 REFERENCE = {entry["case"]["name"]: entry for entry in load_reference()}
 DIGITS = 20  # enough for the live solutions of this file
@@ -40,34 +41,21 @@ def test_the_stored_cases_are_the_scenes() -> None:
 
 # ------------------------------------------------------------------------------------------------ known numbers
 
-# Fa N, rpm, alpha_i, alpha_o in degrees, Qi, Qo in N, axial displacement in um, axial stiffness in N/um:
-# B218 under outer control, Hertz at each ball's own angle, from two other codes.
-THRUST_TABLE = [
-    (2000, "0", 40.3633, 40.3633, 193.011, 193.011, 8.580, 352.7),
-    (2000, "6000", 56.5706, 13.9945, 149.779, 400.724, -104.814, 19.17),
-    (2000, "10000", 58.8974, 4.7993, 145.986, 1091.631, -175.518, 44.59),
-    (2000, "15000", 59.9217, 2.0430, 144.452, 2526.534, -195.763, 97.22),
-    (8000, "10000", 55.5173, 19.5356, 606.578, 1208.277, -57.387, 69.02),
-    (10000, "10000", 53.9996, 23.2540, 772.547, 1320.451, -32.574, None),
-    (17800, "0", 41.4932, 41.4932, 1679.168, 1679.168, 35.874, 769.7),
-    (17800, "10000", 49.9379, 31.3354, 1453.587, 1921.634, 14.700, 289.1),
-    (44500, "15000", 50.7469, 33.0313, 3591.682, 4622.030, 45.038, 600.0),
-]
 
-
-@pytest.mark.parametrize("row", THRUST_TABLE, ids=lambda row: f"{row[0]}N-{row[1]}rpm")
+@pytest.mark.parametrize(
+    "row", [pytest.param(row, id=f"{row[0]} N, {row[1]} rpm", marks=pytest.mark.heavy) for row in THRUST_TABLE]
+)
 def test_thrust_table(row: tuple) -> None:
     axial_load, rpm, alpha_i, alpha_o, Qi, Qo, displacement, stiffness = row
-    result = one_ball_of(axial_load, rpm)
+    result = one_ball_of(axial_load, str(rpm))
     ball = result["balls"][0]
-    assert angle_deg(ball, "inner") == pytest.approx(alpha_i, abs=0.51e-4)
-    assert angle_deg(ball, "outer") == pytest.approx(alpha_o, abs=0.51e-4)
-    assert float(ball["inner"]["load"]) == pytest.approx(Qi, abs=0.51e-3)
-    assert float(ball["outer"]["load"]) == pytest.approx(Qo, abs=0.51e-3)
-    assert float(result["displacement"][0]) * 1e6 == pytest.approx(displacement, abs=0.51e-3)
+    assert angle_deg(ball, "inner") == printed(alpha_i)
+    assert angle_deg(ball, "outer") == printed(alpha_o)
+    assert float(ball["inner"]["load"]) == printed(Qi)
+    assert float(ball["outer"]["load"]) == printed(Qo)
+    assert float(result["displacement"][0]) * 1e6 == printed(displacement)
     if stiffness is not None:
-        unit = 10.0 ** (math.floor(math.log10(stiffness)) - 3)  # the last of four printed digits
-        assert float(result["stiffness"][0][0]) * 16e-6 == pytest.approx(stiffness, abs=0.51 * unit)
+        assert float(result["stiffness"][0][0]) * 16e-6 == printed(stiffness)
 
 
 def test_thrust_at_the_free_angle() -> None:
@@ -88,26 +76,6 @@ def test_a_full_bearing_is_its_balls() -> None:
     assert mp.mpf(single["displacement"][0]) == pytest.approx(mp.mpf(stored["displacement"][0]), rel=1e-16)
 
 
-def test_combined_load_with_held_tilt() -> None:
-    case = turning("combined", "", B218, upright(load("8000", "4000")), "10000", hertz_angle="actual")
-    result = jh.solve(case, DIGITS)
-    assert float(result["displacement"][0]) * 1e6 == pytest.approx(-93.198, abs=0.51e-3)
-    assert float(result["displacement"][1]) * 1e6 == pytest.approx(94.789, abs=0.51e-3)
-    assert -float(result["load"][4]) == pytest.approx(163.271, abs=0.51e-3)
-    assert float(result["balls"][0]["inner"]["load"]) == pytest.approx(1808.43, abs=0.51e-2)
-    assert float(result["balls"][8]["inner"]["load"]) == pytest.approx(305.26, abs=0.51e-2)
-
-
-def test_unloading_at_rest() -> None:
-    case = at_rest("unloading", "", B218, upright(load("8000", "8000")), hertz_angle="actual")
-    result = jh.solve(case, DIGITS)
-    assert float(result["balls"][0]["inner"]["load"]) == pytest.approx(2752.19, abs=0.51e-2)
-    assert result["balls"][8]["inner"] == REFERENCE["b218_unloading_at_rest"]["result"]["balls"][8]["inner"]
-    assert result["balls"][8]["position"] is None
-    assert float(result["displacement"][0]) * 1e6 == pytest.approx(3.538, abs=0.51e-3)
-    assert float(result["displacement"][1]) * 1e6 == pytest.approx(39.2185, abs=0.51e-4)
-
-
 def test_iso_ts_16281_example_without_clearance() -> None:
     """A commercial program's radial and axial values; the tilt is that of the lever Ri."""
     radial = REFERENCE["deep_groove_radial"]["result"]["displacement"][1]
@@ -116,44 +84,6 @@ def test_iso_ts_16281_example_without_clearance() -> None:
     assert float(radial) * 1e6 == pytest.approx(15.1101, rel=1e-5)
     assert float(thrust) * 1e6 == pytest.approx(133.5381, rel=1e-5)
     assert -float(tilt) * 1e3 == pytest.approx(3.6468, abs=0.51e-4)
-
-
-def test_iso_ts_16281_tilt_with_the_pitch_radius_as_lever(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jh.Scene, "Ri", property(lambda scene: scene.dm / 2))
-    tilt = jh.solve(REFERENCE["deep_groove_moment_alone"]["case"], DIGITS)["displacement"][4]
-    assert -float(tilt) * 1e3 == pytest.approx(3.6957, rel=2.1e-4)
-
-
-def test_trends_with_ball_count_and_conformity() -> None:
-    twelve, eighteen = (one_ball_of(10000, "10000", B218 | {"ball_count": count})["balls"][0] for count in (12, 18))
-    assert [angle_deg(b, "inner") for b in (twelve, eighteen)] == pytest.approx([51.88, 54.83], abs=0.0051)
-    assert [angle_deg(b, "outer") for b in (twelve, eighteen)] == pytest.approx([27.68, 21.30], abs=0.0051)
-    assert [float(b["inner"]["load"]) for b in (twelve, eighteen)] == pytest.approx([1059, 680], abs=0.51)
-    tight, open_ = (
-        one_ball_of(10000, "10000", B218 | {"inner_groove_radius": radius, "outer_groove_radius": radius})["balls"][0]
-        for radius in ("0.011445875", "0.0120015")  # f = 0.515, 0.54
-    )
-    assert [angle_deg(b, "inner") for b in (tight, open_)] == pytest.approx([54.69, 53.39], abs=0.0051)
-    assert [float(b["inner"]["load"]) for b in (tight, open_)] == pytest.approx([765.9, 778.6], abs=0.051)
-    assert [float(b["inner"]["max_pressure"]) * 1e-6 for b in (tight, open_)] == pytest.approx([1061, 1305], abs=0.51)
-
-
-def test_static_thrust_by_the_one_line_equation() -> None:
-    """Q = Kn BD^1.5 (cos alpha0/cos alpha - 1)^1.5 with two springs in series; and the textbook's chart constant."""
-
-    def angle(chart: Any) -> Any:
-        """Fa/(Z D^2 K) = sin(alpha) (cos(alpha0)/cos(alpha) - 1)^1.5, K in Pa, for 17.8 kN on B218."""
-        target = mp.mpf(17800) / 16 / mp.mpf("0.022225") ** 2 / chart
-        return mp.findroot(lambda a: mp.sin(a) * (mp.cos(mp.radians(40)) / mp.cos(a) - 1) ** 1.5 - target, 0.724)
-
-    result = REFERENCE["b218_thrust_at_rest"]["result"]
-    Ki, Ko = mp.mpf(result["inner_stiffness"]), mp.mpf(result["outer_stiffness"])
-    series = (Ki ** (-mp.mpf(2) / 3) + Ko ** (-mp.mpf(2) / 3)) ** -1.5
-    assert float(series) == pytest.approx(1.4817209e10, abs=0.51e3)
-    spread = mp.mpf("0.0010312")  # BD
-    exact = angle(series * spread**1.5 / mp.mpf("0.022225") ** 2)
-    assert float(exact) == pytest.approx(float(result["balls"][0]["inner"]["angle"]), rel=1e-13)
-    assert math.degrees(angle(mp.mpf("896.7e6"))) == pytest.approx(41.593, abs=0.51e-3)
 
 
 def test_the_wrong_sign_reverses_the_gyroscopic_effect(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -169,34 +99,21 @@ def test_the_wrong_sign_reverses_the_gyroscopic_effect(monkeypatch: pytest.Monke
 
 # ------------------------------------------------------------------------------------------------ the Hertz contact
 
-# Rx mm, Ry mm, k, Q N, a mm, b mm, p0 MPa, approach um: B218's contacts at 40 degrees.
-CONTACT_TABLE = {
-    "inner": [
-        (9.602089, 250.6153, 8.155395, 1000, 1.738585, 0.213182, 1288.233, 8.397011),
-        (9.602089, 250.6153, 8.155395, 1679.168, 2.066462, 0.253386, 1531.179, 11.862808),
-    ],
-    "outer": [
-        (12.622911, 250.6153, 6.897520, 1000, 1.700768, 0.246577, 1138.529, 8.179344),
-        (12.622911, 250.6153, 6.897520, 1679.168, 2.021513, 0.293078, 1353.242, 11.555301),
-    ],
-}
 
-
-@pytest.mark.parametrize("race", ["inner", "outer"])
-def test_contact_table(race: str) -> None:
+@pytest.mark.parametrize("row", CONTACTS)
+def test_contact_table(row: tuple) -> None:
+    side, Rx, Ry, k, Q, a, b, p0, approach = row
     scene = jh.read_case(SCENES[0])
-    contact = (jh.inner_contact if race == "inner" else jh.outer_contact)(scene, scene.cos0)
-    for Rx, Ry, k, Q, a, b, p0, approach in CONTACT_TABLE[race]:
-        assert float(contact.curvature_sum) == pytest.approx(1e3 / Rx + 1e3 / Ry, rel=1e-7)
-        assert float(contact.ellipticity) == pytest.approx(k, abs=0.51e-6)
-        assert float(contact.semi_major_axis(Q)) * 1e3 == pytest.approx(a, abs=0.51e-6)
-        assert float(contact.semi_minor_axis(Q)) * 1e3 == pytest.approx(b, abs=0.51e-6)
-        assert float(contact.max_pressure(Q)) * 1e-6 == pytest.approx(p0, abs=0.51e-3)
-        # the load of the second row is rounded to seven digits, and so the approach to nearly as many
-        assert float((Q / contact.stiffness) ** (mp.mpf(2) / 3)) * 1e6 == pytest.approx(approach, abs=3e-6)
+    contact = (jh.inner_contact if side < 0 else jh.outer_contact)(scene, scene.cos0)
+    assert float(contact.curvature_sum) == pytest.approx(1e3 / float(Rx) + 1e3 / float(Ry), rel=1e-7)
+    assert float(contact.ellipticity) == printed(k)
+    assert float(contact.semi_major_axis(Q)) * 1e3 == printed(a)
+    assert float(contact.semi_minor_axis(Q)) * 1e3 == printed(b)
+    assert float(contact.max_pressure(Q)) * 1e-6 == printed(p0)
+    assert float((Q / contact.stiffness) ** (mp.mpf(2) / 3)) * 1e6 == printed(approach)
 
 
-@pytest.mark.parametrize("ratio", ["1", "1.0000001", "1.3", "26.1", "1e3"])
+@pytest.mark.parametrize("ratio", ["1", "26.1", "1e3"])
 def test_hertz_by_direct_integration_of_the_pressure(ratio: str) -> None:
     """The half-ellipsoid of pressure presses two half-spaces into the approach and the two relative curvatures.
 
@@ -224,7 +141,7 @@ def test_hertz_by_direct_integration_of_the_pressure(ratio: str) -> None:
         assert mp.almosteq(curvature_y, 1 / Ry, rel_eps=1e-12)
 
 
-@pytest.mark.parametrize("ratio", ["1.01", "19.85", "26.1"])
+@pytest.mark.parametrize("ratio", ["1.01", "26.1"])
 def test_the_printed_ellipticity_equation(ratio: str) -> None:
     with mp.workdps(50):
         ratio_ = mp.mpf(ratio)
@@ -243,7 +160,7 @@ def random_motion(rng: np.random.Generator) -> tuple:
     return alpha_i, alpha_o, wi, wo, rng.uniform(0.05, 0.25), rng.choice(["outer", "inner"])
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(10))
 def test_kinematics_against_cross_products(seed: int) -> None:
     """Velocities of both surfaces at both contact points, and the spin at the controlling one, in three dimensions."""
     alpha_i, alpha_o, wi, wo, g, control = random_motion(np.random.default_rng(seed))
@@ -272,7 +189,7 @@ def test_kinematics_against_cross_products(seed: int) -> None:
     assert change == pytest.approx(-wR * wm * math.sin(beta) * t, abs=1e-9 * (abs(wi) + abs(wo)) ** 2)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(5))
 def test_kinematics_reduce_to_the_printed_ones(seed: int) -> None:
     alpha_i, alpha_o, w, _, g, control = random_motion(np.random.default_rng(seed))
     inner, outer = (math.sin(alpha_i), math.cos(alpha_i)), (math.sin(alpha_o), math.cos(alpha_o))
@@ -383,27 +300,15 @@ def test_stiffness_is_the_change_of_load() -> None:
             assert abs(change - expected) < mp.mpf("1e-6") * abs(expected)
 
 
-def test_a_live_solution_is_the_stored_one() -> None:
-    entry = REFERENCE["b218_five_channels"]
+@pytest.mark.parametrize(
+    "name", ["b218_five_channels", *(pytest.param(name, marks=pytest.mark.heavy) for name in REFERENCE)]
+)
+def test_a_live_solution_is_the_stored_one(name: str) -> None:
+    entry = REFERENCE[name]
     live = jh.solve(entry["case"], 30)
     with mp.workdps(40):
         for found, stored in zip(live["displacement"], entry["result"]["displacement"], strict=True):
             assert abs(mp.mpf(found) - mp.mpf(stored)) <= mp.mpf("1e-22") * abs(mp.mpf(stored))
-
-
-def test_turning_the_whole_scene_by_one_ball() -> None:
-    """Loads turned by one ball pitch about the axis: the same bearing, one ball on."""
-    entry = REFERENCE["b218_five_channels"]
-    F = [mp.mpf(value) for value in entry["result"]["load"]]
-    with mp.workdps(60):
-        c, s = mp.cospi(mp.mpf(1) / 8), mp.sinpi(mp.mpf(1) / 8)
-        turned = [F[0], c * F[1] - s * F[2], s * F[1] + c * F[2], c * F[3] - s * F[4], s * F[3] + c * F[4]]
-        channels = {name: ["load", str(value)] for name, value in zip(jh.CHANNELS, turned, strict=True)}
-    result = jh.solve(entry["case"] | {"channels": channels}, DIGITS)
-    for j, ball in enumerate(entry["result"]["balls"]):
-        onward = result["balls"][(j + 1) % 16]
-        assert float(onward["inner"]["load"]) == pytest.approx(float(ball["inner"]["load"]), rel=1e-14)
-        assert float(onward["outer"]["angle"]) == pytest.approx(float(ball["outer"]["angle"]), rel=1e-14)
 
 
 def test_the_choice_of_control_may_be_given_but_must_be_jones_s() -> None:

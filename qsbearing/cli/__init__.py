@@ -1,0 +1,62 @@
+"""The command line: formats and calls, computes nothing; one file per command.
+
+Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input. Whatever is heavy is imported where it is used, so
+that `--help` appears at once.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, NoReturn
+
+import click
+
+from qsbearing import __version__
+from qsbearing.cli.catalogue import catalogue
+from qsbearing.cli.cost import cost
+from qsbearing.cli.init import init
+from qsbearing.cli.output import SOLVED
+from qsbearing.cli.run import run
+
+
+class _Commands(click.Group):
+    """A group whose usage errors repeat what was typed without its control characters."""
+
+    def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
+        with _printable_usage_errors():
+            return super().make_context(*args, **kwargs)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _printable_usage_errors():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _printable_usage_errors() -> Iterator[None]:
+    try:
+        yield
+    except click.UsageError as error:
+        from qsbearing.validation import printable
+
+        raise click.UsageError(printable(error.format_message()), error.ctx) from None
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(__version__, prog_name="qsbearing")
+def cli() -> None:
+    """Quasi-static (Jones-Harris) model of angular-contact ball bearings.
+
+    Start with `qsbearing run b218`, or write a scene of your own from `qsbearing init > my.toml`.
+    """
+
+
+for command in (run, cost, init, catalogue):
+    cli.add_command(command)
+
+
+def main() -> NoReturn:
+    """The console script."""
+    cli.main(prog_name="qsbearing")
+    sys.exit(SOLVED)

@@ -1,0 +1,79 @@
+"""`qsbearing cost`: measure what accuracy costs."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import ExitStack
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.scene import load, solve
+
+if TYPE_CHECKING:
+    from qsbearing.scene.scene import Scene
+
+
+@click.command(short_help="Measure what accuracy costs in time; two minutes.")
+@click.argument("scene")
+@click.option("--json", "as_json", is_flag=True, help="Print the record as one JSON object, and nothing else.")
+@click.option("--out", metavar="DIR", help="Also write the record, its tables (CSV) and pictures (PNG) to this folder.")
+@click.option("--quick", is_flag=True, help="Few repeats: for a look, with a spread that means little.")
+def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
+    """Measure what accuracy costs in time, for the bearing and the loads of SCENE; takes about two minutes.
+
+    Model levels from a static bearing to all that the model has, each with its time and its error against the finest,
+    from rest to the speeds of aero engines; the solver's tolerance; time and memory by the cases of a call.
+
+    Exit codes: 0 measured, 1 the scene has no solution, 2 bad input.
+    """
+    with ExitStack() as stack:
+        folder = None
+        if out is not None:
+            from qsbearing.studies.cost.output_folder import OutputFolder
+
+            try:
+                folder = stack.enter_context(OutputFolder(out))
+            except (OSError, ValueError) as error:
+                refuse(f"--out {out}: {error}")
+        solution = solve(load(scene))
+        if not solution.converged:
+            from qsbearing.messages import message
+
+            note(message(solution))
+            sys.exit(UNSOLVED)
+        found = _measure(solution.scene, quick)
+        if as_json:
+            import json
+
+            print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
+        else:
+            from qsbearing.studies.cost import tables
+
+            print_table(tables.report(found))
+        if folder is not None:
+            try:
+                folder.fill(found)
+            except OSError as error:  # a disk that filled up meanwhile
+                refuse(f"cannot write: {error}")
+
+
+def _measure(scene: Scene, quick: bool) -> dict[str, Any]:
+    """The record of what everything costs, with a progress bar where there is a terminal to show it."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from qsbearing.studies.cost import record
+
+    chosen = record.QUICK if quick else record.FULL
+    console = Console(stderr=True)
+    bar = Progress(
+        *(TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+    with bar as progress:
+        task = progress.add_task("start", total=record.steps(chosen))
+        return record.measure(scene, chosen, lambda step: progress.update(task, advance=1, description=step))

@@ -1,0 +1,47 @@
+"""What every command prints with, and the codes that it ends with."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, NoReturn
+
+import click
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
+
+
+def refuse(message: str) -> NoReturn:
+    """End with what is wrong with the input."""
+    note(message)
+    sys.exit(BAD_INPUT)
+
+
+def note(message: str) -> None:
+    """Lines on standard error; what they repeat of a file or a command line cannot steer the terminal."""
+    from qsbearing.validation import printable
+
+    click.echo("\n".join(map(printable, f"qsbearing: {message}".split("\n"))), err=True)
+
+
+def print_table(renderable: RenderableType) -> None:
+    """A table of rich on standard output."""
+    from qsbearing.io.tables import text_of
+
+    print_text(text_of(renderable))
+
+
+def print_text(text: str) -> None:
+    """Text to standard output, whatever characters it can show."""
+    stream = sys.stdout
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    try:
+        stream.write(text.encode(encoding, "replace").decode(encoding))
+        stream.flush()
+    except BrokenPipeError:
+        # The reader has seen enough, as `| head` has. What is left in the buffer goes nowhere, or Python would try to
+        # write it once more on its way out.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

@@ -1,0 +1,74 @@
+"""From the name of a scene to its solution, with what a user should hear on the way."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from qsbearing.cli.output import note, refuse
+
+if TYPE_CHECKING:
+    from qsbearing.scene.scene import Scene
+    from qsbearing.solution import Solution
+
+PATIENCE = 2.0
+"""Seconds of silence on a terminal."""
+
+
+def load(source: str) -> Scene:
+    """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
+    from qsbearing.io.scene_file import load_scene
+    from qsbearing.validation import SceneError
+
+    try:
+        scene = load_scene(source)
+    except SceneError as error:
+        refuse(str(error))
+    from qsbearing.solver import thread_count
+
+    try:
+        thread_count()
+    except ValueError as error:  # a mistake in its environment variable
+        refuse(str(error))
+    return scene
+
+
+def solve(scene: Scene) -> Solution:
+    """The scene's solution; a case that takes long says so on a terminal."""
+    from qsbearing import solver
+
+    with solving():
+        return solver.solve(scene)
+
+
+@contextmanager
+def solving() -> Iterator[None]:
+    """Say on a terminal, once, that it takes longer than anybody waits in silence."""
+    timer = threading.Timer(PATIENCE, note, ["still solving ..."])
+    timer.daemon = True
+    if sys.stderr.isatty():
+        timer.start()
+    try:
+        with _out_of_reach("scipy.linalg"):
+            yield
+    finally:
+        timer.cancel()
+
+
+@contextmanager
+def _out_of_reach(module: str) -> Iterator[None]:
+    """Let a module count as not installed, unless it is loaded already.
+
+    The compiler's start-up loads scipy.linalg, only to see whether it is there: a sixth of the whole run.
+    """
+    known = module in sys.modules
+    if not known:
+        sys.modules[module] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        if not known:
+            del sys.modules[module]

@@ -1,0 +1,99 @@
+"""Keys and units of the results, and all of a solution as the columns of a table: one row per ball of every case."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION
+from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from qsbearing.scene.scene import Scene
+    from qsbearing.solution import Solution
+
+DISPLACEMENT = (
+    ("axial_um", um),
+    ("radial_y_um", um),
+    ("radial_z_um", um),
+    ("tilt_y_mrad", mrad),
+    ("tilt_z_mrad", mrad),
+)
+LOAD = (("axial_N", 1.0), ("radial_y_N", 1.0), ("radial_z_N", 1.0), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0))
+STIFFNESS = (
+    ("axial_N_per_um", 1.0 / um),
+    ("radial_y_N_per_um", 1.0 / um),
+    ("radial_z_N_per_um", 1.0 / um),
+    ("tilt_y_Nm_per_mrad", 1.0 / mrad),
+    ("tilt_z_Nm_per_mrad", 1.0 / mrad),
+)
+"""Keys of the five channels, and the size of each key's unit in SI."""
+
+CONTACT = (
+    ("load_N", "load", 1.0),
+    ("angle_deg", "angle", deg),
+    ("approach_um", "approach", um),
+    ("semi_major_axis_mm", "semi_major_axis", mm),
+    ("semi_minor_axis_mm", "semi_minor_axis", mm),
+    ("max_pressure_MPa", "max_pressure", MPa),
+    ("required_friction", "required_friction", 1.0),
+)
+BALL = (
+    ("centrifugal_force_N", "centrifugal_force", 1.0),
+    ("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm),
+    ("orbital_speed_rpm", "orbital_speed", rpm),
+    ("rotation_speed_rpm", "rotation_speed", rpm),
+)
+"""Keys, names of the arrays of a solution, and the size of each key's unit in SI."""
+
+
+def columns(solution: Solution) -> dict[str, NDArray]:
+    """Everything that there is to say about each ball; arrays of shape (row,), units in their names.
+
+    The case's results, its status and the scene's numbers, under the keys of a scene file, follow on each of its rows.
+    Cases not solved have their rows, with NaN for results. What the scene does not call for has no column.
+    """
+    exists = np.isfinite(solution.azimuth)
+    rows = np.nonzero(exists)
+
+    def per_case(values: Any) -> NDArray:
+        return np.broadcast_to(np.asarray(values)[..., None], exists.shape)[exists]
+
+    out: dict[str, NDArray] = {f"case_{axis}": number for axis, number in enumerate(rows[:-1])}
+    out |= {"ball": rows[-1], "azimuth_deg": solution.azimuth[exists] / deg}
+    for side in ("inner", "outer"):
+        for key, name, size in CONTACT:
+            values = getattr(getattr(solution, side), name)
+            if values is not None:
+                out[f"{side}_{key}"] = values[exists] / size
+    for key, name, size in BALL:
+        values = getattr(solution, name)
+        if values is not None:
+            out[key] = values[exists] / size
+    if solution.raceway_control is not None:
+        out["raceway_control"] = solution.raceway_control[exists]
+    diagonal = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
+    for kind, keys, values in (
+        ("displacement", DISPLACEMENT, solution.displacement),
+        ("load", LOAD, solution.load),
+        ("stiffness", STIFFNESS, diagonal),
+    ):
+        out |= {f"ring_{kind}_{key}": per_case(values[..., i] / size) for i, (key, size) in enumerate(keys)}
+    out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
+    return out | {key: per_case(values) for key, values in _inputs(solution.scene).items()}
+
+
+def _inputs(scene: Scene) -> dict[str, Any]:
+    """The scene's numbers, in the units of a scene file and under its keys."""
+    holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
+    holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
+    out: dict[str, Any] = {"bearing": scene.bearing.name}
+    for prefix, keys, holder in holders:
+        for key in keys:
+            values = getattr(holder, key.field)
+            if values is not None:
+                out[prefix + key.name] = np.vectorize(key.in_file, otypes=[float])(np.asarray(values, float))
+    return out

@@ -1,0 +1,1 @@
+"""The point contact of two elastic bodies."""

@@ -1,0 +1,179 @@
+"""From a scene to case records: every array field broadcast over the case axes, dimensions taken out."""
+
+from __future__ import annotations
+
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.compiled import entry
+from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, stiffness_at_angle
+from qsbearing.effects.gyroscopic_moment import SHARES_CODES
+from qsbearing.effects.raceway_control import CONTROL_CODES
+from qsbearing.kernel.case import CASE
+from qsbearing.scene.bearing import BearingKind
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+@entry
+def _groove_stiffness(
+    form: int, pitch: NDArray, inner_f: NDArray, outer_f: NDArray, cosine: NDArray, inner: NDArray, outer: NDArray
+) -> None:
+    for i in range(pitch.size):
+        sine = np.sqrt(max(0.0, 1.0 - cosine[i] * cosine[i]))
+        inner[i] = stiffness_at_angle(form, 1.0, pitch[i], inner_f[i], 1.0, sine, cosine[i], INNER_SIDE)[0]
+        outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], OUTER_SIDE)[0]
+
+
+def case_arrays(scene: Scene) -> dict[str, Any]:
+    """Every number of a scene that may span cases, by a short name; None where the scene does not give it."""
+    bearing, operation = scene.bearing, scene.operation
+    ball, ring = bearing.ball_material, bearing.ring_material
+    values = {
+        "ball_count": bearing.ball_count,
+        "ball_diameter": bearing.ball_diameter,
+        "pitch_diameter": bearing.pitch_diameter,
+        "inner_groove_radius": bearing.inner_groove_radius,
+        "outer_groove_radius": bearing.outer_groove_radius,
+        "free_contact_angle": bearing.free_contact_angle,
+        "ball_modulus": ball.elastic_modulus,
+        "ball_poisson": ball.poisson_ratio,
+        "ball_density": ball.density,
+        "ring_modulus": ring.elastic_modulus,
+        "ring_poisson": ring.poisson_ratio,
+        "speed": operation.speed,
+        "outer_speed": operation.outer_speed,
+        "first_ball_azimuth": operation.first_ball_azimuth,
+    }
+    for channel in CHANNELS:
+        values[channel.load] = getattr(operation, channel.load)
+        values[channel.displacement] = getattr(operation, channel.displacement)
+    return values
+
+
+def _varying(values: dict[str, Any]) -> dict[str, NDArray]:
+    """The values that vary over cases; numbers of other kinds (a fraction, a decimal) become floats in place."""
+    arrays = {}
+    for name, value in values.items():
+        if value is None or isinstance(value, float | int):
+            continue  # at once, for most values are plain numbers
+        if np.shape(value):
+            arrays[name] = np.asarray(value, float)
+        else:
+            values[name] = float(value)
+    return arrays
+
+
+class CaseMaker:
+    """Flattens a scene to case records, any stretch of its cases at a time (a million need not exist at once).
+
+    Raises:
+        ValueError: the scene's array fields do not broadcast to common case axes.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._values = case_arrays(scene)
+        self._arrays = _varying(self._values)
+        self.shape = self._common_shape()
+        """The leading case axes: all array fields broadcast together."""
+        self.count = prod(self.shape)
+        counts = self._arrays.get("ball_count")
+        self.ball_axis = int(self._values["ball_count"] if counts is None else counts.max())
+        """Length of the ball axis: the largest ball count."""
+
+    def _common_shape(self) -> tuple[int, ...]:
+        if not self._arrays:
+            return ()
+        try:
+            return np.broadcast_shapes(*(array.shape for array in self._arrays.values()))
+        except ValueError:
+            named = {name: array.shape for name, array in self._arrays.items()}
+            raise ValueError(f"the scene's array fields do not broadcast to common case axes: {named}") from None
+
+    def _stretch(self, start: int, stop: int) -> dict[str, Any]:
+        """All fields over these cases: plain numbers where they do not vary."""
+        values = dict(self._values)
+        index: Any = None
+        for name, array in self._arrays.items():
+            if array.shape == self.shape and array.flags.c_contiguous:
+                values[name] = array.reshape(-1)[start:stop]
+                continue
+            if index is None:
+                index = np.unravel_index(np.arange(start, stop), self.shape)
+            values[name] = np.broadcast_to(array, self.shape)[index]
+        return values
+
+    def make(self, start: int = 0, stop: int | None = None) -> NDArray:
+        """Case records of the flattened cases [start, stop)."""
+        stop = self.count if stop is None else stop
+        scene = self.scene
+        v = self._stretch(start, stop)
+        cases = np.empty(stop - start, CASE)
+
+        diameter = v["ball_diameter"]
+        modulus = 2.0 / (
+            (1.0 - v["ball_poisson"] ** 2) / v["ball_modulus"] + (1.0 - v["ring_poisson"] ** 2) / v["ring_modulus"]
+        )
+        force = modulus * diameter * diameter
+        mass = v["ball_density"] * (np.pi / 6.0) * diameter**3
+        speed = np.sqrt(force / (mass * diameter))
+        pitch = v["pitch_diameter"] / diameter
+        inner_f = v["inner_groove_radius"] / diameter
+        outer_f = v["outer_groove_radius"] / diameter
+        sin_free, cos_free = np.sin(v["free_contact_angle"]), np.cos(v["free_contact_angle"])
+
+        cases["ball_count"] = v["ball_count"]
+        cases["pitch_diameter"] = pitch
+        cases["inner_coefficient"] = inner_f
+        cases["outer_coefficient"] = outer_f
+        cases["sin_free"] = sin_free
+        cases["cos_free"] = cos_free
+        lever = 0.5 * pitch
+        if scene.tilt_lever is TiltLever.GROOVE_CENTRE:
+            lever = lever + (inner_f - 0.5) * cos_free
+        cases["tilt_lever"] = lever
+        self._fill_stiffness(cases, pitch, inner_f, outer_f, cos_free)
+        cases["first_azimuth"] = v["first_ball_azimuth"]
+        cases["inner_speed"] = v["speed"] / speed
+        cases["outer_speed"] = 0.0 if v["outer_speed"] is None else v["outer_speed"] / speed
+        prescribed, displacement_given = cases["prescribed"], cases["displacement_given"]
+        for i, channel in enumerate(CHANNELS):
+            load, displacement = v[channel.load], v[channel.displacement]
+            displacement_given[:, i] = displacement is not None
+            if displacement is not None:
+                prescribed[:, i] = displacement if channel.is_rotation else displacement / diameter
+            elif load is None:
+                prescribed[:, i] = 0.0
+            else:
+                prescribed[:, i] = load / (force * diameter) if channel.is_rotation else load / force
+        gyroscopic = scene.gyroscopic_moment
+        cases["centrifugal"] = scene.centrifugal_force is not None
+        cases["gyroscopic"] = gyroscopic is not None
+        cases["actual_angle"] = scene.hertz_angle is HertzAngle.ACTUAL
+        cases["one_sided"] = scene.bearing.kind is BearingKind.ANGULAR_CONTACT
+        cases["control"] = 0 if scene.raceway_control is None else CONTROL_CODES[scene.raceway_control]
+        cases["shares"] = 0 if gyroscopic is None else SHARES_CODES[gyroscopic.moment_shares]
+        cases["form"] = FORM_CODES[scene.hertz_form]
+        cases["length"] = diameter
+        cases["force"] = force
+        cases["speed"] = speed
+        return cases
+
+    def _fill_stiffness(self, cases: NDArray, pitch: Any, inner_f: Any, outer_f: Any, cos_free: Any) -> None:
+        cosine = 1.0 if self.scene.hertz_angle is HertzAngle.ZERO else cos_free
+        cases["hertz_cosine"] = cosine
+        # One evaluation where the bearing does not vary, which is most often.
+        parts = np.broadcast_arrays(pitch, inner_f, outer_f, cosine)
+        geometry = np.array([np.atleast_1d(part) for part in parts], float)
+        inner, outer = np.empty_like(geometry[0]), np.empty_like(geometry[0])
+        form = FORM_CODES[self.scene.hertz_form]
+        _groove_stiffness(form, geometry[0], geometry[1], geometry[2], geometry[3], inner, outer)
+        cases["inner_stiffness"] = inner
+        cases["outer_stiffness"] = outer
+        cases["series_stiffness"] = (inner ** (-2.0 / 3.0) + outer ** (-2.0 / 3.0)) ** -1.5

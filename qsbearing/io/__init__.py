@@ -1,0 +1,1 @@
+"""Scene files, the catalogue, and results as text and files."""

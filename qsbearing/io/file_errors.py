@@ -1,0 +1,83 @@
+"""What is wrong with a scene file, said in the file's own keys and units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from qsbearing.scene.keys import Key, find, path_in_file, with_file_keys
+from qsbearing.validation import ErrorDetail, SceneError, printable, shown, unit_mistake
+
+
+@dataclass(frozen=True)
+class FileErrorDetail:
+    """One thing wrong with one key."""
+
+    key: str
+    """Table and key, e.g. `bearing.ball_diameter_mm`; empty where it is the whole file."""
+    problem: str
+    value: Any = None
+    """As the file gives it."""
+    unit: str = ""
+    allowed: tuple[float, float] | None = None
+    """Inclusive range, in the file's unit."""
+    cause: str = ""
+    """What is likely meant, or what to write instead."""
+    note: str = ""
+    """Where the value came from, if not from the file itself."""
+
+    def __str__(self) -> str:
+        head = self.key
+        if self.value is not None:
+            text = shown(self.value)
+            head += f" = {text.lower() if isinstance(self.value, bool) else text}"
+            if self.unit and isinstance(self.value, float | int):
+                head += f" {self.unit}"
+        if self.note:
+            head += f" ({self.note})"
+        lines = [f"{head}: {self.problem}" if head else self.problem]
+        if self.allowed is not None:
+            lines.append(f"    allowed: {self.allowed[0]:.6g} to {self.allowed[1]:.6g} {self.unit}".rstrip())
+        if self.cause:
+            lines.append(f"    {self.cause}")
+        return "\n".join(map(printable, lines))
+
+
+class SceneFileError(SceneError):
+    """A scene file that cannot be used; `errors` holds every reason found, and the text shows them all."""
+
+    def __init__(self, file: str, errors: Iterable[FileErrorDetail]) -> None:
+        self.file = file
+        self.errors = tuple(errors)  # type: ignore[arg-type]
+        count = f"{len(self.errors)} errors" if len(self.errors) != 1 else "1 error"
+        ValueError.__init__(self, "\n".join([f"{printable(file)}: {count}", *map(str, self.errors)]))
+
+
+def translate(error: ErrorDetail) -> FileErrorDetail:
+    """An error of the Python objects as the file's reader needs it."""
+    key = find(error.field) or Key("", "")
+    value, allowed, cause = error.value, error.allowed, error.cause
+    is_number = isinstance(value, float | int) and not isinstance(value, bool)
+    # Python's advice on units is about SI; the file's unit needs its own. A more particular cause stays.
+    if allowed is not None and error.quantity is not None and is_number:
+        for_python = unit_mistake(value, error.quantity, *allowed)
+        cause = _unit_mistake(key, value / key.size, allowed) if cause == for_python else cause
+    if allowed is not None:
+        allowed = (allowed[0] / key.size, allowed[1] / key.size)
+    value = key.in_file(value) if is_number else value
+    problem, cause = with_file_keys(error.problem), with_file_keys(cause)
+    return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause)
+
+
+def _unit_mistake(key: Key, value: float, allowed: tuple[float, float]) -> str:
+    """A sentence naming the unit in which a value out of range would be in range; empty where none would.
+
+    Args:
+        value: in the key's unit.
+        allowed: inclusive range, SI.
+    """
+    for _, name, size in key.quantity.units if key.quantity else ():
+        if size != key.size and value != 0.0 and allowed[0] <= value * size <= allowed[1]:
+            return f"Given in {name}? {value:.6g} {name} = {value * size / key.size:.6g} {key.unit}"
+    return ""

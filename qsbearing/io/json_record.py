@@ -1,0 +1,94 @@
+"""A solved case as plain data in the field's units: the object that `run --json` prints."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing import __version__, messages
+from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD
+from qsbearing.units import deg
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from qsbearing.scene.scene import Scene
+    from qsbearing.solution import Solution
+
+Place = tuple[int, ...]
+
+
+def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
+    """One case as the object that `run --json` prints.
+
+    Args:
+        index: the case, along the solution's case axes; nothing for a single case.
+
+    Returns:
+        None stands for a number that there is not: not called for by the scene, not solved, or not defined.
+    """
+    scene = solution.scene
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
+        "version": __version__,
+        "status": str(np.asarray(solution.status)[index]),
+        "message": messages.message(solution, index),
+        "residual": number(np.asarray(solution.residual)[index]),
+        "iterations": int(np.asarray(solution.iterations)[index]),
+        "seconds": solution.seconds,
+        "bearing": scene.bearing.name,
+        "effects": [effect.name for effect in scene.ball_effects],
+        "choices": choices(scene),
+        "warnings": messages.warnings(solution, index),
+        "displacement": _channels(DISPLACEMENT, solution.displacement[index]),
+        "load": _channels(LOAD, solution.load[index]),
+        "stiffness_SI": _rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": _rows(solution.compliance[index]) if solved else None,
+        "balls": balls(solution, index) if solved else [],
+    }
+
+
+def choices(scene: Scene) -> dict[str, str | None]:
+    """The scene's choices among several models, in the words of its file; None where nothing asks."""
+    gyroscopic = scene.gyroscopic_moment
+    return {
+        "raceway_control": None if scene.raceway_control is None else str(scene.raceway_control),
+        "moment_shares": None if gyroscopic is None else str(gyroscopic.moment_shares),
+        "hertz_angle": str(scene.hertz_angle),
+        "hertz_form": str(scene.hertz_form),
+        "tilt_lever": str(scene.tilt_lever),
+    }
+
+
+def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
+    """What there is to say about each ball of one case, under the keys of `run --json`."""
+
+    def value(array: NDArray | None, ball: int, size: float) -> float | None:
+        return None if array is None else number(array[index][ball] / size)
+
+    def contact(side: str, ball: int) -> dict[str, float | None]:
+        return {key: value(getattr(getattr(solution, side), name), ball, size) for key, name, size in CONTACT}
+
+    control = solution.raceway_control
+    return [
+        {"azimuth_deg": value(solution.azimuth, ball, deg), "inner": contact("inner", ball)}
+        | {"outer": contact("outer", ball)}
+        | {key: value(getattr(solution, name), ball, size) for key, name, size in BALL}
+        | {"raceway_control": None if control is None else str(control[index][ball])}
+        for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
+    ]
+
+
+def number(value: Any) -> float | None:
+    """The value as a float; None for NaN and infinity, which JSON has not."""
+    return float(value) if math.isfinite(value) else None
+
+
+def _channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:
+    return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
+
+
+def _rows(matrix: NDArray) -> list[list[float | None]]:
+    return [[number(value) for value in row] for row in matrix]

@@ -1,0 +1,211 @@
+"""The report on a solved case as tables for people: ring, contacts, ellipses, motion, warnings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from qsbearing.columns import STIFFNESS
+from qsbearing.flatten import case_arrays
+from qsbearing.io.json_record import record
+from qsbearing.io.tables import plain_table
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.units import deg, mm, rpm
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from qsbearing.solution import Solution
+
+SAME = 7
+"""Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
+makes them equal but for rounding."""
+
+RING_NOISE = 1e-10
+"""Ring loads below this part of the largest are rounding."""
+
+_UNITS = (("um", "N", "N/um"), ("mrad", "Nm", "Nm/mrad"))
+
+
+def result(solution: Solution) -> Group:
+    """The report on a single case: heading, ring, balls, warnings."""
+    found = record(solution)
+    parts: list[RenderableType] = [_heading(solution, found)]
+    if found["status"] == "converged":
+        rows, count = distinct(found["balls"]), len(found["balls"])
+        tables = [_ring(solution, found), _contacts(rows, count), _ellipses(rows, count)]
+        if found["effects"]:
+            tables.append(_motion(rows, count, found))
+        parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
+    for sentence in found["warnings"]:
+        parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
+    return Group(*parts)
+
+
+@dataclass(frozen=True)
+class Row:
+    """Balls that are alike, by their numbers, and what is true of each of them."""
+
+    members: list[int]
+    ball: dict[str, Any]
+    azimuths: list[float]
+
+    def names(self, count: int) -> tuple[str, str]:
+        """The balls and their azimuths: one, a symmetric pair, or how many."""
+        if len(self.members) == count > 1:
+            return f"all {count}", "any"
+        places = [f"{azimuth:.2f}".rstrip("0").rstrip(".") for azimuth in self.azimuths]
+        if len(self.members) > 2:
+            return f"{len(self.members)} balls", f"{places[0]} ... {places[-1]}"
+        return ", ".join(map(str, self.members)), ", ".join(places)
+
+
+def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
+    """The balls with equal ones gathered, in the order of their first."""
+    largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
+    rows: dict[Any, Row] = {}
+    for number, ball in enumerate(balls):
+        loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
+        angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
+        alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
+        row = rows.setdefault(alike, Row([], ball, []))
+        row.members.append(number)
+        row.azimuths.append(ball["azimuth_deg"])
+    return list(rows.values())
+
+
+def _heading(solution: Solution, found: dict[str, Any]) -> Text:
+    numbers = {name: float(values) for name, values in case_arrays(solution.scene).items() if values is not None}
+    bearing = solution.scene.bearing
+    lines = Text.assemble((bearing.name or "Bearing", "bold"))
+    lines.append(
+        f"  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
+        f"{numbers['ball_diameter'] / mm:.6g} mm on {numbers['pitch_diameter'] / mm:.6g} mm, free contact angle "
+        f"{numbers['free_contact_angle'] / deg:.5g} deg\nInner ring {numbers['speed'] / rpm:.6g} rpm"
+    )
+    if "outer_speed" in numbers:
+        lines.append(f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm")
+    lines.append(f". {_asked_for(found)}\n")
+    solved = found["status"] == "converged"
+    lines.append(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
+    if solved:
+        lines.append(
+            f" in {found['iterations']} iterations, {_duration(found['seconds'])}; largest imbalance "
+            f"{found['residual']:.1e} of the largest force"
+        )
+    else:
+        lines.append(f"\n{found['message']}")
+    return lines
+
+
+def _asked_for(found: dict[str, Any]) -> str:
+    """The effects, and the choices that are not the usual ones."""
+    if not found["effects"]:
+        text = "No ball effects (static)"
+    else:
+        text = " and ".join(found["effects"]).capitalize()
+        text += f"; raceway control: {found['choices']['raceway_control']}"
+        if found["choices"]["moment_shares"]:
+            text += f"; moment shares: {found['choices']['moment_shares']}"
+    for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
+        if found["choices"][name] != usual:
+            text += f"; {name}: {found['choices'][name]}"
+    return text.replace("_", " ")
+
+
+def _duration(seconds: float) -> str:
+    if seconds >= 0.1:
+        return f"{seconds:.2g} s (starting the compiled solver included)"
+    return f"{seconds * 1e3:.2g} ms"
+
+
+def _ring(solution: Solution, found: dict[str, Any]) -> Table:
+    heading = ("", "displacement", "", "load", "", "stiffness", "", "imposed")
+    table = plain_table("Inner ring", heading, left=(0, 2, 4, 6, 7))
+    table.columns[7].style = "dim"
+    displacements, loads = list(found["displacement"].values()), list(found["load"].values())
+    # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
+    lever = float(solution.scene.bearing.pitch_diameter) / 2.0  # type: ignore[arg-type]
+    noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
+    for i, channel in enumerate(CHANNELS):
+        length, force, rate = _UNITS[channel.is_rotation]
+        table.add_row(
+            channel.label,
+            *(_digits(displacements[i], 1e-9), length),
+            *(_digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
+            *(_digits(found["stiffness_SI"][i][i] / STIFFNESS[i][1], 1e-9), rate),
+            "load" if getattr(solution.scene.operation, channel.displacement) is None else "displacement",
+        )
+    return table
+
+
+def _digits(value: float, noise: float) -> str:
+    return "0" if abs(value) <= noise else f"{value:.6g}"
+
+
+def _contacts(rows: list[Row], count: int) -> Table:
+    heading = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
+    pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
+    return _per_ball("Contacts", heading, rows, count, [_contact_column(rows, *pair) for pair in pairs])
+
+
+def _ellipses(rows: list[Row], count: int) -> Table:
+    heading = ("a i\nmm", "b i\nmm", "a o\nmm", "b o\nmm", "delta i\num", "delta o\num")
+    pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
+    pairs += [("inner", "approach_um"), ("outer", "approach_um")]
+    title = "Contact ellipses: a across, b along the rolling direction; delta: approach"
+    return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
+
+
+def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
+    gyroscopic = "gyroscopic_moment" in found["effects"]
+    title = "Ball inertia and motion" + ("; mu: the friction that Mg demands" if gyroscopic else "")
+    columns: dict[str, list[str]] = {}
+    for key, name in (("centrifugal_force_N", "Fc\nN"), ("gyroscopic_moment_Nmm", "Mg\nNmm")):
+        if any(row.ball[key] is not None for row in rows):
+            columns[name] = _column([row.ball[key] for row in rows])
+    if gyroscopic:
+        for side in ("inner", "outer"):
+            columns[f"mu {side[0]}\n-"] = _column([row.ball[side]["required_friction"] for row in rows], 4)
+    for key, name in (("orbital_speed_rpm", "orbit\nrpm"), ("rotation_speed_rpm", "rotation\nrpm")):
+        columns[name] = _column([row.ball[key] for row in rows], 5)
+    if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
+        columns["control"] = [row.ball["raceway_control"] for row in rows]
+    return _per_ball(title, list(columns), rows, count, list(columns.values()))
+
+
+def _contact_column(rows: list[Row], side: str, key: str, significant: int = 6) -> list[str]:
+    """A contact's numbers; none where the two do not touch: no ellipse, no contact line, only a gap."""
+    contacts = [row.ball[side] for row in rows]
+    always = key in ("load_N", "approach_um")
+    return _column([each[key] if always or each["load_N"] != 0.0 else None for each in contacts], significant)
+
+
+def _column(values: list[float | None], significant: int = 6) -> list[str]:
+    """Cells with the decimals that give the largest value its significant digits; a dash where there is no number."""
+    largest = max((abs(value) for value in values if value is not None), default=0.0)
+    if largest == 0.0:
+        return ["-" if value is None else "0" for value in values]
+    decimals = min(max(significant - 1 - math.floor(math.log10(largest)), 0), 6)
+    return ["-" if value is None else _rounded(value, decimals) for value in values]
+
+
+def _rounded(value: float, decimals: int) -> str:
+    text = f"{value:.{decimals}f}"
+    return text if float(text) != 0.0 else "0"  # no "-0.000"
+
+
+def _per_ball(
+    title: str, heading: Sequence[str], rows: list[Row], count: int, columns: Sequence[Sequence[str]]
+) -> Table:
+    table = plain_table(title, ("ball", "azimuth\ndeg", *heading), left=(0, 1))
+    for row, cells in zip(rows, zip(*columns, strict=True), strict=True):
+        lost = row.ball["inner"]["load_N"] == 0.0
+        table.add_row(*row.names(count), *cells, style="dim" if lost else None)
+    return table

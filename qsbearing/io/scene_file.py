@@ -1,0 +1,334 @@
+"""A scene file becomes a Scene: its tables checked, every error of all of them reported at once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from enum import StrEnum
+from math import isnan, nan
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
+
+from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, MomentShares
+from qsbearing.io import catalogue
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.io.read_toml import read_toml
+from qsbearing.io.unknown_key import near, suggest
+from qsbearing.scene.bearing import FREE_ANGLE_MAX, BallBearing, BearingKind, free_angle_from_clearance
+from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, SECTIONS, Key, find
+from qsbearing.scene.material import BY_NAME, Material
+from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.scene.scene import CHOICES, Scene, effect_errors
+from qsbearing.units import deg, mm
+from qsbearing.validation import ErrorDetail, SceneError, printable
+
+BALL_EFFECTS = (CentrifugalForce.name, GyroscopicMoment.name)
+AGREEMENT = 0.005
+"""A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
+tables print both to three or four digits)."""
+
+_CHOICES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+Errors = list[FileErrorDetail]
+
+
+def _model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> type[BaseModel]:
+    """How a table is built: numbers under its keys, and what else it has.
+
+    Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
+    """
+    fields: dict[str, Any] = {key.name: (float | None, None) for key in keys}
+    config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+    return create_model(section, __config__=config, **fields | others)
+
+
+def _choices(*names: str) -> dict[str, Any]:
+    return {name: (_CHOICES[name] | None, Field(None, strict=False)) for name in names}
+
+
+_MATERIAL = _model("material", MATERIAL, {})
+_BEARING = _model("bearing", BEARING, {"name": (str | None, None)} | _choices("kind"))
+_OPERATION = _model("operation", OPERATION, {})
+_EFFECTS = _model("effects", (), {"ball": (list[str], [])} | _choices("moment_shares", *CHOICES))
+
+
+def load_scene(source: str | os.PathLike[str]) -> Scene:
+    """The scene of a TOML file, or a built-in example by its name.
+
+    Args:
+        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first.
+
+    Raises:
+        SceneFileError: everything that is wrong with the file, at once.
+    """
+    path = Path(source)
+    if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not _is_file(path):
+        entry = catalogue.find(source)
+        if entry is None:
+            cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
+            error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
+            raise SceneFileError(repr(source), [error])
+        return scene_of({"bearing": {"name": entry.name}, **entry.example}, entry.name)
+    return scene_of(read_toml(path), str(source), printable(path.stem))
+
+
+def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
+    """The scene of a parsed file.
+
+    Args:
+        file: what to call the file in errors.
+        label: name of the bearing where the catalogue gives none.
+
+    Raises:
+        SceneFileError: everything that is wrong with it.
+    """
+    errors: Errors = []
+    _find_unknown_tables(document, errors)
+    bearing = _bearing(document, label, errors)
+    operation = _operation(document, errors)
+    effects = _effects(document, errors)
+    if errors or bearing is None or operation is None:
+        raise SceneFileError(file, errors)
+    try:
+        return Scene(bearing, operation, **effects)
+    except SceneError as error:
+        raise SceneFileError(file, map(translate, error.errors)) from None
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a name too long, or with a null character
+        return False
+
+
+# Structure: known tables and keys, values of the right kind -----------------------------------------------------------
+
+
+def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    for name, value in list(document.items()):
+        if name in SECTIONS:
+            continue
+        if isinstance(value, dict):
+            meant = near(name.lower(), SECTIONS, 0.5)
+            cause = f"Did you mean [{meant}]?" if meant else "A scene has [bearing], [operation] and [effects]"
+            errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
+            if meant:
+                document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
+        else:
+            errors.append(FileErrorDetail(name, "unknown key", cause=suggest(name, "", value).sentence))
+
+
+def _checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
+    """The table's usable values; and the keys that have none although the file tries to give one."""
+    if not isinstance(table, dict):
+        cause = f"Write it as [{path}], keys below it"
+        errors.append(FileErrorDetail(path, "is not a table", table, cause=cause))
+        return {}, set()
+    unusable: set[str] = set()
+    usable = dict(table)
+    try:
+        model.model_validate(table)
+    except ValidationError as error:
+        for detail in error.errors(include_url=False):
+            name = str(detail["loc"][0])
+            usable.pop(name, None)
+            if detail["type"] == "extra_forbidden":
+                suggestion = suggest(name, model.__name__, table[name])
+                errors.append(FileErrorDetail(f"{path}.{name}", "unknown key", cause=suggestion.sentence))
+                unusable |= {suggestion.key} - set(table)
+            else:
+                errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
+                unusable.add(name)
+    good = dict(model.model_validate(usable))
+    return {name: value for name, value in good.items() if value is not None}, unusable
+
+
+def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:
+    if name in _CHOICES:
+        names = list(_CHOICES[name])
+        cause = _did_you_mean(value, names) or f"One of {', '.join(names)}"
+        return FileErrorDetail(path, "is none of the choices", value, cause=cause)
+    if name == "ball":
+        cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'
+        return FileErrorDetail(path, "is not a list of ball effects", value, cause=cause)
+    key = find(path)
+    if key is None:
+        return FileErrorDetail(path, "is not a word in quotation marks", value)
+    if kind == "finite_number" or type(value) is int:
+        return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
+    cause = f"A number{f' in {key.unit}' if key.unit else ''}, without quotation marks"
+    return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
+
+
+def _did_you_mean(value: Any, known: Sequence[str]) -> str:
+    word = value.lower().replace(" ", "_").replace("-", "_") if isinstance(value, str) else ""
+    meant = near(word, known, 0.5)
+    return f"Did you mean {meant}?" if meant else ""
+
+
+def _si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
+    """The numbers of a table by their Python names."""
+    return {key.field: good[key.name] * key.size for key in keys if key.name in good}
+
+
+def _judged(error: SceneError) -> list[ErrorDetail]:
+    """The errors of Python's objects, but for the NaN that stands where the file has no usable number."""
+    return [each for each in error.errors if not (isinstance(each.value, float) and isnan(each.value))]
+
+
+# Bearing --------------------------------------------------------------------------------------------------------------
+
+
+def _bearing(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
+    if "bearing" not in document:
+        cause = f'At the least name = "{catalogue.entries()[0].name}"'
+        errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
+    table = document.get("bearing")
+    if table is None:
+        return None
+    before = len(errors)
+    numbers = {key: value for key, value in table.items() if key not in MATERIALS} if isinstance(table, dict) else table
+    good, unusable = _checked(_BEARING, "bearing", numbers, errors)
+    if not isinstance(table, dict):
+        return None
+    good |= {side: table[side] for side in MATERIALS if side in table}
+    entry = catalogue.find(good["name"]) if "name" in good else None
+    from_entry: dict[str, Any] = {}
+    if entry is not None:
+        label = f"{entry.name}, modified" if set(good) - {"name"} else entry.name
+        either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
+        replaced = set(good) | unusable | (either if either & set(table) else set())
+        from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
+        good = from_entry | good
+    elif "name" in good:
+        cause = (
+            f"{catalogue.nearest(good['name'])} For a bearing of your own leave the name out and give every other key"
+        )
+        errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
+    if entry is not None or "name" not in table:
+        _find_missing(set(good) | unusable, errors)
+    materials = {side: _material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
+    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | _si(BEARING, good)
+    fields |= materials
+    fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
+    bearing, wrong = _made(fields, good)
+    for error in wrong:
+        key = error.key.partition(".")[2]
+        note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
+        errors.append(FileErrorDetail(**{**vars(error), "note": note}))
+    return bearing if len(errors) == before else None
+
+
+def _find_missing(present: set[str], errors: Errors) -> None:
+    """Keys that a bearing needs, from the file or its catalogue entry."""
+    for name in (*(key.name for key in BEARING[:5]), *MATERIALS):
+        if name not in present:
+            cause = "'steel', 'silicon nitride', or a table" if name in MATERIALS else ""
+            errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
+    if not present & {"free_contact_angle_deg", "diametral_clearance_mm"}:
+        errors.append(
+            FileErrorDetail("bearing.free_contact_angle_deg", "missing", cause="Or give diametral_clearance_mm")
+        )
+
+
+def _material(path: str, value: Any, errors: Errors) -> Material:
+    unknown = Material(nan, nan, nan)
+    if isinstance(value, dict):
+        good, unusable = _checked(_MATERIAL, path, value, errors)
+        missing = [key.name for key in MATERIAL[:3] if key.name not in good and key.name not in unusable]
+        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
+        return Material(**vars(unknown) | _si(MATERIAL, good))
+    if value is None:
+        return unknown
+    if not isinstance(value, str):
+        errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
+        return unknown
+    if value.lower() not in BY_NAME:
+        near_one = near(value.lower(), BY_NAME, 0.5)
+        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
+        cause = f"Did you mean {near_one}?" if near_one else others
+        errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
+    return BY_NAME.get(value.lower(), unknown)
+
+
+def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | None, Errors]:
+    """The bearing of these fields in SI, or what is wrong with it."""
+    angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
+    has_angle, has_clearance = "free_contact_angle_deg" in good, "diametral_clearance_mm" in good
+    unwanted = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
+    fields = {name: value for name, value in fields.items() if name != unwanted}
+    make = BallBearing.from_diametral_clearance if unwanted == "free_contact_angle" else BallBearing
+    try:
+        bearing = make(**fields)
+    except SceneError as error:
+        return None, list(map(translate, _judged(error)))
+    wrong: Errors = []
+    if has_angle and bearing.kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle / deg <= FREE_ANGLE_MAX:
+        given = good["free_contact_angle_deg"]
+        cause = (
+            f"Given in radians? {given:.6g} rad = {given / deg:.5g} deg. "
+            "If so small an angle is meant, give diametral_clearance_mm instead"
+        )
+        problem = "is no angle of an angular-contact bearing"
+        wrong.append(FileErrorDetail("bearing.free_contact_angle_deg", problem, given, "deg", cause=cause))
+    elif has_angle and has_clearance and abs(bearing.diametral_clearance - clearance) > AGREEMENT * abs(clearance):
+        implied = float(free_angle_from_clearance(clearance, bearing.groove_centre_distance)) / deg
+        meant = f"this clearance makes {implied:.6g} deg" if implied == implied else "no angle has this clearance"
+        problem = (
+            f"does not agree with free_contact_angle_deg = {angle / deg:.6g}: that angle makes "
+            f"{float(bearing.diametral_clearance) / mm:.6g} mm, {meant}"
+        )
+        cause = "Either defines the other: keep one, or correct one"
+        given = good["diametral_clearance_mm"]
+        wrong.append(FileErrorDetail("bearing.diametral_clearance_mm", problem, given, "mm", cause=cause))
+    return bearing, wrong
+
+
+# Operation and effects ------------------------------------------------------------------------------------------------
+
+
+def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
+    if "operation" not in document:
+        needed = "At the least one load or displacement, such as axial_load_N = 1000; speed_rpm if it turns"
+        errors.append(FileErrorDetail("[operation]", "missing", cause=needed))
+    table = document.get("operation")
+    if table is None:
+        return None
+    good, unusable = _checked(_OPERATION, "operation", table, errors)
+    # A number that cannot be used still says that its channel is given: NaN stands for it.
+    fields = _si(OPERATION, dict.fromkeys(unusable, nan) | good)
+    if isinstance(table, dict) and not any(
+        channel.load in fields or channel.displacement in fields for channel in CHANNELS
+    ):
+        cause = "Give a load or a displacement, such as axial_load_N = 1000; if none is meant, axial_load_N = 0"
+        errors.append(FileErrorDetail("operation", "neither a load nor a displacement is given", cause=cause))
+    try:
+        return Operation(**fields)
+    except SceneError as error:
+        errors += map(translate, _judged(error))
+        return None
+
+
+def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The fields of `Scene` that say what is asked for."""
+    table = document.get("effects")
+    good, unusable = _checked(_EFFECTS, "effects", {} if table is None else table, errors)
+    names, shares = good.get("ball", []), good.pop("moment_shares", None)
+    for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
+        cause = _did_you_mean(name, BALL_EFFECTS) or f"One of {', '.join(BALL_EFFECTS)}"
+        errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
+        unusable.add("ball")
+    made: dict[str, BallEffect] = {
+        CentrifugalForce.name: CentrifugalForce(),
+        GyroscopicMoment.name: GyroscopicMoment(shares or MomentShares.CONTROLLING),
+    }
+    effects = tuple(made[name] for name in names if name in made)
+    if not unusable & {"ball", "raceway_control"}:
+        errors += map(translate, effect_errors(effects, good.get("raceway_control")))
+    if shares is not None and "ball" not in unusable and GyroscopicMoment.name not in names:
+        cause = "Leave it out, or ask for gyroscopic_moment in ball"
+        problem = "is given, but no gyroscopic moment is there to share"
+        errors.append(FileErrorDetail("effects.moment_shares", problem, str(shares), cause=cause))
+    return {"ball_effects": effects} | {name: good[name] for name in CHOICES if name in good}

@@ -1,0 +1,105 @@
+"""How tables look, and the catalogue as tables; rich lays them out."""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import TYPE_CHECKING, Any
+
+from rich import box
+from rich.console import Console, Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from qsbearing.io.catalogue import Entry
+
+NARROWEST, WIDEST = 80, 100
+"""Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
+
+
+def text_of(renderable: RenderableType, width: int | None = None) -> str:
+    """The text for the terminal or file at standard output: colours and lines only where it understands them."""
+    console = Console(width=width, highlight=False, soft_wrap=False)
+    if width is None:
+        # A file has no width to ask for; a terminal keeps its own, within reason.
+        known = console.is_terminal or "COLUMNS" in os.environ
+        console.width = max(min(console.width, WIDEST), NARROWEST) if known else WIDEST
+    with console.capture() as capture:
+        console.print(renderable)
+    return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
+
+
+def plain_table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)) -> Table:
+    """A table without frames, numbers to the right."""
+    table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
+    table.pad_edge, table.padding = False, (0, 1, 0, 0)
+    for number, name in enumerate(heading):
+        table.add_column(name, justify="left" if number in left else "right", no_wrap=True)
+    return table
+
+
+def catalogue(entries: Sequence[Entry]) -> Group:
+    """All entries, one a row, their sources below."""
+    heading = ("name", "kind", "Z", "D\nmm", "dm\nmm", "alpha0\ndeg", "balls", "rings", "from")
+    table = plain_table("Catalogue", heading, left=(0, 1, 6, 7, 8))
+    for column in (table.columns[1], *table.columns[6:8]):
+        column.no_wrap, column.min_width = False, 7
+    sources: list[str] = []
+    for entry in entries:
+        bearing = entry.bearing
+        if entry.source not in sources:
+            sources.append(entry.source)
+        table.add_row(
+            entry.name,
+            bearing["kind"].replace("_", " "),
+            str(bearing["ball_count"]),
+            f"{bearing['ball_diameter_mm']:g}",
+            f"{bearing['pitch_diameter_mm']:g}",
+            f"{_free_angle(bearing):.4g}",
+            _material(bearing["ball_material"]),
+            _material(bearing["ring_material"]),
+            f"[{sources.index(entry.source) + 1}]",
+        )
+    notes = Table(box=None, show_header=False, pad_edge=False)
+    notes.add_column(no_wrap=True)
+    notes.add_column()
+    for position, source in enumerate(sources):
+        notes.add_row(f"[{position + 1}]", Text(source))
+    hint = Text(
+        "`qsbearing catalogue NAME` tells where each number comes from; `qsbearing run NAME` solves an example."
+    )
+    return Group(table, Padding(notes, (1, 0, 0, 0)), Padding(hint, (1, 0, 0, 0)))
+
+
+def catalogue_entry(entry: Entry) -> Group:
+    """One entry, with the origin of every number."""
+    table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
+    table.add_column("", no_wrap=True)
+    table.add_column("value", no_wrap=True)
+    table.add_column("where it comes from")
+    for key, value in entry.bearing.items():
+        if key == "kind":
+            continue
+        origin = entry.provenance.get(key, "")
+        shown = _material(value, full=True) if key.endswith("_material") else f"{value:g}"
+        table.add_row(key, shown, Text(origin, style="yellow" if key in entry.assumed else ""))
+    head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
+    return Group(head, Padding(table, (1, 0, 0, 0)))
+
+
+def _free_angle(bearing: dict[str, Any]) -> float:
+    if "free_contact_angle_deg" in bearing:
+        return float(bearing["free_contact_angle_deg"])
+    distance = bearing["inner_groove_radius_mm"] + bearing["outer_groove_radius_mm"] - bearing["ball_diameter_mm"]
+    return math.degrees(2.0 * math.asin(math.sqrt(bearing["diametral_clearance_mm"] / (4.0 * distance))))
+
+
+def _material(value: Any, full: bool = False) -> str:
+    if isinstance(value, str):
+        return value
+    modulus, ratio, density = (value[key] for key in ("elastic_modulus_GPa", "poisson_ratio", "density_kg_m3"))
+    return f"{modulus:g} GPa, {ratio:g},\n{density:g} kg/m3" if full else f"{modulus:.4g} GPa"

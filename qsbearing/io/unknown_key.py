@@ -1,0 +1,71 @@
+"""What is meant by a key that no scene file has: the same number in another unit, or the nearest known key."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any, NamedTuple
+
+from qsbearing.scene.keys import MATERIAL_KEYS, NUMBERS, SECTIONS
+
+LARGEST = 1e30
+"""Of a number that is worth converting: far beyond any load, far within floats."""
+
+_TABLES = {**SECTIONS, "material": MATERIAL_KEYS}
+
+
+class Suggestion(NamedTuple):
+    """What to write instead."""
+
+    sentence: str
+    key: str = ""
+    """The key of the same table that is meant; empty where none is."""
+
+
+def near(word: str, known: Any, cutoff: float) -> str:
+    """The known word most like this one; empty where none is."""
+    return next(iter(difflib.get_close_matches(word, known, n=1, cutoff=cutoff)), "")
+
+
+def suggest(name: str, section: str, value: Any) -> Suggestion:
+    """What to write instead of an unknown key.
+
+    Args:
+        section: bearing, operation, effects or material; empty for a key outside all tables.
+        value: what the file gives under that key.
+    """
+    for table, keys in _TABLES.items():
+        if table != section and name in keys:
+            return Suggestion(f"It belongs under {_title(table)}")
+    converted = _in_known_unit(name, section, value)
+    if converted is not None:
+        return converted
+    # Without its unit a name resembles its key less than it should.
+    stems = {key.field: key.name for key in NUMBERS.get(section, ())}
+    meant = near(name, _TABLES.get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
+    if meant:
+        return Suggestion(f"Did you mean {meant}?", meant)
+    everywhere = {key: table for table, keys in _TABLES.items() for key in keys}
+    elsewhere = near(name, everywhere, 0.7)
+    if elsewhere:
+        return Suggestion(f"Did you mean {elsewhere}, under {_title(everywhere[elsewhere])}?")
+    known = f"Known here: {', '.join(_TABLES[section])}" if section else ""
+    return Suggestion(known or "A scene has [bearing], [operation] and [effects]")
+
+
+def _title(table: str) -> str:
+    return "a material's table" if table == "material" else f"[{table}]"
+
+
+def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:
+    """`axial_load_kN = 8` is `axial_load_N = 8000`."""
+    for key in NUMBERS.get(section, ()):
+        ending = name.removeprefix(f"{key.field}_")
+        if key.quantity is None or ending == name:
+            continue
+        for unit, _, size in key.quantity.units:
+            if ending.replace("_", "").lower() == unit.replace("_", "").lower():
+                if type(value) not in (int, float) or not -LARGEST < value < LARGEST:
+                    return Suggestion(f"Did you mean {key.name}?", key.name)
+                found = f"{key.name} = {key.in_file(value * size):.10g}"
+                return Suggestion(f"Did you mean {found}? ({value:.10g} {unit.replace('_', '/')})", key.name)
+    return None

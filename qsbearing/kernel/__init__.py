@@ -1,0 +1,1 @@
+"""The compiled solver: one case at a time, on plain numbers."""

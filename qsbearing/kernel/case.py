@@ -1,0 +1,47 @@
+"""The case: what the kernel is given of one scene, a flat record of numbers and choices, free of dimensions.
+
+Inside, lengths are in ball diameters D, forces in E'D^2, masses in ball masses m, speeds in sqrt(E'D/m), so that the
+same bearing in any size gives the same digits. The formulas do not change: they are written with D, m and E', which
+here happen to be 1.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+_FIELDS = np.dtype(
+    [
+        ("ball_count", np.int64),
+        ("pitch_diameter", np.float64),
+        ("inner_coefficient", np.float64),
+        ("outer_coefficient", np.float64),
+        ("sin_free", np.float64),
+        ("cos_free", np.float64),
+        ("tilt_lever", np.float64),
+        ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
+        ("inner_stiffness", np.float64),  # there
+        ("outer_stiffness", np.float64),
+        ("series_stiffness", np.float64),
+        ("first_azimuth", np.float64),
+        ("inner_speed", np.float64),
+        ("outer_speed", np.float64),
+        ("prescribed", np.float64, (5,)),  # each channel's load or displacement
+        ("displacement_given", np.uint8, (5,)),  # which of the two
+        ("centrifugal", np.bool_),
+        ("gyroscopic", np.bool_),
+        ("actual_angle", np.bool_),
+        ("one_sided", np.bool_),
+        ("control", np.int64),
+        ("shares", np.int64),
+        ("form", np.int64),
+        ("length", np.float64),  # units of this case, SI
+        ("force", np.float64),
+        ("speed", np.float64),
+    ],
+    align=True,
+)
+CASE = np.dtype((np.record, _FIELDS))
+"""One case; a record, so that plain Python reads its fields as the compiled kernel does."""
+
+BALL_MASS = 1.0
+BALL_INERTIA = 0.1

@@ -1,0 +1,172 @@
+"""What is read off a solved case, computed when it is asked for: contacts, ball motion, and the exact stiffness."""
+
+from __future__ import annotations
+
+from math import atan2, nan, pi
+
+from numpy import ndarray, recarray
+
+from qsbearing.compiled import entry, kernel
+from qsbearing.effects.raceway_control import rotation_axis
+from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.ball import evaluate_ball
+from qsbearing.kernel.ball_inertia import NO_BOUND, friction_shares, inertia_of, is_moving, is_rolled, rolling_line
+from qsbearing.kernel.contact_line import contact_load
+from qsbearing.kernel.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kernel.loop_closure import close_loaded, load_position
+from qsbearing.kernel.raceway_stiffness import groove_stiffness, raceway_ellipse
+from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
+
+ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
+CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
+
+# Of a contact's stiffness: far below any, it lets a ball out of contact be eliminated.
+LEAST_STIFFNESS = 1e-30
+
+
+@kernel
+def set_full_scale(case: recarray, work: recarray) -> None:
+    """The case as it was asked for: all loads and speeds, no bound on friction."""
+    work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
+    work.regularisation = LEAST_STIFFNESS * case.series_stiffness
+
+
+@kernel
+def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what: int) -> float:
+    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE.
+
+    A ball at rest that touches neither raceway has no determined position, and so no angle.
+    """
+    si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+    is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION
+    if is_moment and not is_rolled(ball):
+        return 0.0
+    if what >= CENTRIFUGAL_FORCE:
+        return read_motion(case, work, ball, what)
+    n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)
+    load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
+    free = load == 0.0 and not is_moving(case)
+    if what == LOAD:
+        return load
+    if free and (what == ANGLE or what == APPROACH):
+        return nan
+    if what == ANGLE:
+        return atan2(n1, n2)
+    if what == APPROACH:
+        return delta
+    if what == REQUIRED_FRICTION:
+        _, mg = inertia_of(case, work, ball)
+        share_i, share_o = friction_shares(case, ball.control)
+        friction = abs((share_i if side < 0 else share_o) * mg)
+        if friction == 0.0:
+            return 0.0
+        return friction / load if load > 0.0 else nan
+    if load <= 0.0:
+        return 0.0
+    cosine = n2 if case.actual_angle else case.hertz_cosine
+    a, b, _, _ = raceway_ellipse(case, side, cosine)
+    size = load ** (1.0 / 3.0)
+    if what == SEMI_MAJOR_AXIS:
+        return a * size
+    if what == SEMI_MINOR_AXIS:
+        return b * size
+    return 1.5 * size / (pi * a * b)
+
+
+@kernel
+def read_motion(case: recarray, work: recarray, ball: recarray, what: int) -> float:
+    """Inertia loads and speeds of one ball."""
+    if what == CENTRIFUGAL_FORCE:
+        return inertia_of(case, work, ball)[0]
+    if what == GYROSCOPIC_MOMENT:
+        return inertia_of(case, work, ball)[1]
+    g = 1.0 / case.pitch_diameter
+    so, co = ball.outer_sine, ball.outer_cosine
+    si, ci, _, _, _ = rolling_line(case, ball)
+    axis = rotation_axis(ball.control, g, si, ci, so, co)
+    terms = rolling_terms(g, si, ci, so, co, axis)
+    if what == ORBITAL_SPEED:
+        return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]
+    length = (axis[0] * axis[0] + axis[1] * axis[1]) ** 0.5
+    return rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)[0] * length
+
+
+@entry
+def read_cases(
+    cases: ndarray,
+    workspaces: ndarray,
+    balls: ndarray,
+    status: ndarray,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    side: float,
+    what: int,
+    out: ndarray,
+) -> None:
+    """Fill out (case, ball) with a quantity in the case's units; NaN for cases not solved and for missing balls."""
+    work = workspaces[0]
+    for k in range(cases.size):
+        case = cases[k]
+        set_azimuths(case, work, balls)
+        set_full_scale(case, work)
+        for j in range(position.shape[1]):
+            if status[k] != CONVERGED or j >= case.ball_count:
+                out[k, j] = nan
+                continue
+            ball = balls[j]
+            restore_ball(case, ball, displacement[k], position[k, j], control[k, j])
+            out[k, j] = read_ball(case, work, ball, side, what)
+
+
+@kernel
+def restore_ball(case: recarray, ball: recarray, displacement: ndarray, position: ndarray, control: int) -> None:
+    """Put a ball of the bearing where a solution says that it is."""
+    load_position(case, ball, position)
+    a1, a2 = inner_groove_centre(case, displacement, ball.azimuth_cosine, ball.azimuth_sine)
+    close_loaded(case, ball, a1, a2)
+    ball.control = control
+
+
+@entry
+def stiffness_of_cases(
+    cases: ndarray,
+    workspaces: ndarray,
+    balls: ndarray,
+    status: ndarray,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    out: ndarray,
+) -> None:
+    """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
+    work = workspaces[0]
+    for k in range(cases.size):
+        case = cases[k]
+        if status[k] != CONVERGED:
+            out[k] = nan
+            continue
+        set_azimuths(case, work, balls)
+        set_full_scale(case, work)
+        work.ball_count, work.channel_count = case.ball_count, 5
+        for i in range(5):
+            work.channel[i] = i
+        for j in range(case.ball_count):
+            ball = balls[j]
+            ball.cosine, ball.sine, ball.weight = ball.azimuth_cosine, ball.azimuth_sine, 1.0
+        couple_channels(case, work, balls)
+        start_sums(case, work)
+        for j in range(case.ball_count):
+            ball = balls[j]
+            restore_ball(case, ball, displacement[k], position[k, j], control[k, j])
+            a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
+            evaluate_ball(case, work, ball, a1, a2)
+            add_ball(work, ball)
+        for p in range(5):
+            for q in range(5):
+                size = case.force
+                if p < 3:
+                    size /= case.length
+                if q >= 3:
+                    size *= case.length
+                out[k, p, q] = work.matrix[p, q] * size

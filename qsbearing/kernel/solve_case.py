@@ -1,0 +1,241 @@
+"""One case, directly: Newton's method from two starts, and the admissibility of what it finds.
+
+The starts are closed forms and the equilibrium at rest; each converges in cases that the other does not. That is all
+for nearly every case. What does not end in an admissible equilibrium is left to the fallback, which is compiled only
+when a case first needs it.
+"""
+
+from __future__ import annotations
+
+from numpy import ndarray, recarray
+
+from qsbearing.compiled import entry, kernel
+from qsbearing.effects.raceway_control import INNER, OUTER, PER_BALL
+from qsbearing.kernel.admissibility import (
+    CONVERGED,
+    NO_CONSISTENT_CONTROL,
+    UNLOADED_RING,
+    contradicted_controls,
+    inadmissibility,
+    is_unloaded,
+)
+from qsbearing.kernel.assembly import REGULARISATION, any_displacement_given, close_loops
+from qsbearing.kernel.ball import evaluate_ball
+from qsbearing.kernel.ball_inertia import NO_BOUND, is_moving
+from qsbearing.kernel.initial_guess import (
+    guess_closed_form,
+    guess_from_rest,
+    guess_ring_at_rest,
+    is_load_ahead,
+    is_thrust_like,
+    split_contacts,
+)
+from qsbearing.kernel.loop_closure import load_position, set_inner_line, set_outer_line, store_position
+from qsbearing.kernel.newton import newton, newton_at_rest
+from qsbearing.kernel.ring import add_force, find_distinct_balls, inner_groove_centre, set_azimuths
+from qsbearing.kernel.snapshots import ADMISSIBLE, CONTROLS, restore_all, save
+
+UNFINISHED = 3
+"""A case's code until the fallback has solved it."""
+
+# What a search may find: nothing; an equilibrium that is inadmissible; one that is admissible but contradicts Jones's
+# criterion; a sound one.
+NOTHING, REFUSED, CONTRADICTED, SOUND = 0, 1, 2, 3
+
+# Iterations that a case may spend, all strategies together: a thousand times what a usual case takes.
+BUDGET = 10_000
+
+
+@kernel
+def set_controls(case: recarray, work: recarray, balls: ndarray, first: int) -> None:
+    """Give every ball the raceway control asked for; under per-ball control this one first."""
+    for n in range(work.ball_count):
+        balls[n].control_changes = 0
+        balls[n].control = first if case.control == PER_BALL else case.control
+
+
+@kernel
+def prepare(
+    case: recarray,
+    work: recarray,
+    balls: ndarray,
+    is_warm: bool,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+) -> None:
+    """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
+    set_azimuths(case, work, balls)
+    find_distinct_balls(case, work, balls)
+    work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
+    work.regularisation = REGULARISATION * case.series_stiffness
+    work.at_rest, work.iterations, work.budget, work.residual = False, 0, BUDGET, 1.0
+    for i in range(5):
+        work.displacement[i] = displacement[i] * work.in_plane[i] if is_warm else 0.0
+        if case.displacement_given[i]:
+            work.displacement[i] = case.prescribed[i]
+    set_controls(case, work, balls, OUTER)
+    for n in range(work.ball_count):
+        ball = balls[n]
+        set_outer_line(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
+        set_inner_line(ball, case.sin_free, case.cos_free, 0.0)
+        if is_warm:
+            load_position(case, ball, position[ball.number])
+            if case.control == PER_BALL and is_moving(case):
+                ball.control = control[ball.number]
+
+
+@kernel
+def solve_with_controls(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> int:
+    """Newton's method from where ring and balls are: what it finds.
+
+    With per-ball control, controls that Jones's criterion contradicts are changed, and the equilibrium is sought again
+    from where it was. Where that leads to no admissible one, the last admissible one stands, and contradicts them.
+    """
+    found = NOTHING
+    while newton(case, work, balls, tolerance):
+        is_admissible = inadmissibility(case, work, balls) == 0
+        if case.control != PER_BALL:
+            return SOUND if is_admissible else REFUSED
+        if is_admissible or found != CONTRADICTED:
+            save(work, balls, CONTROLS)
+            found = CONTRADICTED if is_admissible else REFUSED
+        wrong, changed = contradicted_controls(case, work, balls)
+        if wrong == 0 and is_admissible:
+            return SOUND
+        if changed == 0:
+            break
+    if found != NOTHING:
+        restore_all(work, balls, CONTROLS)
+    return found
+
+
+@kernel
+def solve_at_rest(case: recarray, work: recarray, balls: ndarray, tolerance: float, is_warm: bool) -> int:
+    """Newton's method without inertia, from the start given or from closed forms: what it finds."""
+    if not is_warm:
+        guess_ring_at_rest(case, work)
+    converged = newton_at_rest(case, work, balls, tolerance)
+    split_contacts(case, work, balls)
+    if not converged:
+        return NOTHING
+    return SOUND if inadmissibility(case, work, balls) == 0 else REFUSED
+
+
+@kernel
+def solve_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: float, is_warm: bool) -> int:
+    """From the start given, then from closed forms and from rest, the likelier first: what is found.
+
+    Under per-ball control from the outer control of all balls, then from the inner. An equilibrium that contradicts its
+    controls stands if none of these starts leads to one that does not.
+    """
+    if is_warm:
+        close_loops(case, work, balls)
+        found = solve_with_controls(case, work, balls, tolerance)
+        if found >= CONTRADICTED:
+            return found
+    is_contradicted = False
+    is_rest_first = not is_thrust_like(case) and is_load_ahead(case, work)
+    for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
+        for start in range(2):
+            set_controls(case, work, balls, control)
+            if (start == 0) == is_rest_first:
+                guess_from_rest(case, work, balls)
+            else:
+                guess_closed_form(case, work, balls)
+            found = solve_with_controls(case, work, balls, tolerance)
+            if found == SOUND:
+                return SOUND
+            if found == CONTRADICTED and not is_contradicted:
+                save(work, balls, ADMISSIBLE)
+                is_contradicted = True
+    if is_contradicted:
+        restore_all(work, balls, ADMISSIBLE)
+        return CONTRADICTED
+    return NOTHING
+
+
+@kernel
+def remarks(case: recarray, found: int) -> int:
+    """What is to be said of a case that converged, as bits."""
+    bits = UNLOADED_RING if is_unloaded(case) else 0
+    return bits | NO_CONSISTENT_CONTROL if found == CONTRADICTED else bits
+
+
+@kernel
+def ring_load(case: recarray, work: recarray, balls: ndarray, load: ndarray) -> None:
+    """The ring's load in all channels: what was prescribed, or the reaction to a prescribed displacement."""
+    reaction = work.reaction
+    for i in range(5):
+        reaction[i] = 0.0
+    if any_displacement_given(case):
+        for j in range(case.ball_count):
+            ball = balls[balls[j].index]
+            a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+            evaluate_ball(case, work, ball, a1, a2)
+            add_force(ball, balls[j].azimuth_cosine, balls[j].azimuth_sine, reaction)
+    for i in range(5):
+        # what equal balls cancel is zero, not the rounding of their sum
+        load[i] = reaction[i] * work.in_plane[i] if case.displacement_given[i] else case.prescribed[i]
+
+
+@kernel
+def deliver(
+    case: recarray,
+    work: recarray,
+    balls: ndarray,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    load: ndarray,
+) -> None:
+    """Write the positions of ring and balls, in the case's units; zero for balls that the case does not have."""
+    for i in range(5):
+        displacement[i] = work.displacement[i]
+    for j in range(position.shape[0]):
+        ball = balls[balls[j].index]
+        is_there = j < case.ball_count
+        for i in range(3):
+            position[j, i] = 0.0
+        if is_there:
+            store_position(case, ball, position[j])
+        control[j] = ball.control if is_there else 0
+    ring_load(case, work, balls, load)
+
+
+@entry
+def solve_cases(
+    cases: ndarray,
+    workspaces: ndarray,
+    balls: ndarray,
+    tolerance: float,
+    is_warm: bool,
+    displacement: ndarray,
+    position: ndarray,
+    control: ndarray,
+    load: ndarray,
+    status: ndarray,
+    notes: ndarray,
+    iterations: ndarray,
+    residual: ndarray,
+    reached: ndarray,
+) -> None:
+    """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
+
+    displacement (case, 5) and position (case, ball, 3) hold the start if is_warm, and the result in the case's units;
+    load (case, 5) the ring's loads, reactions of prescribed displacements included; reached the part of the speed that
+    all this is for. workspaces (1) and balls are working memory. An unfinished case keeps its start.
+    """
+    work = workspaces[0]
+    for k in range(cases.size):
+        case = cases[k]
+        prepare(case, work, balls, is_warm, displacement[k], position[k], control[k])
+        if is_moving(case):
+            found = solve_at_speed(case, work, balls, tolerance, is_warm)
+        else:
+            found = solve_at_rest(case, work, balls, tolerance, is_warm)
+        iterations[k], residual[k], reached[k] = work.iterations, work.residual, 1.0
+        notes[k] = remarks(case, found)
+        status[k] = CONVERGED if found >= CONTRADICTED else UNFINISHED
+        if found >= CONTRADICTED:
+            deliver(case, work, balls, displacement[k], position[k], control[k], load[k])

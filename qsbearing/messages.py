@@ -1,0 +1,261 @@
+"""How a case ended, in sentences: its message, and warnings about what its numbers mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from qsbearing.effects.raceway_control import INNER
+from qsbearing.kernel.admissibility import (
+    CONVERGED,
+    FRICTION_WITHOUT_LOAD,
+    NO_CONSISTENT_CONTROL,
+    NO_EQUILIBRIUM,
+    OPEN_SIDE,
+    OVER_SHOULDER,
+    UNLOADED_RING,
+    UNSUPPORTED,
+)
+from qsbearing.scene.bearing import BearingKind
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.solution import SOFTEST
+from qsbearing.units import MPa, mrad, um
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from qsbearing.solution import Index, Solution
+
+    Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
+
+FRICTION_IN_DOUBT = 0.06
+FRICTION_BEYOND = 0.1
+"""Coefficients that lubricated steel contacts typically offer lie between these."""
+
+STATIC_PRESSURE_LIMIT = 4200e6
+"""Contact pressure of the static load rating of ball bearings (ISO 76) [Pa]: a permanent dent of 1e-4 D."""
+
+SMALL_TILT = 0.02
+"""Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
+
+SEPARATED = 0.01
+"""Loaded contact angles of less than this part of the free one carry no axial load worth the name (chosen: a bearing
+made for axial load works at its free angle; 1 % of it is 1 % of the axial load that its balls could carry)."""
+
+
+def message(solution: Solution, index: Index = None) -> str:
+    """One sentence on how a case ended; of several cases without an index, how many ended how.
+
+    Args:
+        index: the case, along the solution's case axes; negative numbers count from the end.
+
+    Raises:
+        ValueError: the index does not name one case of this solution.
+    """
+    if index is None and solution.shape:
+        return f"{len(solution._codes)} cases: {solution._counts()}."
+    k = solution._flat_index(index)
+    code, notes = int(solution._codes[k]), int(solution._notes[k])
+    if code == CONVERGED:
+        return (
+            f"Balls and ring are in equilibrium: largest imbalance {solution._residual[k]:.1e} of the largest force, "
+            f"after {solution._iterations[k]} iterations."
+        )
+    if code == NO_EQUILIBRIUM:
+        return _why_no_equilibrium(solution, k, notes)
+    return (
+        f"Not converged: the last imbalance was {solution._residual[k]:.1e} of the largest force after "
+        f"{solution._iterations[k]} iterations. That does not prove that there is no equilibrium; continuing from a "
+        "neighbouring solution (lower speed, more load) may reach it."
+    )
+
+
+def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
+    case = solution._maker.make(k, k + 1)[0]
+    if notes & UNSUPPORTED:
+        free = solution._free_channels
+        if not free.size:
+            return "No equilibrium: at the prescribed displacements nothing supports the balls."
+        ring = np.nan_to_num(np.abs(solution._ring[k, free]), nan=np.inf)
+        names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
+        return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
+    if notes & FRICTION_WITHOUT_LOAD:
+        why = (
+            " under this raceway control: the gyroscopic moment would have to be reacted by friction at a contact that "
+            "carries too little load or none; the ball slips."
+        )
+        if case["control"] == INNER:
+            why += " Outer or per-ball control does not demand this."
+    elif notes & OPEN_SIDE:
+        why = (
+            f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
+            "zero. (A bearing with shoulders on both sides: kind = deep_groove.)"
+        )
+    elif notes & OVER_SHOULDER:
+        why = (
+            ": a loaded inner contact lies at more than 90 degrees, over the shoulder of any groove: the inner ring "
+            "cannot hold the balls against what throws or pulls them outward."
+        )
+    else:
+        return "No equilibrium."
+    return f"No equilibrium{why}" + _where(float(solution._reached[k]))
+
+
+def _where(part: float) -> str:
+    """At which part of the speed that shows, if not at the whole."""
+    if part == 1.0:
+        return ""
+    return f" It is so already at {100.0 * part:.3g} % of the speed." if part > 0.0 else " It is so already at rest."
+
+
+def _unsupported(case: NDArray) -> str:
+    """Which channel the open side leaves unsupported."""
+    loads = np.where(case["displacement_given"].astype(bool), 0.0, case["prescribed"])
+    if case["displacement_given"][0]:
+        return "at the prescribed axial displacement the axial channel does not keep the balls in contact."
+    if loads[0] < 0.0:
+        return "the axial load is reversed and the axial channel has no support in that direction."
+    side = np.abs(loads[1:]) / np.array([1.0, 1.0, 0.5 * case["pitch_diameter"], 0.5 * case["pitch_diameter"]])
+    if side.max() == 0.0:
+        side = np.abs(case["prescribed"][1:])
+    return f"channel {CHANNELS[int(side.argmax()) + 1].label} carries more than the axial load can keep in contact."
+
+
+def warnings(solution: Solution, index: Index = None) -> list[str]:
+    """Sentences on what to beware of in a case's numbers; empty where there is nothing.
+
+    Of several cases without an index, one sentence for each kind of warning: how many cases have it, which is the
+    first, and what there is to say about that one.
+
+    Args:
+        index: the case, along the solution's case axes; negative numbers count from the end.
+
+    Raises:
+        ValueError: the index does not name one case of this solution.
+    """
+    solved = solution._codes == CONVERGED
+    if index is not None or not solution.shape:
+        k = solution._flat_index(index)
+        return [sentence(0) for which, sentence in _all_warnings(solution, slice(k, k + 1)) if which[0] and solved[k]]
+    found = []
+    for which, sentence in _all_warnings(solution, slice(0, solved.size)):
+        cases = np.flatnonzero(which & solved)
+        if cases.size:
+            where = f"{cases.size} of {solved.size} cases, the first {solution._case_name(cases[0])}"
+            found.append(f"{where}: {sentence(int(cases[0]))}")
+    return found
+
+
+def _all_warnings(solution: Solution, part: slice) -> Warnings:
+    """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
+    yield from _ring_warnings(solution, part)
+    yield from _ball_warnings(solution, part)
+    yield from _friction_warnings(solution, part)
+    pressure = np.maximum(*(_rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
+    yield (
+        pressure > STATIC_PRESSURE_LIMIT,
+        lambda i: (
+            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above the {STATIC_PRESSURE_LIMIT / MPa:.0f} MPa of "
+            "the static load rating: the contact yields, and the elastic numbers are no longer true."
+        ),
+    )
+
+
+def _rows(array: NDArray, part: slice) -> NDArray:
+    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
+    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
+
+
+def _ring_warnings(solution: Solution, part: slice) -> Warnings:
+    free = solution._free_channels
+    unloaded = (solution._notes[part] & UNLOADED_RING) != 0
+    yield unloaded, lambda i: "Nothing loads the ring: its position is not determined; one possible one is reported."
+    stiffness, _ = solution._scaled_stiffness(part, solution._maker.make(part.start, part.stop))
+    stiffness = np.nan_to_num(stiffness, nan=0.0)
+    values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
+    soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)
+
+    def undetermined(i: int) -> str:
+        share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
+        names = ", ".join(CHANNELS[channel].label for channel in free[share > 0.1])
+        return f"Nothing resists the ring in: {names}. What is reported there is not determined by the bearing."
+
+    yield ~unloaded & soft.any(axis=-1), undetermined
+    bearing = solution.scene.bearing
+    moved = _rows(solution.displacement, part)
+    loaded = _rows(solution.inner.load, part) > 0.0
+    steepest = np.abs(np.where(loaded, _rows(solution.inner.angle, part), 0.0)).max(axis=-1)
+    free_angle = np.broadcast_to(np.asarray(bearing.free_contact_angle, float), solution.shape).reshape(-1)[part]
+    can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
+    yield (
+        can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
+        lambda i: (
+            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} um, to "
+            "where its balls carry at contact angles of zero. An angular-contact bearing needs an axial load or a "
+            "preload."
+        ),
+    )
+    tilt = np.abs(moved[:, 3:]).max(axis=-1)
+    yield (
+        tilt > SMALL_TILT,
+        lambda i: f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.",
+    )
+
+
+def _ball_warnings(solution: Solution, part: slice) -> Warnings:
+    yield (
+        (solution._notes[part] & NO_CONSISTENT_CONTROL) != 0,
+        lambda i: (
+            "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
+            "tried is reported; outer and inner control bound the result."
+        ),
+    )
+    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
+    off_inner = exists & (_rows(solution.inner.load, part) == 0.0)
+    off_outer = _rows(solution.outer.load, part) == 0.0
+    yield (
+        (off_inner & off_outer).any(axis=-1),
+        lambda i: (
+            f"{_ball_list((off_inner & off_outer)[i])} carry no load; at rest the position of such a ball is "
+            "undetermined."
+        ),
+    )
+    yield (
+        (off_inner & ~off_outer).any(axis=-1),
+        lambda i: (
+            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone."
+        ),
+    )
+
+
+def _friction_warnings(solution: Solution, part: slice) -> Warnings:
+    for name, side in (("inner", solution.inner), ("outer", solution.outer)):
+        if side.required_friction is None:
+            continue
+        friction = _rows(side.required_friction, part)
+
+        def slipping(i: int, name: str = name, friction: NDArray = friction) -> str:
+            meaning = (
+                "more than lubricated contacts offer: expect gyroscopic slip, and take raceway control as broken"
+                if friction[i].max() > FRICTION_BEYOND
+                else "in the range where lubricated contacts begin to slip"
+            )
+            return (
+                f"The gyroscopic moment demands friction up to {friction[i].max():.3f} at the {name} raceway of "
+                f"{_ball_list(friction[i] > FRICTION_IN_DOUBT)}: {meaning} "
+                f"({FRICTION_IN_DOUBT:g} to {FRICTION_BEYOND:g} is typical)."
+            )
+
+        yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
+
+
+def _ball_list(which: NDArray) -> str:
+    """Some balls of a bearing, as runs of their numbers: 3 balls (no. 0, 3 to 4)."""
+    numbers = np.flatnonzero(which)
+    if numbers.size == which.size > 1:
+        return f"all {which.size} balls"
+    runs = np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1)
+    named = ", ".join(str(run[0]) if run.size == 1 else f"{run[0]} to {run[-1]}" for run in runs)
+    return f"{'1 ball' if numbers.size == 1 else f'{numbers.size} balls'} (no. {named})"

@@ -1,0 +1,66 @@
+"""Inner and outer contact angles by azimuth."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from qsbearing.pictures.style import (
+    GREY,
+    balls,
+    figure_of_size,
+    legend,
+    line_style,
+    mark_lost,
+    plain,
+    raceways,
+    write_title,
+)
+from qsbearing.units import deg
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from qsbearing.pictures.style import Place
+    from qsbearing.solution import Index, Solution
+
+
+def contact_angles(solution: Solution, index: Index = None) -> Figure:
+    """Inner and outer contact angles by azimuth."""
+    place = solution._place(index)
+    figure = figure_of_size(7.0, 4.2)
+    axes = figure.add_subplot()
+    draw_angles(axes, solution, place)
+    legend(figure, axes)
+    write_title(figure, solution, place)
+    return figure
+
+
+def draw_angles(axes: Axes, solution: Solution, place: Place) -> None:
+    azimuth, present = balls(solution, place)
+    turned = np.degrees(azimuth) % 360.0
+    order = np.argsort(turned)
+    # Once round and a little more: the last ball stands before the start, the first after the end.
+    order = np.concatenate([order[-1:], order, order[:1]])
+    along = turned[order] + np.concatenate([[-360.0], np.zeros(order.size - 2), [360.0]])
+    free = float(np.broadcast_to(solution.scene.bearing.free_contact_angle, solution.shape)[place]) / deg
+    axes.axhline(free, color=GREY, linewidth=0.9, linestyle=":", label="free contact angle")
+    values = [free]
+    for side, contacts in raceways(solution):
+        loaded = contacts.load[place][present] > 0.0
+        angle = np.where(loaded, contacts.angle[place][present] / deg, np.nan)
+        values += list(angle[loaded])
+        axes.plot(along, angle[order], **line_style(side, azimuth.size))
+    low, high = min(values), max(values)
+    margin = max(0.08 * (high - low), 1.0)
+    bottom = low - 2.2 * margin
+    axes.set_ylim(bottom, high + margin)
+    mark_lost(axes, solution, place, bottom + 0.7 * margin)
+    axes.set_xlim(-8.0, 368.0)
+    axes.set_xticks(range(0, 361, 45))
+    axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
+    axes.set_ylabel("contact angle, deg", fontsize=9)
+    axes.set_title("Contact angles", fontsize=10)
+    plain(axes)

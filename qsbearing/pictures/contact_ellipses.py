@@ -1,0 +1,116 @@
+"""Outlines of the contact ellipses, all to one scale."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.pictures.style import GREY, STYLE, balls, figure_of_size, raceways, write_title
+from qsbearing.units import MPa, mm
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from qsbearing.pictures.style import Place
+    from qsbearing.solution import Index, Solution
+
+MOST_ELLIPSES = 20
+"""More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""
+
+
+def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
+    """Outlines of the contact ellipses, all to one scale, with their greatest pressure."""
+    place = solution._place(index)
+    figure = figure_of_size(10.0, 4.6)
+    axes = figure.add_subplot()
+    draw_ellipses(axes, solution, place)
+    write_title(figure, solution, place)
+    return figure
+
+
+def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
+    chosen, names, every = _columns(solution, place)
+    _, present = balls(solution, place)
+    sides = {
+        side: [
+            getattr(contacts, name)[place][present][chosen] / size
+            for name, size in (("semi_major_axis", mm), ("semi_minor_axis", mm), ("max_pressure", MPa))
+        ]
+        for side, contacts in raceways(solution)
+    }
+    tallest = float(max(major.max() for major, _, _ in sides.values())) or 1.0
+    widest = float(max(minor.max() for _, minor, _ in sides.values())) or 1.0
+    # Columns spread over the width of the sheet, and never touch.
+    spacing = max(2.6 * widest, 19.0 * tallest / max(chosen.size, 3))
+    alone = chosen.size == 1
+    for side, columns in sides.items():
+        up = 1.0 if side == "inner" else -1.0
+        for column, (a, b, pressure) in enumerate(zip(*columns, strict=True)):
+            x, y = column * spacing, up * 1.45 * tallest
+            if a == 0.0:
+                lost = all(other[0][column] == 0.0 for other in sides.values())
+                axes.plot(x, y, "x" if lost else "+", color=GREY, markersize=6)
+                continue
+            _draw_ellipse(axes, side, x, y, float(a), float(b))
+            if alone:
+                numbers = f"$a$ = {a:.4g} mm\n$b$ = {b:.4g} mm\n$p_0$ = {pressure:.0f} MPa"
+                axes.text(x + 2.0 * widest + 0.5 * tallest, y, numbers, fontsize=10, va="center", linespacing=1.5)
+            else:
+                anchor: dict[str, Any] = {"va": "bottom" if up > 0.0 else "top", "ha": "center"}
+                axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", fontsize=8, **anchor)
+    axes.set_aspect("equal")
+    edge = 0.8 * spacing + 0.3 * tallest
+    axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge)
+    axes.set_ylim(-3.1 * tallest, 3.1 * tallest)
+    places = [column * spacing for column in range(chosen.size)]
+    axes.set_xticks(places, names, fontsize=8)
+    axes.set_yticks([1.45 * tallest, -1.45 * tallest], ["inner\nraceway", "outer\nraceway"], fontsize=9)
+    axes.tick_params(length=0)
+    title = "Contact ellipses to scale, rolling direction to the right"
+    if not alone:
+        axes.set_xlabel(f"azimuth of the ball, deg{every}", fontsize=9)
+        title += "; numbers: greatest pressure, MPa"
+    axes.set_title(title, fontsize=10)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    _scale_bar(axes, -edge, tallest)
+
+
+def _draw_ellipse(axes: Axes, side: str, x: float, y: float, a: float, b: float) -> None:
+    from matplotlib.patches import Ellipse
+
+    colour, line = STYLE[side]["color"], STYLE[side]["linestyle"]
+    axes.add_patch(Ellipse((x, y), 2.0 * b, 2.0 * a, facecolor=colour, alpha=0.22, edgecolor="none"))
+    axes.add_patch(Ellipse((x, y), 2.0 * b, 2.0 * a, fill=False, edgecolor=colour, linestyle=line, linewidth=1.1))
+
+
+def _scale_bar(axes: Axes, left: float, tallest: float) -> None:
+    """A length to measure the ellipses by, in the gap between the two rows."""
+    length = _round_length(0.8 * tallest)
+    axes.plot([left, left], [-length / 2.0, length / 2.0], color="black", linewidth=1.5)
+    for end in (-length / 2.0, length / 2.0):
+        axes.plot([left - 0.06 * tallest, left + 0.06 * tallest], [end, end], color="black", linewidth=1.0)
+    axes.text(left + 0.15 * tallest, 0.0, f"{length:g} mm", fontsize=8, va="center")
+
+
+def _round_length(length: float) -> float:
+    """The nearest lower 1, 2 or 5 times a power of ten."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= length * (1.0 + 1e-9)) * power)
+
+
+def _columns(solution: Solution, place: Place) -> tuple[NDArray, list[str], str]:
+    """Which balls to draw, their names, and what to add to the axis label where some are left out."""
+    azimuth, present = balls(solution, place)
+    load = np.stack([contacts.load[place][present] for _, contacts in raceways(solution)])
+    if np.ptp(load, axis=1).max() <= 1e-9 * load.max():
+        return np.array([0]), ["all balls"], ""
+    turned = np.round(np.degrees(azimuth) % 360.0, 6) % 360.0
+    order = np.argsort(turned)
+    step = -(-order.size // MOST_ELLIPSES)
+    chosen = order[::step]
+    every = {1: "", 2: " (every second ball)", 3: " (every third ball)"}.get(step, f" (every {step}th ball)")
+    return chosen, [f"{value:.4g}" for value in turned[chosen]], every

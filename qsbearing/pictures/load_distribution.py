@@ -1,0 +1,53 @@
+"""Contact loads of all balls around the bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.pictures.style import balls, figure_of_size, legend, line_style, mark_lost, raceways, write_title
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from qsbearing.pictures.style import Place
+    from qsbearing.solution import Index, Solution
+
+
+def load_distribution(solution: Solution, index: Index = None) -> Figure:
+    """Contact loads of all balls around the bearing, as a polar picture.
+
+    Args:
+        index: the case, along the solution's case axes; nothing for a single case.
+    """
+    place = solution._place(index)
+    figure = figure_of_size(5.6, 5.6)
+    axes = figure.add_subplot(projection="polar")
+    draw_loads(axes, solution, place)
+    legend(figure, axes)
+    write_title(figure, solution, place)
+    return figure
+
+
+def draw_loads(axes: Any, solution: Solution, place: Place) -> None:
+    from matplotlib.ticker import MaxNLocator
+
+    azimuth, present = balls(solution, place)
+    axes.set_title("Contact load, N", fontsize=10, pad=18)
+    loads = {side: contacts.load[place][present] for side, contacts in raceways(solution)}
+    for side, load in loads.items():
+        axes.plot(np.append(azimuth, azimuth[0]), np.append(load, load[0]), **line_style(side, azimuth.size))
+    top = 1.12 * (max(float(load.max()) for load in loads.values()) or 1.0)
+    axes.set_ylim(0.0, top)
+    mark_lost(axes, solution, place, 0.96 * top)
+    axes.set_thetagrids(range(0, 360, 45), ["y  0°", "45°", "z  90°", "135°", "180°", "225°", "270°", "315°"])
+    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
+    labels = axes.set_rgrids(circles, [f"{value:g}" for value in circles])[1]
+    for label in labels:
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6})
+    # The circles are labelled between two balls, where the loads are smallest.
+    quiet = int(np.argmin(loads["inner"] + loads["outer"]))
+    axes.set_rlabel_position(float(np.degrees(azimuth[quiet]) + 180.0 / azimuth.size))
+    axes.tick_params(axis="both", labelsize=8)
+    axes.grid(color="0.85", linewidth=0.6)

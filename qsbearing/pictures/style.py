@@ -1,0 +1,116 @@
+"""What the pictures share: lines and markers, marks of lost contacts, legend, title.
+
+Inner and outer raceway differ in colour, line and marker, so that a picture survives a black-and-white printer and
+colour-blind eyes. A ball without contact is marked as such. matplotlib's global state is left alone.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.units import rpm
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from qsbearing.solution import RacewayContacts, Solution
+
+    Place = tuple[int, ...]
+
+# Okabe & Ito's blue and vermilion: told apart by every kind of colour vision, and by their lightness in print.
+# The outer's hollow squares are larger than the inner's discs: where the two coincide, both are seen.
+STYLE: dict[str, dict[str, Any]] = {
+    "inner": {"color": "#d55e00", "marker": "o", "linestyle": "-", "zorder": 2.1},
+    "outer": {"color": "#0072b2", "marker": "s", "linestyle": "--", "markerfacecolor": "none", "zorder": 2.2},
+}
+_MARKER_SIZE = {"inner": 4.0, "outer": 7.0}
+GREY = "0.35"
+
+
+def figure_of_size(width: float, height: float) -> Figure:
+    """An empty figure [inches]."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), dpi=150, layout="constrained")
+
+
+def legend(figure: Figure, *axes: Any) -> None:
+    """One legend below the picture; what several axes show is named once."""
+    known: dict[str, Any] = {}
+    for each in axes:
+        for handle, label in zip(*each.get_legend_handles_labels(), strict=True):
+            known.setdefault(label, handle)
+    figure.legend(
+        list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
+    )
+
+
+def plain(axes: Axes) -> None:
+    """Axes with a light grid and no frame."""
+    axes.grid(color="0.88", linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.tick_params(labelsize=8)
+    for name in ("top", "right"):
+        axes.spines[name].set_visible(False)
+
+
+def balls(solution: Solution, place: Place) -> tuple[NDArray, NDArray]:
+    """Azimuths of the balls that there are [rad], and which they are along the ball axis."""
+    azimuth = solution.azimuth[place]
+    present = np.isfinite(azimuth)
+    return azimuth[present], present
+
+
+def raceways(solution: Solution) -> tuple[tuple[str, RacewayContacts], ...]:
+    """Both raceways with their names."""
+    return ("inner", solution.inner), ("outer", solution.outer)
+
+
+def line_style(side: str, count: int) -> dict[str, Any]:
+    """How a raceway's line is drawn through so many balls."""
+    size = _MARKER_SIZE[side] * (1.0 if count <= 24 else 0.6)
+    return STYLE[side] | {"linewidth": 1.2, "markersize": size, "label": f"{side} raceway"}
+
+
+def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> None:
+    """Crosses where a ball has lost a raceway; what was lost stands in the legend."""
+    azimuth, present = balls(solution, place)
+    inner, outer = (contacts.load[place][present] == 0.0 for _, contacts in raceways(solution))
+    along = azimuth if axes.name == "polar" else np.degrees(azimuth) % 360.0
+    for lost, marker, label in (
+        (inner & outer, "x", "no load on either raceway"),
+        (inner & ~outer, "+", "inner contact lost"),
+    ):
+        if lost.any():
+            axes.plot(
+                along[lost],
+                np.full(along.shape, height)[lost],
+                marker,
+                color=GREY,
+                markersize=6,
+                label=label,
+                clip_on=False,
+            )
+
+
+def write_title(figure: Figure, solution: Solution, place: Place) -> None:
+    """What was solved, in a line: the bearing, its speeds, and the loads that the ring carries."""
+    operation = solution.scene.operation
+    parts = [solution.scene.bearing.name or "Ball bearing"]
+    for name, speed in (("", operation.speed), ("outer ring ", operation.outer_speed)):
+        if speed is not None:
+            parts.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[place]) / rpm:.6g} rpm")
+    load = solution.load[place]
+    largest = np.abs(load).max()
+    for channel, value in zip(CHANNELS, load, strict=True):
+        if abs(value) > 1e-6 * largest:
+            name, unit = (
+                (channel.label.replace("tilt", "moment"), "N m") if channel.is_rotation else (channel.label, "N")
+            )
+            parts.append(f"{name} {value:.5g} {unit}")
+    figure.suptitle(", ".join(parts), fontsize=10, parse_math=False)

@@ -1,0 +1,98 @@
+"""The keys of a scene file: for each its Python name, its unit, and that unit's size in SI."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from qsbearing.units import GPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um
+from qsbearing.validation import ANGLE, DENSITY, FORCE, LENGTH, MODULUS, MOMENT, SPEED, Quantity
+
+
+@dataclass(frozen=True)
+class Key:
+    """A number of a scene file."""
+
+    name: str
+    """As the file spells it, unit included."""
+    field: str
+    """As Python spells it."""
+    unit: str = ""
+    size: float = 1.0
+    """One of the file's unit in SI."""
+    quantity: Quantity | None = None
+    """What other units it is given in; None where there are none."""
+
+    def in_file(self, value: float) -> float:
+        """An SI value in the file's unit, without the rounding of its way there and back."""
+        return float(f"{value / self.size:.12g}")
+
+
+BEARING = (
+    Key("ball_count", "ball_count", "balls"),
+    Key("ball_diameter_mm", "ball_diameter", "mm", mm, LENGTH),
+    Key("pitch_diameter_mm", "pitch_diameter", "mm", mm, LENGTH),
+    Key("inner_groove_radius_mm", "inner_groove_radius", "mm", mm, LENGTH),
+    Key("outer_groove_radius_mm", "outer_groove_radius", "mm", mm, LENGTH),
+    Key("free_contact_angle_deg", "free_contact_angle", "deg", deg, ANGLE),
+    Key("diametral_clearance_mm", "diametral_clearance", "mm", mm, LENGTH),
+)
+
+MATERIAL = (
+    Key("elastic_modulus_GPa", "elastic_modulus", "GPa", GPa, MODULUS),
+    Key("poisson_ratio", "poisson_ratio"),
+    Key("density_kg_m3", "density", "kg/m3", kg_m3, DENSITY),
+    Key("thermal_expansion_per_K", "thermal_expansion", "1/K"),
+)
+
+OPERATION = (
+    Key("speed_rpm", "speed", "rpm", rpm, SPEED),
+    Key("outer_speed_rpm", "outer_speed", "rpm", rpm, SPEED),
+    Key("axial_load_N", "axial_load", "N", N, FORCE),
+    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH),
+    Key("radial_load_y_N", "radial_load_y", "N", N, FORCE),
+    Key("radial_displacement_y_um", "radial_displacement_y", "um", um, LENGTH),
+    Key("radial_load_z_N", "radial_load_z", "N", N, FORCE),
+    Key("radial_displacement_z_um", "radial_displacement_z", "um", um, LENGTH),
+    Key("moment_y_Nm", "moment_y", "N m", Nm, MOMENT),
+    Key("tilt_y_mrad", "tilt_y", "mrad", mrad, ANGLE),
+    Key("moment_z_Nm", "moment_z", "N m", Nm, MOMENT),
+    Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE),
+    Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
+)
+
+MATERIALS = ("ball_material", "ring_material")
+NUMBERS = {"bearing": BEARING, "operation": OPERATION, "material": MATERIAL}
+"""The keys that hold numbers, by their table; a material is a table within [bearing]."""
+
+SECTIONS: dict[str, tuple[str, ...]] = {
+    "bearing": ("name", "kind", *(key.name for key in BEARING), *MATERIALS),
+    "operation": tuple(key.name for key in OPERATION),
+    "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever"),
+}
+"""Every key a file may hold, by its table."""
+
+MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
+
+_KEY_OF_FIELD = {key.field: key.name for keys in NUMBERS.values() for key in keys} | {"ball_effects": "ball"}
+_FIELD = re.compile(r"\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=True)) + r")\b")
+
+
+def find(path: str) -> Key | None:
+    """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
+    section, _, name = path.rpartition(".")
+    keys = NUMBERS.get("material" if section.endswith("_material") else section, ())
+    return next((key for key in keys if name in (key.field, key.name)), None)
+
+
+def path_in_file(path: str) -> str:
+    """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
+    if path in ("ball_effects", "raceway_control"):
+        return f"effects.{_KEY_OF_FIELD.get(path, path)}"
+    key = find(path)
+    return f"{path.rpartition('.')[0]}.{key.name}" if key else path
+
+
+def with_file_keys(sentence: str) -> str:
+    """A sentence with every Python name replaced by the file's key."""
+    return _FIELD.sub(lambda match: _KEY_OF_FIELD[match.group()], sentence)

@@ -1,0 +1,127 @@
+"""The scene: a bearing, its operation, and the effects and choices that it calls for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+
+from qsbearing.contact.hertz import HertzForm
+from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
+from qsbearing.effects.raceway_control import RacewayControl
+from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.operation import Operation
+from qsbearing.validation import MM, RPM, SPEED, ErrorDetail, choose, raise_if_any, unit_mistake
+
+SPEED_PARAMETER_MAX = 1.0e7
+"""dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
+
+
+class HertzAngle(StrEnum):
+    """The contact angle at which a raceway's curvature in the rolling direction is taken."""
+
+    FREE = "free"
+    """The free contact angle: the contact stiffnesses are constants of the bearing."""
+    ACTUAL = "actual"
+    """Each contact's own angle: finer and slower; it moves B218's angles by about 0.004 degrees."""
+    ZERO = "zero"
+    """Angle zero, as ISO/TS 16281 takes it."""
+
+
+class TiltLever(StrEnum):
+    """The radius at which a tilt moves the inner groove centres axially, and axial contact forces make moments."""
+
+    GROOVE_CENTRE = "groove_centre"
+    """Ri, the circle of inner groove centres: exact for a rigid rotation (19.3)."""
+    PITCH_CIRCLE = "pitch_circle"
+    """dm/2, as ISO/TS 16281 takes it."""
+
+
+CHOICES: dict[str, type[StrEnum]] = {
+    "raceway_control": RacewayControl,
+    "hertz_angle": HertzAngle,
+    "hertz_form": HertzForm,
+    "tilt_lever": TiltLever,
+}
+"""The fields of a scene that choose one of several; each may be given as a member or as its word."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """All that a solve needs. An effect that is not named here is not evaluated.
+
+    Raises:
+        SceneError: parts that do not fit together; every error, at once.
+    """
+
+    bearing: BallBearing
+    operation: Operation = field(default_factory=Operation)
+    ball_effects: tuple[BallEffect, ...] = ()
+    raceway_control: RacewayControl | None = None
+    """Needed by the ball effects, and by nothing else."""
+    hertz_angle: HertzAngle = HertzAngle.FREE
+    hertz_form: HertzForm = HertzForm.EXACT
+    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+
+    def __post_init__(self) -> None:
+        errors = []
+        for name, choices in CHOICES.items():
+            if getattr(self, name) is not None or name != "raceway_control":
+                choice, wrong = choose(name, getattr(self, name), choices)
+                object.__setattr__(self, name, choice)
+                errors += wrong
+        errors += effect_errors(self.ball_effects, self.raceway_control)
+        raise_if_any(errors + speed_errors(self.bearing, self.operation))
+
+    @property
+    def centrifugal_force(self) -> CentrifugalForce | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, CentrifugalForce)), None)
+
+    @property
+    def gyroscopic_moment(self) -> GyroscopicMoment | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[ErrorDetail]:
+    """Errors of what is asked for, whatever the bearing."""
+    if not isinstance(ball_effects, tuple) or not all(isinstance(effect, BallEffect) for effect in ball_effects):
+        cause = "Write (qs.CentrifugalForce(), qs.GyroscopicMoment()): a tuple of effects, each with its brackets"
+        return [ErrorDetail("ball_effects", "is not a tuple of ball effects", ball_effects, cause=cause)]
+    errors = []
+    names = [effect.name for effect in ball_effects]
+    if len(set(names)) < len(names):
+        errors.append(ErrorDetail("ball_effects", "names an effect twice", names))
+    if names and raceway_control is None:
+        need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
+        problem = f"missing: {need} the balls' motion, which raceway control sets"
+        cause = "State raceway_control: outer, inner or per_ball"
+        errors.append(ErrorDetail("raceway_control", problem, cause=cause))
+    if raceway_control is not None and not names:
+        problem = "is given, but no ball effect needs it"
+        cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
+        errors.append(ErrorDetail("raceway_control", problem, str(raceway_control), cause=cause))
+    return errors
+
+
+def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail]:
+    """Errors of speeds that no bearing of this size survives."""
+    errors = []
+    for name, speed in (("operation.speed", operation.speed), ("operation.outer_speed", operation.outer_speed)):
+        pitch, value = np.broadcast_arrays(
+            np.asarray(bearing.pitch_diameter, float), np.asarray(0.0 if speed is None else speed, float)
+        )
+        parameter = pitch / MM * np.abs(value) / RPM
+        if (parameter > SPEED_PARAMETER_MAX).any():
+            worst = parameter.argmax()
+            most = float(SPEED_PARAMETER_MAX * RPM * MM / pitch.flat[worst])
+            found = float(value.flat[worst])
+            problem = (
+                f"is too fast: dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing "
+                f"({SPEED_PARAMETER_MAX:g})"
+            )
+            cause = unit_mistake(found, SPEED, -most, most)
+            errors.append(ErrorDetail(name, problem, found, SPEED, (-most, most), cause))
+    return errors

@@ -1,0 +1,125 @@
+"""The numbers that people read off a solution, and how far they are from another solution's.
+
+Each error is relative to a size that cannot vanish while the bearing carries load:
+
+    contact load                        the largest on that raceway
+    semi-axes, pressure                 the largest on that raceway; contacts that carry less than a tenth of its
+                                        largest load do not count
+    contact angle                       the largest on either raceway, at least one degree; of the same contacts
+    displacement, tilt times dm/2       the largest of them all, at least the approach across the most loaded ball
+    ring load (reactions)               the largest, moments over dm/2
+    stiffness, diagonal                 its own, at least a tenth of the largest of its kind (per length, per angle)
+
+Of several balls or channels the worst counts. The *accuracy* of an answer is the worst of all of these.
+"""
+
+from __future__ import annotations
+
+from math import radians
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.solution import stiffness
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from qsbearing.scene.scene import Scene
+    from qsbearing.solution import Solution
+
+LIGHT = 0.1
+"""Of contacts that carry less than this part of the largest load only the load is judged; stiffnesses below this part
+of the largest are judged against that part."""
+
+SMALLEST_ANGLE = radians(1.0)
+"""Contact angles below it are judged as if they were this large [rad]."""
+
+RACEWAYS = ("inner", "outer")
+CONTACT = ("load", "angle", "semi_major_axis", "semi_minor_axis", "max_pressure")
+RING = ("axial_displacement", "radial_displacement", "tilt")
+STIFFNESS = ("axial_stiffness", "radial_stiffness", "tilt_stiffness")
+
+GROUPS = {
+    "displacements": RING,
+    "loads and angles": ("inner_load", "inner_angle", "outer_load", "outer_angle", "ring_load"),
+    "semi-axes and pressures": tuple(f"{side}_{name}" for side in RACEWAYS for name in CONTACT[2:]),
+    "stiffness": STIFFNESS,
+}
+"""Answers that err alike."""
+NAMES = tuple(name for names in GROUPS.values() for name in names)
+"""Every answer judged."""
+
+Answers = dict[str, "NDArray"]
+"""Arrays (*cases, balls or channels) by name, SI."""
+
+
+def read(scene: Scene, solution: Solution) -> Answers:
+    """The answers of a solution; NaN in cases that are not solved and for balls that are not there."""
+    displacement, load = solution.displacement, solution.load
+    lever = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)[..., None]
+    tangent = np.diagonal(stiffness(scene, solution), axis1=-2, axis2=-1)
+    answers: Answers = {
+        "axial_displacement": displacement[..., :1],
+        "radial_displacement": displacement[..., 1:3],
+        "tilt": displacement[..., 3:] * lever,
+        "axial_stiffness": tangent[..., :1],
+        "radial_stiffness": tangent[..., 1:3],
+        "tilt_stiffness": tangent[..., 3:],
+        "ring_load": np.concatenate([load[..., :3], load[..., 3:] / lever], axis=-1),
+        "approach": np.maximum(solution.inner.approach, 0.0) + np.maximum(solution.outer.approach, 0.0),
+    }
+    for side in RACEWAYS:
+        for name in CONTACT:
+            answers[f"{side}_{name}"] = getattr(getattr(solution, side), name)
+    return answers
+
+
+def errors(found: Answers, full: Answers) -> dict[str, NDArray]:
+    """Error of each answer against the full one's; shape (*cases).
+
+    NaN where the full answer has no number; infinite where only the one found has none.
+    """
+    loads = {side: np.nan_to_num(full[f"{side}_load"]) for side in RACEWAYS}
+    heavy = {side: load > LIGHT * load.max(axis=-1, keepdims=True) for side, load in loads.items()}
+    turned = [np.where(heavy[side], full[f"{side}_angle"], 0.0) for side in RACEWAYS]
+    angle = np.maximum(_largest(*turned), SMALLEST_ANGLE)
+    sizes: dict[str, Any] = dict.fromkeys(RING, _largest(full["approach"], *(full[name] for name in RING)))
+    sizes["ring_load"] = _largest(full["ring_load"])
+    counted: dict[str, Any] = {}
+    for side in RACEWAYS:
+        for name in CONTACT:
+            key = f"{side}_{name}"
+            sizes[key] = angle if name == "angle" else _largest(full[key])
+            counted[key] = True if name == "load" else heavy[side]
+    judged = {}
+    for name, size in sizes.items():
+        gap = _nan_max(np.where(counted.get(name, True), _gap(found[name], full[name]), 0.0))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            judged[name] = np.where(gap == 0.0, 0.0, gap / size)
+    for kind in (STIFFNESS[:2], STIFFNESS[2:]):
+        smallest = LIGHT * _largest(*(full[name] for name in kind))[..., None]
+        for name in kind:
+            judged[name] = _nan_max(_gap(found[name], full[name]) / np.maximum(np.abs(full[name]), smallest))
+    return judged
+
+
+def accuracy(judged: dict[str, NDArray], names: tuple[str, ...] = NAMES) -> NDArray:
+    """The worst error of all; shape (*cases)."""
+    return np.max(np.stack(np.broadcast_arrays(*(judged[name] for name in names))), axis=0)
+
+
+def _largest(*arrays: NDArray) -> NDArray:
+    return np.max(np.stack([_nan_max(np.abs(array)) for array in arrays]), axis=0)
+
+
+def _nan_max(array: Any) -> NDArray:
+    """Largest along the last axis, missing balls passed over; NaN where all are missing."""
+    known = np.where(np.isnan(array), -np.inf, array).max(axis=-1)
+    return np.where(np.isneginf(known), np.nan, known)
+
+
+def _gap(found: NDArray, full: NDArray) -> NDArray:
+    """Absolute difference; infinite where only the one found has no number."""
+    gap = np.abs(found - full)
+    return np.where(np.isnan(gap) & ~np.isnan(full), np.inf, gap)

@@ -1,0 +1,184 @@
+"""What `qsbearing cost` finds, as plain data: `cost.json`.
+
+    kind, version, machine, settings    what this is, where and how thoroughly it was measured
+    definition, bearing, scene          how errors are counted, what was looked at
+    measured    [{part, name, cases, tolerance, case_s, over_last, iterations, error, memory_MB}]
+    errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of answers}]
+
+`part` is what is varied: "levels", "tolerance" or "cases". `case_s` is the processor's time of a call over its cases,
+`over_last` that over the time of the last of its series (the finest level, the tightest tolerance, the most cases):
+{median, low, high}, the median of all rounds and their 5 % and 95 % quantiles. `error` is the worst of all answers
+against the last of the series, `memory_MB` the peak of a process that makes this call alone. Null stands for what does
+not apply or has no number.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing import __version__
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.solver import TOLERANCE, solve
+from qsbearing.studies.cost import answers, measuring, speeds
+from qsbearing.studies.cost.levels import FINEST, LEVELS
+from qsbearing.studies.cost.machine import machine
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from qsbearing.scene.scene import Scene
+    from qsbearing.solution import Solution
+
+TOLERANCES = tuple(float(f"1e-{power}") for power in range(2, 15, 2))
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How thoroughly to measure."""
+
+    rounds: int = 10
+    """In each process; each call once a round."""
+    processes: int = 3
+    """Fresh processes over which the rounds are spread."""
+    batch: int = 100
+    """Cases in the batches that levels and tolerances are timed on."""
+    sizes: tuple[int, ...] = (1, 10, 100, 1_000, 10_000, 100_000)
+    """Cases in one call."""
+
+
+FULL = Settings()
+QUICK = Settings(rounds=3, processes=1, batch=20, sizes=(1, 10, 100, 1_000, 10_000))
+"""For a look: a few seconds, with a spread that means little."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """One call of the solver that is measured."""
+
+    part: str
+    name: str
+    scene: Scene
+    cases: int = 1
+    tolerance: float = TOLERANCE
+
+    def prepared(self) -> Callable[[], Solution]:
+        """All but the call itself done."""
+        scene = speeds.batch(self.scene, self.cases)
+        return partial(solve, scene, threads=1, tolerance=self.tolerance)
+
+    def memory(self) -> float:
+        """Peak memory of this process once it has made the call, results kept [MB]."""
+        solution = self.prepared()()
+        peak = measuring.peak_MB()
+        assert solution.shape is not None  # still held
+        return float(f"{peak:.4g}")
+
+
+def series(scene: Scene, settings: Settings) -> list[list[Call]]:
+    """All that is measured; the last of each series is what the others are compared with."""
+    found = []
+    for cases in (1, settings.batch):
+        found += [
+            [Call("levels", level.name, level.of(scene), cases) for level in LEVELS],
+            [Call("tolerance", f"{value:.0e}", scene, cases, tolerance=value) for value in TOLERANCES],
+        ]
+    return [*found, [Call("cases", f"{count:,}", scene, count) for count in settings.sizes]]
+
+
+def steps(settings: Settings) -> int:
+    """How often `measure` reports progress."""
+    return 1 + settings.processes + len(settings.sizes)
+
+
+def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
+    """Everything measured, in the form above.
+
+    Args:
+        scene: bearing and operation; its effects and choices matter for all but the levels, which have their own.
+        progress: told what is being measured, before each of `steps`.
+    """
+    where = machine()
+    progress("errors along the speed")
+    along = errors(scene)
+    rounds: measuring.Times = {}
+    for turn in range(settings.processes):
+        progress(f"times, process {turn + 1} of {settings.processes}")
+        for key, values in measuring.in_fresh_process(times, scene, settings).items():
+            rounds.setdefault(key, []).extend(values)
+    rows = []
+    for k, calls in enumerate(series(scene, settings)):
+        last = calls[-1].prepared()()
+        for j, call in enumerate(calls):
+            row = {key: getattr(call, key) for key in ("part", "name", "cases", "tolerance")}
+            row["case_s"] = measuring.spread(rounds[k, j])
+            row["over_last"] = measuring.ratio(rounds, (k, j), (k, len(calls) - 1))
+            row |= {"iterations": None, "error": None, "memory_MB": None}
+            if call.part == "cases":
+                progress(f"memory of {call.name} cases")
+                row["memory_MB"] = measuring.in_fresh_process(call.memory)
+            else:
+                solution = call.prepared()()
+                judged = answers.errors(answers.read(solution.scene, solution), answers.read(last.scene, last))
+                row["error"] = _short(np.max(answers.accuracy(judged)))
+                row["iterations"] = float(f"{np.mean(solution.iterations):.3g}")
+            rows.append(row)
+    return {
+        "kind": "qsbearing cost",
+        "version": __version__,
+        "machine": where,
+        "settings": asdict(settings),
+        "definition": answers.__doc__,
+        "bearing": scene.bearing.name,
+        "scene": _text(scene),
+        "measured": rows,
+        "errors": along,
+    }
+
+
+def times(scene: Scene, settings: Settings) -> measuring.Times:
+    """Seconds a case of every call, by the positions of its series and in it; all taken in turn."""
+    listed = {(k, j): call for k, calls in enumerate(series(scene, settings)) for j, call in enumerate(calls)}
+    found = measuring.interleaved({key: call.prepared() for key, call in listed.items()}, settings.rounds)
+    return {key: [value / listed[key].cases for value in values] for key, values in found.items()}
+
+
+def errors(scene: Scene) -> list[dict[str, Any]]:
+    """Error of each group of answers at every level against the finest along the speeds."""
+    names, swept = speeds.along_speeds(scene)
+    parameter = speeds.dm_n(swept)
+    full = solve(FINEST.of(swept))
+    exact = answers.read(full.scene, full)
+    rows = []
+    for level in LEVELS:
+        solution = solve(level.of(swept))
+        judged = answers.errors(answers.read(solution.scene, solution), exact)
+        groups = {group: answers.accuracy(judged, members) for group, members in answers.GROUPS.items()}
+        rows += [
+            {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
+            | {group: _short(values[k]) for group, values in groups.items()}
+            for k, name in enumerate(names)
+        ]
+    return rows
+
+
+def _short(value: NDArray) -> float | None:
+    return float(f"{value:.4g}") if np.isfinite(value) else None
+
+
+def _text(scene: Scene) -> str:
+    """The scene's loads in a line."""
+    said = []
+    for channel in CHANNELS:
+        load_unit, unit, size = ("Nm", "mrad", 1e3) if channel.is_rotation else ("N", "um", 1e6)
+        load, displacement = getattr(scene.operation, channel.load), getattr(scene.operation, channel.displacement)
+        if load:
+            said.append(f"{channel.label} {float(load):.6g} {load_unit}")
+        if displacement is not None:
+            said.append(f"{channel.label} held at {float(displacement) * size:.6g} {unit}")
+    return ", ".join(said) or "no load"

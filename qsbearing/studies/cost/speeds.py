@@ -1,0 +1,61 @@
+"""The cases at which a scene is looked at: its own loads from rest to the fastest speeds in use, and batches of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
+from qsbearing.units import mm, rpm
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+NAMED = {"rest": 0.0, "general machinery": 1e5, "spindle": 1e6, "aero engine": 2.5e6}
+"""dm n [mm rpm]: customary ranges of use."""
+OWN = "the scene's own speed"
+
+BETWEEN = np.logspace(4.0, 6.5, 26)
+"""dm n [mm rpm] at which errors are followed besides."""
+
+VARIED = 0.1
+"""Batches vary loads, displacements and speeds by this part to either side."""
+
+
+def dm_n(scene: Scene) -> NDArray:
+    """Speed parameter of one ring against the other [mm rpm]."""
+    operation = scene.operation
+    outer = 0.0 if operation.outer_speed is None else operation.outer_speed
+    speed = np.asarray(operation.speed, float) - np.asarray(outer, float)
+    return np.asarray(scene.bearing.pitch_diameter, float) / mm * np.abs(speed) / rpm
+
+
+def along_speeds(scene: Scene) -> tuple[list[str | None], Scene]:
+    """(names, the scene along one case axis): its inner ring alone turning at the speeds of `NAMED` and `BETWEEN`, in
+    order, and last the scene as it is; None for speeds without a name."""
+    names: dict[float, str] = {value: name for name, value in NAMED.items()}
+    values = sorted({*NAMED.values(), *map(float, BETWEEN)})
+    inner = np.array(values) * mm / float(np.asarray(scene.bearing.pitch_diameter)) * rpm
+    own = scene.operation
+    outer = None if own.outer_speed is None else np.append(0.0 * inner, own.outer_speed)
+    operation = replace(own, speed=np.append(inner, own.speed), outer_speed=outer)
+    return [*map(names.get, values), OWN], replace(scene, operation=operation)
+
+
+def batch(scene: Scene, count: int) -> Scene:
+    """So many cases around a scene, or for one the scene itself: all that is not zero varied by `VARIED` to either
+    side, each in its own rhythm."""
+    if count == 1:
+        return scene
+    varied: dict[str, Any] = {}
+    fields = ("speed", "outer_speed", *(name for channel in CHANNELS for name in channel[:2]))
+    # Multiples of the golden ratio's fraction fill the interval evenly, for any count, and repeat nothing.
+    for position, name in enumerate(fields, start=1):
+        value = getattr(scene.operation, name)
+        if value:
+            part = (np.arange(1, count + 1) * (0.6180339887498949 * position)) % 1.0
+            varied[name] = float(value) * (1.0 + VARIED * (2.0 * part - 1.0))
+    return replace(scene, operation=replace(scene.operation, **varied))

@@ -1,0 +1,45 @@
+"""The pictures of README and guide: `python -m tests.benchmarks.guide_pictures`, in a second or two."""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+import re
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+
+import qsbearing as qs
+from qsbearing.pictures.speed import against_speed
+
+GUIDE = Path(qs.__file__).parent / "guide"
+LOADS = (2.0, 8.0, 20.0)
+"""Axial loads [kN]."""
+SPEEDS = np.linspace(0.0, 15_000.0, 41) * qs.rpm
+
+
+def speed_sweep() -> qs.Solution:
+    """B218 under pure thrust over the speed, both ball effects, outer raceway control: shape (load, speed)."""
+    operation = qs.Operation(speed=SPEEDS, axial_load=np.array(LOADS)[:, None] * qs.kN)
+    return qs.solve(dataclasses.replace(qs.load_scene("b218"), operation=operation))
+
+
+def svg(figure: Figure) -> str:
+    """A figure as SVG: no date and a fixed salt, so that the same picture is the same file; paths to 1/100 point."""
+    file = io.StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": "qsbearing"}):
+        figure.savefig(file, format="svg", metadata={"Date": None})
+    lean = re.sub(r"\n\s*", "\n", re.sub(r"<!--.*?-->\n?", "", file.getvalue()))
+    return re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d\d)\d+", r"\1", path[0]).replace("\n", " "), lean)
+
+
+def main() -> None:
+    """Draw and keep the pictures."""
+    figure = against_speed(speed_sweep(), [f"{load:g} kN" for load in LOADS])
+    (GUIDE / "b218_speed.svg").write_text(svg(figure), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

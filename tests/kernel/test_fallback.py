@@ -1,0 +1,166 @@
+"""The fallback, layer by layer: scenes that Newton's method from two starts does not solve, and what solves each.
+
+Each scene that must converge was chosen because it no longer does when the layer that the test names is left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.compiled import COMPILED
+from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
+from qsbearing.kernel.workspace import working_memory
+from tests.qsbearing.mechanics import ring_load
+from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, INNER, OUTER, PER_BALL, UPRIGHT, resting, turning
+
+STEEP = replace(B218, free_contact_angle=65 * qs.deg, ball_count=14)
+"""A bearing for thrust: at speed its balls leave the inner ring almost over the shoulder."""
+
+
+def free_to_tilt(axial: float, aside: float, across: float) -> dict[str, float]:
+    return {"axial_load": axial, "radial_load_y": aside, "radial_load_z": across, "moment_y": 0.0, "moment_z": 0.0}
+
+
+def upright(axial: float, aside: float) -> dict[str, float]:
+    return {"axial_load": axial, "radial_load_y": aside, **UPRIGHT}
+
+
+CENTRIFUGAL_INNER = {"effects": CENTRIFUGAL, "control": INNER}
+EACH = {"effects": BOTH, "control": PER_BALL}
+
+SCENES: dict[str, dict[str, qs.Scene]] = {
+    "continuation from heavier loads": {
+        "loads a millionth of inertia": turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.005, 0.002)),
+        "balls over the shoulder by inertia": turning(40e3, STEEP, **CENTRIFUGAL_INNER, **upright(1e4, 5e3)),
+    },
+    "continuation in speed": {
+        "nothing but inertia": turning(40e3, STEEP, **CENTRIFUGAL_INNER, **upright(0.01, 0.005)),
+    },
+    "pseudo-time steps": {
+        "past the end of the way up in speed": turning(20e3, STEEP, **EACH, **upright(1e3, 500.0)),
+    },
+    "friction no more than load": {
+        "light balls spin": turning(20e3, **EACH, **free_to_tilt(1.0, 3.0, 0.4)),
+    },
+    "friction no more than a tenth of load": {
+        "one loaded ball, the others spin": turning(5e3, STEEP, **EACH, **upright(100.0, 50.0)),
+    },
+    "release of the bound": {
+        "one loaded ball, fast": turning(40e3, STEEP, **EACH, **upright(100.0, 50.0)),
+    },
+    "the inner raceway in control first": {
+        "loads far below inertia": turning(40e3, effects=CENTRIFUGAL, control=PER_BALL, **free_to_tilt(1.0, 3.0, 0.4)),
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("layer", "scene"),
+    [(layer, scene) for layer, scenes in SCENES.items() for scene in scenes],
+    ids=[f"{layer}: {scene}" for layer, scenes in SCENES.items() for scene in scenes],
+)
+def test_each_layer_finds_an_equilibrium(layer: str, scene: str) -> None:
+    """Newton's method from two starts does not, and the equilibrium found is one by the loads read from it."""
+    asked = SCENES[layer][scene]
+    assert direct_code(asked) == UNFINISHED
+    solution = qs.solve(asked)
+    assert solution.converged, (solution.status, solution.reason, solution.iterations)
+    assert solution.residual <= 1e-10
+    operation = asked.operation
+    wanted = np.array([operation.axial_load, operation.radial_load_y, operation.radial_load_z or 0.0], float)
+    largest = max(np.abs(wanted).max(), solution.centrifugal_force.max())
+    assert ring_load(solution)[:3] == pytest.approx(wanted, abs=1e-9 * largest)
+
+
+def direct_code(scene: qs.Scene) -> int:
+    """How the direct stage ends."""
+    maker = CaseMaker(scene)
+    balls = maker.ball_axis
+    status = np.empty(1, np.int8)
+    solve_cases(
+        maker.make(),
+        *working_memory(balls),
+        1e-12,
+        False,
+        np.empty((1, 5)),
+        np.empty((1, balls, 3)),
+        np.zeros((1, balls), np.int8),
+        np.empty((1, 5)),
+        status,
+        np.empty(1, np.int8),
+        np.empty(1, np.int32),
+        np.empty(1),
+        np.empty(1),
+    )
+    return int(status[0])
+
+
+# At rest --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("axial", [1e-6, 1e-3, 1.0])
+def test_at_rest_light_loads_near_the_limit_of_support(axial: float) -> None:
+    """A moment that lifts all balls but those on one side, under next to no load: one minimum, and it is found."""
+    bearing = replace(B218, kind=qs.BearingKind.DEEP_GROOVE, free_contact_angle=65 * qs.deg, ball_count=14)
+    scene = resting(bearing, axial_load=axial, moment_z=0.1 * axial)
+    assert direct_code(scene) == UNFINISHED or qs.solve(scene).converged
+    solution = qs.solve(scene)
+    assert solution.converged
+    assert ring_load(solution) == pytest.approx([axial, 0.0, 0.0, 0.0, 0.1 * axial], abs=1e-9 * axial)
+
+
+def test_at_rest_nothing_supports_the_load() -> None:
+    """A ring on one ball, free to move and to tilt, moves without end: the answer, not a failure to converge."""
+    solution = qs.solve(resting(replace(B218, ball_count=1), **free_to_tilt(500.0, 100.0, 0.0)))
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.UNSUPPORTED
+    assert solution.speed_reached == 1.0
+
+
+# Refusals and limits --------------------------------------------------------------------------------------------------
+
+
+def test_a_case_is_left_as_it_was() -> None:
+    """What continuation varies stands in the workspace: records of cases that it solved are those that were made."""
+    scene = turning(20e3, STEEP, **EACH, **upright(1e3, 500.0))
+    solution = qs.solve(scene)
+    assert solution.iterations > 100
+    made = CaseMaker(scene).make()
+    for name in made.dtype.names:
+        assert np.array_equal(solution._cases[name], made[name]), name
+
+
+def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:
+    """The way up in speed ends where a ball would slip; the case is refused for the part of the speed that is told."""
+    scene = turning(10.0, outer_rpm=-8.0, control=INNER, **free_to_tilt(1e-4, 0.5e-4, 0.2e-4))
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert 0.0 < float(solution.speed_reached) < 1.0
+    assert f"{100 * float(solution.speed_reached):.3g} % of the speed" in qs.message(solution)
+
+
+@pytest.mark.skipif(not COMPILED, reason="ten thousand iterations of plain Python")
+def test_the_budget_ends_a_case() -> None:
+    """Balls that hardly orbit, between rings that turn against each other, under next to no load: not converged, said
+    so, within the iterations that a case may spend."""
+    scene = turning(40e3, outer_rpm=-32e3, effects=CENTRIFUGAL, control=OUTER, **free_to_tilt(0.01, 0.005, 0.002))
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NOT_CONVERGED
+    assert solution.iterations <= BUDGET + 100
+    assert "does not prove" in qs.message(solution)
+
+
+def test_one_case_sees_nothing_of_another() -> None:
+    """Hard cases in one batch, in either order: what each comes to is what it comes to alone."""
+    first, second = (SCENES[layer] for layer in ("continuation from heavier loads", "continuation in speed"))
+    one, other = first["balls over the shoulder by inertia"], second["nothing but inertia"]
+    loads = np.array([1e4, 0.01])
+    both = turning(40e3, STEEP, **CENTRIFUGAL_INNER, axial_load=loads, radial_load_y=0.5 * loads, **UPRIGHT)
+    batch = qs.solve(both)
+    for k, scene in enumerate((one, other)):
+        assert np.array_equal(batch.displacement[k], qs.solve(scene).displacement)

@@ -1,0 +1,110 @@
+"""What a solution says in sentences: one case, many cases, and when each warning is due."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+
+from .scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE
+
+SEPARATED = "No axial load keeps the raceways together"
+
+
+def warnings_of(bearing: qs.BallBearing, effects: tuple[Any, ...] = (), **operation: Any) -> str:
+    scene = qs.Scene(bearing, qs.Operation(**operation), effects, OUTER if effects else None)
+    solution = qs.solve(scene)
+    assert solution.converged
+    return " ".join(qs.warnings(solution))
+
+
+# Many cases -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def many() -> qs.Solution:
+    """Speeds against thrusts: fast ones slip, heavy ones yield, the last row is pulled apart."""
+    speed = np.array([1e3, 10e3]) * qs.rpm
+    thrust = np.array([[2e3], [20e3], [600e3], [-10.0]])
+    return qs.solve(qs.Scene(B218, qs.Operation(speed=speed, axial_load=thrust), BOTH, OUTER))
+
+
+def test_the_message_of_many_counts_them(many: qs.Solution) -> None:
+    assert qs.message(many) == "8 cases: 6 converged, 2 no_equilibrium (the first: (3, 0))."
+
+
+def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solution) -> None:
+    each = {place: qs.warnings(many, place) for place in np.ndindex(many.shape)}
+    found = qs.warnings(many)
+    assert len(found) == 2
+    for kind in ("friction up to", "Contact pressure reaches"):
+        (sentence,) = [sentence for sentence in found if kind in sentence]
+        have = [place for place, sentences in each.items() if any(kind in one for one in sentences)]
+        assert 0 < len(have) < 8
+        assert sentence.startswith(f"{len(have)} of 8 cases, the first {have[0]}: ")
+        assert sentence.partition(": ")[2] in each[have[0]]
+
+
+@pytest.mark.parametrize("index", [0, (0,), (4, 0), (0, -3), (0, 0, 0)])
+def test_an_index_that_names_no_case_says_what_would(many: qs.Solution, index: Any) -> None:
+    for ask in (qs.message, qs.warnings):
+        with pytest.raises(ValueError, match=r"this solution has \(4, 2\) cases; give index, such as \(3, 1\)"):
+            ask(many, index)
+
+
+def test_an_index_from_the_end(many: qs.Solution) -> None:
+    assert qs.message(many, (-1, -2)) == qs.message(many, (3, 0))
+    alone = qs.solve(qs.Scene(B218, qs.Operation(axial_load=1e3)))
+    assert qs.message(alone, ()) == qs.message(alone)
+    with pytest.raises(ValueError, match="a single case; leave index out"):
+        qs.message(alone, 0)
+
+
+def test_balls_without_support_where_every_displacement_is_prescribed() -> None:
+    bearing = dataclasses.replace(B218, ball_count=1, free_contact_angle=0.0)
+    held = dict.fromkeys(["axial_displacement", "radial_displacement_y", "tilt_y", "tilt_z"], 0.0)
+    solution = qs.solve(qs.Scene(bearing, qs.Operation(radial_displacement_z=0.1, first_ball_azimuth=4.0, **held)))
+    assert solution.status == "no_equilibrium"
+    assert "at the prescribed displacements" in qs.message(solution)
+
+
+# Raceways that separate -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("bearing", [B218, SPINDLE], ids=["B218", "spindle"])
+@pytest.mark.parametrize("speed", [0.0, 5000 * qs.rpm])
+@pytest.mark.parametrize("axial", [{}, {"axial_load": 0.0}, {"axial_load": 1.0}], ids=str)
+def test_without_axial_load_a_radially_loaded_bearing_separates(
+    bearing: qs.BallBearing, speed: float, axial: dict[str, float]
+) -> None:
+    found = warnings_of(bearing, BOTH if speed else (), speed=speed, radial_load_y=4e3, tilt_z=0.0, **axial)
+    assert SEPARATED in found
+    moved = float(found.partition("moved axially by ")[2].partition(" um")[0]) * qs.um
+    reach = -bearing.groove_centre_distance * np.sin(bearing.free_contact_angle)
+    assert moved == pytest.approx(reach, rel=0.02), "as far as the free contact angle lets it go"
+
+
+@pytest.mark.parametrize(
+    "operation",
+    [
+        {"axial_load": 4e3, "radial_load_y": 4e3, "tilt_z": 0.0},
+        {"axial_load": 400.0, "radial_load_y": 4e3, "tilt_z": 0.0},
+        {"axial_load": 4e3},
+        {"axial_displacement": 1e-6, "radial_load_y": 4e3, "tilt_z": 0.0},
+        {"axial_displacement": 0.0, "radial_load_y": 4e3, "moment_z": 0.0},
+        {},
+    ],
+    ids=str,
+)
+def test_loaded_preloaded_and_idle_bearings_do_not_separate(operation: dict[str, float]) -> None:
+    assert SEPARATED not in warnings_of(B218, **operation)
+
+
+def test_a_deep_groove_bearing_does_not_separate() -> None:
+    """Shoulders on both sides: at angle zero under a radial load, as it is made for; and so with some clearance."""
+    for bearing in (DEEP_GROOVE, dataclasses.replace(DEEP_GROOVE, free_contact_angle=8 * qs.deg)):
+        assert SEPARATED not in warnings_of(bearing, radial_load_y=1e3, tilt_z=0.0)

@@ -1,0 +1,168 @@
+"""Pictures: what is drawn is what was solved, and nothing falls on anything else."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+import warnings
+from io import BytesIO
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+
+matplotlib = pytest.importorskip("matplotlib")
+from matplotlib.patches import Ellipse  # noqa: E402
+
+from qsbearing import pictures  # noqa: E402
+
+EFFECTS: dict[str, Any] = {
+    "ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()),
+    "raceway_control": qs.RacewayControl.OUTER,
+}
+
+
+def b218(**changes: Any) -> qs.BallBearing:
+    return dataclasses.replace(qs.load_scene("b218").bearing, **changes)
+
+
+COMBINED = qs.Operation(speed=10_000 * qs.rpm, axial_load=3000.0, radial_load_y=4000.0, tilt_z=0.0)
+SCENES = {
+    "thrust": qs.load_scene("b218"),
+    "combined, inner contacts lost": qs.Scene(b218(), COMBINED, **EFFECTS),
+    "at rest, balls unloaded": qs.Scene(b218(), qs.Operation(axial_load=1000.0, radial_load_y=4000.0, tilt_z=0.0)),
+    "deep groove, negative angles": qs.Scene(
+        qs.load_scene("iso16281_7ball").bearing,
+        qs.Operation(axial_load=-300.0, radial_load_y=1000.0, tilt_z=2e-3),
+    ),
+    "three balls": qs.Scene(b218(ball_count=3), qs.Operation(axial_load=3000.0, moment_z=20.0, first_ball_azimuth=0.3)),
+    "nineteen balls": qs.Scene(b218(ball_count=19, pitch_diameter=0.15), COMBINED, **EFFECTS),
+    "sixty balls": qs.Scene(b218(ball_count=60, pitch_diameter=0.5), COMBINED, **EFFECTS),
+}
+SOLUTIONS = {name: qs.solve(scene) for name, scene in SCENES.items()}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_scene_is_drawn_without_a_warning(name: str) -> None:
+    solution = SOLUTIONS[name]
+    assert solution.converged
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        pictures.overview(solution).savefig(BytesIO(), dpi=40)
+
+
+@pytest.mark.parametrize("picture", ["load_distribution", "contact_angles", "contact_ellipses"])
+def test_every_picture_alone_is_drawn_without_a_warning(picture: str) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        getattr(pictures, picture)(SOLUTIONS["combined, inner contacts lost"]).savefig(BytesIO(), dpi=40)
+
+
+def test_no_global_state_of_matplotlib_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)  # importing it is an error now
+    pictures.overview(SOLUTIONS["thrust"]).savefig(BytesIO(), format="svg")
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_loads_are_drawn_at_their_azimuths(name: str) -> None:
+    solution = SOLUTIONS[name]
+    (axes,) = pictures.load_distribution(solution).axes
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    for side, contacts in (("inner", solution.inner), ("outer", solution.outer)):
+        line = lines[f"{side} raceway"]
+        np.testing.assert_allclose(line.get_xdata()[:-1], solution.azimuth)
+        np.testing.assert_allclose(line.get_ydata()[:-1], contacts.load)
+        assert axes.get_ylim()[1] > contacts.load.max()
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_angles_are_drawn_where_there_is_contact_and_only_there(name: str) -> None:
+    solution = SOLUTIONS[name]
+    (axes,) = pictures.contact_angles(solution).axes
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    for side, contacts in (("inner", solution.inner), ("outer", solution.outer)):
+        x, y = lines[f"{side} raceway"].get_data()
+        drawn = dict(zip(np.round(x[1:-1], 6), y[1:-1], strict=True))
+        for azimuth, angle, load in zip(np.degrees(solution.azimuth) % 360, contacts.angle, contacts.load, strict=True):
+            value = drawn[np.round(azimuth, 6)]
+            assert np.isnan(value) if load == 0 else value == pytest.approx(np.degrees(angle))
+            assert load == 0 or axes.get_ylim()[0] < value < axes.get_ylim()[1]
+    assert lines["free contact angle"].get_ydata()[0] == pytest.approx(
+        np.degrees(float(solution.scene.bearing.free_contact_angle))
+    )
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_lost_contacts_are_marked(name: str) -> None:
+    solution = SOLUTIONS[name]
+    lost_both = ((solution.inner.load == 0) & (solution.outer.load == 0)).sum()
+    lost_inner = ((solution.inner.load == 0) & (solution.outer.load > 0)).sum()
+    for picture in (pictures.load_distribution, pictures.contact_angles):
+        marks = {line.get_label(): len(line.get_xdata()) for line in picture(solution).axes[0].get_lines()}
+        assert marks.get("no load on either raceway", 0) == lost_both
+        assert marks.get("inner contact lost", 0) == lost_inner
+    assert {"at rest, balls unloaded": lost_both, "combined, inner contacts lost": lost_inner}.get(name, 1) > 0
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_ellipses_have_their_true_size_and_do_not_touch(name: str) -> None:
+    solution = SOLUTIONS[name]
+    (axes,) = pictures.contact_ellipses(solution).axes
+    assert axes.get_aspect() == 1.0, "to scale"
+    ellipses = {
+        (round(patch.center[0], 9), patch.center[1] > 0): (patch.width, patch.height)
+        for patch in axes.patches
+        if isinstance(patch, Ellipse)
+    }
+    for side, contacts in ((True, solution.inner), (False, solution.outer)):
+        drawn = sorted(size for (_, inner), size in ellipses.items() if inner == side)
+        true = np.column_stack([contacts.semi_minor_axis, contacts.semi_major_axis])[contacts.load > 0] * 2e3
+        for size in drawn:
+            assert np.isclose(true, size, rtol=1e-9).all(axis=1).any()
+        places = sorted(x for (x, inner) in ellipses if inner == side)
+        widest = max(width for width, _ in drawn)
+        assert all(right - left > widest for left, right in pairwise(places))
+    if name == "thrust":
+        assert len(ellipses) == 2
+    elif name != "sixty balls":
+        assert len(ellipses) == (solution.inner.load > 0).sum() + (solution.outer.load > 0).sum()
+
+
+def test_a_large_bearing_says_that_it_shows_some_of_its_balls() -> None:
+    (axes,) = pictures.contact_ellipses(SOLUTIONS["sixty balls"]).axes
+    assert "every third ball" in axes.get_xlabel()
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_pressures_do_not_run_into_each_other(name: str) -> None:
+    figure = pictures.contact_ellipses(SOLUTIONS[name])
+    figure.savefig(BytesIO(), dpi=60)
+    (axes,) = figure.axes
+    boxes = [text.get_window_extent() for text in axes.texts] + [
+        label.get_window_extent() for label in axes.get_xticklabels()
+    ]
+    for i, box in enumerate(boxes):
+        assert not any(box.overlaps(other) for other in boxes[:i]), axes.get_title()
+
+
+def test_one_case_of_many() -> None:
+    operation = qs.Operation(axial_load=np.array([1000.0, 9000.0]))
+    many = qs.solve(qs.Scene(b218(), operation))
+    (axes,) = pictures.load_distribution(many, 1).axes
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    np.testing.assert_allclose(lines["inner raceway"].get_ydata()[:-1], many.inner.load[1])
+    pictures.overview(many, 1).savefig(BytesIO(), dpi=40)
+
+
+def test_which_case_of_many_must_be_said() -> None:
+    many = qs.solve(qs.Scene(b218(), qs.Operation(axial_load=np.array([1000.0, 9000.0]))))
+    with pytest.raises(ValueError, match="give index"):
+        pictures.overview(many)
+
+
+def test_the_title_says_what_was_solved() -> None:
+    title = pictures.overview(SOLUTIONS["combined, inner contacts lost"]).get_suptitle()
+    assert title.startswith("B218, 10000 rpm, axial 3000 N, radial y 4000 N, moment z -1")
