@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from fem_check import half_space_contact, linear_solver, memory, records_store
+from fem_check import half_space_contact, memory, records_store
 from fem_check.agreement import Check, Level, Progress
 from fem_check.checks import ALL
 from fem_check.contact import ContactError
@@ -48,10 +48,6 @@ def run(
     Raises:
         BadInputError: a check cannot be run; records written before stay, its own earlier record too.
     """
-    try:
-        linear_solver.chosen()
-    except ValueError as problem:
-        raise BadInputError(str(problem)) from problem
     for check in checks:
         refuse_too_large(check.largest_dofs(level), f"{check.name} at level {level}")
     for check in checks:

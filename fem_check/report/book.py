@@ -43,7 +43,7 @@ def write(records: Path, out: Path) -> Path:
         if chosen:
             parts.append(f"## {heading}\n")
             parts += [_section(entry, out) for entry in chosen]
-    measured = record.read(records / "cost")
+    measured = record.read(records)
     if measured is not None:
         parts += cost.section(measured, out / PICTURES, PICTURES)
     path = out / "REPORT.md"
