@@ -1,6 +1,7 @@
 """What accuracy costs: element families, the record, the mesh chosen by it."""
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -186,6 +187,10 @@ def test_every_number_of_the_picture_and_the_table_is_there(kept):
 
 def test_the_cheapest_that_will_do_comes_first(kept):
     every = mesh_choice.choices(kept)
+    assert every[0].sequence == (4, 5, 6)
+    for cheap, dear in pairwise(every):
+        assert cheap.seconds <= dear.seconds
+        assert cheap.accuracy > dear.accuracy
     for accuracy in (1e-2, 4e-3, 1e-3, 5e-4):
         first, *others = mesh_choice.proposals(accuracy, kept)
         assert first.accuracy <= accuracy
