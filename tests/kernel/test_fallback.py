@@ -5,7 +5,11 @@ Each scene that must converge was chosen because it no longer does when the laye
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +17,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
 from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.mechanics import ring_load
@@ -122,6 +127,22 @@ def test_at_rest_nothing_supports_the_load() -> None:
     assert solution.speed_reached == 1.0
 
 
+# The direct stage -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        turning(40e3, **CENTRIFUGAL_INNER, **upright(1e4, 1e4)),
+        turning(20e3, STEEP, **CENTRIFUGAL_INNER, **upright(1e3, 500.0)),
+    ],
+    ids=["radial load as large as axial", "steep contact angle"],
+)
+def test_a_second_start_spares_the_fallback(scene: qs.Scene) -> None:
+    """Newton's method from the likelier start alone leaves these to the fallback, ten times as dear."""
+    assert direct_code(scene) == CONVERGED
+
+
 # Refusals and limits --------------------------------------------------------------------------------------------------
 
 
@@ -142,6 +163,42 @@ def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:
     assert solution.status is qs.Status.NO_EQUILIBRIUM
     assert 0.0 < float(solution.speed_reached) < 1.0
     assert f"{100 * float(solution.speed_reached):.3g} % of the speed" in qs.message(solution)
+
+
+def test_no_equilibrium_at_rest_refuses_a_case_that_hardly_moves() -> None:
+    """Nothing is found at speed; the unique equilibrium at rest, over the shoulder, is the evidence."""
+    scene = turning(0.05, STEEP, outer_rpm=-0.83 * 0.05, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.01, 0.0))
+    scene = replace(scene, operation=replace(scene.operation, moment_z=-2e-4))
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.OVER_SHOULDER
+    assert solution.speed_reached == 0.0
+
+
+def test_no_step_is_taken_beyond_the_budget() -> None:
+    """With a budget of 25 iterations, fewer than one call of Newton's method may use: neither it nor the pseudo-time
+    steps go on. In a process without the compiler, where the budget can be changed."""
+    program = """
+import qsbearing.kernel.solve_case as direct
+import qsbearing as qs
+from tests.kernel.test_fallback import SCENES
+direct.BUDGET = 25
+for scenes in SCENES.values():
+    for scene in scenes.values():
+        solution = qs.solve(scene)
+        print(solution.status, int(solution.iterations))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    lines = done.stdout.split()
+    assert set(lines[::2]) <= {"not_converged", "no_equilibrium"}
+    assert max(map(int, lines[1::2])) <= 2 * 25  # direct stage and fallback, each its own
 
 
 @pytest.mark.skipif(not COMPILED, reason="ten thousand iterations of plain Python")
