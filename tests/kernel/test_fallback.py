@@ -165,14 +165,25 @@ def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:
     assert f"{100 * float(solution.speed_reached):.3g} % of the speed" in qs.message(solution)
 
 
-def test_no_equilibrium_at_rest_refuses_a_case_that_hardly_moves() -> None:
-    """Nothing is found at speed; the unique equilibrium at rest, over the shoulder, is the evidence."""
-    scene = turning(0.05, STEEP, outer_rpm=-0.83 * 0.05, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.01, 0.0))
-    scene = replace(scene, operation=replace(scene.operation, moment_z=-2e-4))
-    solution = qs.solve(scene)
-    assert solution.status is qs.Status.NO_EQUILIBRIUM
-    assert solution.reason == qs.Reason.OVER_SHOULDER
-    assert solution.speed_reached == 0.0
+@pytest.mark.parametrize(
+    ("rpm", "axial", "moment", "is_refused"),
+    [(1e4, 1e-4, 0.0, True), (0.05, 0.01, -2e-4, False)],
+    ids=["balls over the shoulder at rest", "balls that only rounding presses over the shoulder"],
+)
+def test_a_case_for_which_nothing_is_found_is_refused_if_the_bearing_at_rest_is(
+    rpm: float, axial: float, moment: float, is_refused: bool
+) -> None:
+    """Rings turn against each other, so that balls hardly orbit: the equilibrium at rest is unique and the evidence."""
+    loads = {"axial_load": axial, "radial_load_y": axial, "radial_load_z": 0.0, "moment_y": 0.0, "moment_z": moment}
+    solution = qs.solve(turning(rpm, STEEP, outer_rpm=-0.83 * rpm, **CENTRIFUGAL_INNER, **loads))
+    at_rest = qs.solve(resting(STEEP, **loads))
+    assert (at_rest.status is qs.Status.NO_EQUILIBRIUM) == is_refused
+    if is_refused:
+        assert solution.status is qs.Status.NO_EQUILIBRIUM
+        assert solution.reason == at_rest.reason == qs.Reason.OVER_SHOULDER
+        assert solution.speed_reached == 0.0
+    else:
+        assert solution.status is not qs.Status.NO_EQUILIBRIUM
 
 
 def test_no_step_is_taken_beyond_the_budget() -> None:
