@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, stiffness_at_angle
@@ -15,9 +16,6 @@ from qsbearing.kernel.case import CASE
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 @entry

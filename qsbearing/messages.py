@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.kernel.admissibility import (
@@ -20,15 +20,10 @@ from qsbearing.kernel.admissibility import (
 )
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import SOFTEST
+from qsbearing.solution import SOFTEST, Index, Solution
 from qsbearing.units import MPa, mrad, um
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.solution import Index, Solution
-
-    Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
+Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 
 FRICTION_IN_DOUBT = 0.06
 FRICTION_BEYOND = 0.1

@@ -8,9 +8,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import (
     CONVERGED,
@@ -24,14 +26,11 @@ from qsbearing.kernel.admissibility import (
 )
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
     import pandas
-    from numpy.typing import NDArray
-
-    from qsbearing.flatten import CaseMaker
-    from qsbearing.scene.scene import Scene
 
 Index = int | tuple[int, ...] | None
 """One case, along the case axes of its solution; None where there is a single case."""

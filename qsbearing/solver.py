@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import time
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
@@ -14,9 +15,6 @@ from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 THREADS_VARIABLE = "QSBEARING_THREADS"
 CHUNK = 1024

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import csv
 from io import StringIO
-from typing import TYPE_CHECKING
 
 from qsbearing.columns import columns
-
-if TYPE_CHECKING:
-    from qsbearing.solution import Solution
+from qsbearing.solution import Solution
 
 
 def csv_text(solution: Solution) -> str:

@@ -9,14 +9,10 @@ and the bound on friction.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.kernel.snapshots import SNAPSHOTS
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _BALL = np.dtype(
     [

@@ -8,6 +8,7 @@ import numpy as np
 
 from qsbearing.pictures.style import (
     GREY,
+    Place,
     balls,
     figure_of_size,
     legend,
@@ -17,14 +18,12 @@ from qsbearing.pictures.style import (
     raceways,
     write_title,
 )
+from qsbearing.solution import Index, Solution
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
 
 
 def contact_angles(solution: Solution, index: Index = None) -> Figure:

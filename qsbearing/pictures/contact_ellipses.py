@@ -5,17 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY, STYLE, balls, figure_of_size, raceways, write_title
+from qsbearing.pictures.style import GREY, STYLE, Place, balls, figure_of_size, raceways, write_title
+from qsbearing.solution import Index, Solution
 from qsbearing.units import MPa, mm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
 
 MOST_ELLIPSES = 20
 """More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""

@@ -6,13 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.pictures.style import balls, figure_of_size, legend, line_style, mark_lost, raceways, write_title
+from qsbearing.pictures.style import Place, balls, figure_of_size, legend, line_style, mark_lost, raceways, write_title
+from qsbearing.solution import Index, Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
 
 
 def load_distribution(solution: Solution, index: Index = None) -> Figure:

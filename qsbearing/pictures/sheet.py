@@ -8,11 +8,10 @@ from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
 from qsbearing.pictures.style import figure_of_size, legend, write_title
+from qsbearing.solution import Index, Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from qsbearing.solution import Index, Solution
 
 
 def overview(solution: Solution, index: Index = None) -> Figure:

@@ -9,18 +9,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.solution import RacewayContacts, Solution
 from qsbearing.units import rpm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
-    from qsbearing.solution import RacewayContacts, Solution
-
-    Place = tuple[int, ...]
+Place = tuple[int, ...]
+"""The index of one case along the case axes."""
 
 # Okabe & Ito's blue and vermilion: told apart by every kind of colour vision, and by their lightness in print.
 # The outer's hollow squares are larger than the inner's discs: where the two coincide, both are seen.

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.contact.hertz import effective_modulus
 from qsbearing.scene.material import STEEL, Material
@@ -27,9 +28,6 @@ from qsbearing.validation import (
     unit_mistake,
     within,
 )
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)

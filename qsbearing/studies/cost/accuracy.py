@@ -15,19 +15,16 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from qsbearing.flatten import case_arrays
-from qsbearing.scene.scene import HertzAngle, HertzForm
+from qsbearing.scene.scene import HertzAngle, HertzForm, Scene
+from qsbearing.solution import Solution
 from qsbearing.solver import solve
 from qsbearing.studies.cost import indicators
 from qsbearing.studies.cost.levels import Level, simplifications
-
-if TYPE_CHECKING:
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
 
 FINEST, COARSEST = 1e-12, 1.0
 """What may be asked: the solver's own tolerance, and everything."""

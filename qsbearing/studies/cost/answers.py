@@ -16,17 +16,13 @@ Of several balls or channels the worst counts. The *accuracy* of an answer is th
 from __future__ import annotations
 
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.solution import stiffness
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import Solution, stiffness
 
 LIGHT = 0.1
 """Of contacts that carry less than this part of the largest load only the load is judged; stiffnesses below this part

@@ -14,26 +14,22 @@ not apply or has no number.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing import __version__
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import Solution
 from qsbearing.solver import TOLERANCE, solve
 from qsbearing.studies.cost import answers, measuring, speeds
 from qsbearing.studies.cost.levels import FINEST, LEVELS
 from qsbearing.studies.cost.machine import machine
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
 
 TOLERANCES = tuple(float(f"1e-{power}") for power in range(2, 15, 2))
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable, Sequence
 from io import StringIO
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rich import box
 from rich.console import Group
@@ -17,9 +18,6 @@ from qsbearing.studies.cost.answers import GROUPS
 from qsbearing.studies.cost.levels import LEVELS
 from qsbearing.studies.cost.machine import in_a_line
 from qsbearing.studies.cost.speeds import OWN
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
 
 Row = dict[str, Any]
 

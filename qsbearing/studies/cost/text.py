@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from qsbearing.studies.cost.accuracy import Choice, Option, Reached
 from qsbearing.studies.cost.indicators import OMISSIONS
-
-if TYPE_CHECKING:
-    from qsbearing.studies.cost.accuracy import Choice, Option, Reached
 
 
 def before(choice: Choice) -> str:
