@@ -3,7 +3,7 @@
 `choose` solves the scene at its coarsest level and judges every level by the contacts found there: the error of what it
 leaves out is at most a factor of `advice.json` times its indicator. The first whose error stays below what was asked is
 taken. `solve_to` solves it, judges it anew by its own contacts, and goes on to a finer one where these say that it will
-not do. The scene itself has no error by definition: accuracy is against the scene's full answer, counted as `answers`
+not do. The scene itself has no error by definition: accuracy is against the scene's full result, counted as `results`
 says.
 """
 

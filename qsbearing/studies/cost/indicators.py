@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from qsbearing.scene.scene import HertzAngle, Scene
 from qsbearing.solution import Solution
-from qsbearing.studies.cost.answers import LIGHT
+from qsbearing.studies.cost.results import LIGHT
 
 OMISSIONS = {
     "centrifugal_force": "the centrifugal force",

@@ -14,9 +14,9 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.studies.cost.answers import GROUPS
 from qsbearing.studies.cost.levels import LEVELS
 from qsbearing.studies.cost.machine import in_a_line
+from qsbearing.studies.cost.results import GROUPS
 from qsbearing.studies.cost.speeds import OWN
 
 Row = dict[str, Any]
@@ -37,7 +37,7 @@ def select(rows: list[Row], **chosen: Any) -> list[Row]:
 
 
 def worst(row: Row, groups: Iterable[str] = GROUPS) -> float | None:
-    """The worst error of some groups of answers; None where one has no number."""
+    """The worst error of some groups of results; None where one has no number."""
     values = [row[group] for group in groups]
     return None if None in values else max(values)
 
@@ -64,7 +64,7 @@ def _levels(record: dict[str, Any]) -> Table:
 def _speeds(record: dict[str, Any]) -> Table:
     named = [row for row in select(record["errors"], level=LEVELS[0].name) if row["speed"] is not None]
     heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:g}"]) for row in named)]
-    table = _table("Error of the worst answer by speed; below: dm n, mm rpm", heading)
+    table = _table("Error of the worst result by speed; below: dm n, mm rpm", heading)
     for level in LEVELS:
         rows = [row for row in select(record["errors"], level=level.name) if row["speed"] is not None]
         table.add_row(level.text, *(short(worst(row)) for row in rows))

@@ -18,9 +18,9 @@ def before(choice: Choice) -> str:
 
 def after(reached: Reached) -> str:
     """What was reached, and the time it took."""
-    said = "the scene's own full answer"
+    said = "the scene's own full result"
     if reached.option.left_out:
-        said = f"within {reached.error:.1e} of the full answer by the loads and angles found"
+        said = f"within {reached.error:.1e} of the full result by the loads and angles found"
     said = f"Reached: {said}; {_time(reached.seconds)} to solve."
     if reached.solves == 1:
         return said
