@@ -45,9 +45,10 @@ def legend(figure: Figure, *axes: Any) -> None:
     for each in axes:
         for handle, label in zip(*each.get_legend_handles_labels(), strict=True):
             known.setdefault(label, handle)
-    figure.legend(
-        list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
-    )
+    if known:
+        figure.legend(
+            list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
+        )
 
 
 def plain(axes: Axes) -> None:
