@@ -303,8 +303,8 @@ def test_an_error_of_zero_is_drawn_at_zero_and_the_others_in_their_decades(full_
 
 
 def test_the_folder_is_filled_whole(tmp_path: Path, full_record: dict[str, Any]) -> None:
-    with output_folder.OutputFolder(str(tmp_path / "new")) as folder:
-        folder.fill(full_record)
+    with output_folder.output_folder(str(tmp_path / "new")) as fill:
+        fill(full_record)
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(output_folder.FILES)
     assert json.loads((tmp_path / "new" / "cost.json").read_text()) == full_record
     for name in figures.PICTURES:
@@ -313,11 +313,11 @@ def test_the_folder_is_filled_whole(tmp_path: Path, full_record: dict[str, Any])
 
 def test_a_folder_that_is_not_filled_leaves_nothing(tmp_path: Path, full_record: dict[str, Any]) -> None:
     broken = {key: value for key, value in full_record.items() if key != "errors"}
-    with pytest.raises(KeyError), output_folder.OutputFolder(str(tmp_path / "new")) as folder:
-        folder.fill(broken)
+    with pytest.raises(KeyError), output_folder.output_folder(str(tmp_path / "new")) as fill:
+        fill(broken)
     assert list(tmp_path.iterdir()) == []
     (tmp_path / "old").mkdir()
-    with output_folder.OutputFolder(str(tmp_path / "old")):
+    with output_folder.output_folder(str(tmp_path / "old")):
         pass
     assert list((tmp_path / "old").iterdir()) == []
 
