@@ -43,5 +43,20 @@ _FIELDS = np.dtype(
 CASE = np.dtype((np.record, _FIELDS))
 """One case; a record, so that plain Python reads its fields as the compiled kernel does."""
 
+_RESULT_FIELDS = np.dtype(
+    [
+        ("displacement", np.float64, (5,)),  # of the ring; at first the start, where one is given
+        ("load", np.float64, (5,)),  # on the ring, reactions of prescribed displacements included
+        ("residual", np.float64),
+        ("reached", np.float64),  # the part of the speed that all this is for
+        ("iterations", np.int32),
+        ("status", np.int8),
+        ("notes", np.int8),  # what there is to say about the case, as bits
+    ],
+    align=True,
+)
+RESULT = np.dtype((np.record, _RESULT_FIELDS))
+"""What the kernel finds for one case, but for its balls."""
+
 BALL_MASS = 1.0
 BALL_INERTIA = 0.1
