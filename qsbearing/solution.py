@@ -75,11 +75,7 @@ _REASONS = {
 }
 """Several may hold; the first of these is reported."""
 
-STATUS_OF_CODE = {
-    CONVERGED: Status.CONVERGED,
-    NO_EQUILIBRIUM: Status.NO_EQUILIBRIUM,
-    NOT_CONVERGED: Status.NOT_CONVERGED,
-}
+STATUS_OF_CODE = dict(zip((CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED), Status, strict=True))
 
 
 def _contact_result(what: int, unit: str, meaning: str) -> cached_property[NDArray]:

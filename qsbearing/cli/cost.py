@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
@@ -45,8 +46,6 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
             sys.exit(UNSOLVED)
         found = _measure(solution.scene, quick)
         if as_json:
-            import json
-
             print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
         else:
             from qsbearing.studies.cost import tables

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from contextlib import ExitStack
+from importlib.util import find_spec
+from io import BytesIO
 from typing import TYPE_CHECKING
 
 import click
@@ -77,8 +80,6 @@ def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, W
     """What writes each file, by its option; all that is wrong with the files at once."""
     if not targets:
         return {}
-    from importlib.util import find_spec
-
     from qsbearing.io.output_file import output_file
 
     problems = []
@@ -129,8 +130,6 @@ def _solve_to(scene: Scene, accuracy: float, as_json: bool) -> Reached:
 
 def _show(solution: Solution, reached: Reached | None, as_json: bool) -> None:
     if as_json:
-        import json
-
         from qsbearing.io.json_record import record
 
         found = record(solution)
@@ -150,14 +149,13 @@ def _show(solution: Solution, reached: Reached | None, as_json: bool) -> None:
 
 
 def _csv(solution: Solution) -> bytes:
+    from qsbearing.columns import columns
     from qsbearing.io.csv_table import csv_text
 
-    return csv_text(solution).encode("utf-8")
+    return csv_text({name: values.tolist() for name, values in columns(solution).items()}).encode("utf-8")
 
 
 def _picture(solution: Solution, form: str) -> bytes:
-    from io import BytesIO
-
     from qsbearing.pictures import overview
 
     picture = BytesIO()

@@ -132,14 +132,14 @@ class BallBearing:
 
     @property
     def inner_groove_centre_radius(self) -> NDArray:
-        """Ri = dm/2 + (fi - 1/2) D cos alpha0: of the circle of inner groove centres [m]."""
-        reach = self._array("inner_groove_radius") - 0.5 * self._array("ball_diameter")
-        return 0.5 * self._array("pitch_diameter") + reach * np.cos(self._array("free_contact_angle"))
+        """Ri, of the circle of inner groove centres [m]."""
+        pitch, radius, ball = map(self._array, ("pitch_diameter", "inner_groove_radius", "ball_diameter"))
+        return np.asarray(groove_centre_radius(pitch, radius, ball, np.cos(self._array("free_contact_angle"))))
 
     @property
     def ball_mass(self) -> NDArray:
         """m = rho pi D^3/6 [kg]."""
-        return np.asarray(self.ball_material.density, float) * pi / 6.0 * self._array("ball_diameter") ** 3
+        return np.asarray(ball_mass(np.asarray(self.ball_material.density, float), self._array("ball_diameter")))
 
     @property
     def ball_inertia(self) -> NDArray:
@@ -155,6 +155,16 @@ class BallBearing:
             for number in (material.elastic_modulus, material.poisson_ratio)
         ]
         return np.asarray(effective_modulus(*numbers))  # type: ignore[arg-type]
+
+
+def ball_mass(density: Any, ball_diameter: Any) -> Any:
+    """m = rho pi D^3/6 [kg]."""
+    return density * (pi / 6.0) * ball_diameter**3
+
+
+def groove_centre_radius(pitch_diameter: Any, groove_radius: Any, ball_diameter: Any, cos_free: Any) -> Any:
+    """Ri = dm/2 + (ri - D/2) cos alpha0, of the circle of inner groove centres, in the unit of the lengths."""
+    return 0.5 * pitch_diameter + (groove_radius - 0.5 * ball_diameter) * cos_free
 
 
 def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_distance: ArrayLike) -> NDArray:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Sequence
-from io import StringIO
 from textwrap import wrap
 from typing import Any
 
-from rich import box
 from rich.console import Group
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from qsbearing.io import csv_table
+from qsbearing.io.tables import plain_table
 from qsbearing.studies.cost.levels import LEVELS
 from qsbearing.studies.cost.machine import in_a_line
 from qsbearing.studies.cost.results import GROUPS
@@ -96,11 +95,9 @@ def _scaling(record: dict[str, Any]) -> Table:
 
 
 def _table(title: str, heading: Sequence[str]) -> Table:
-    table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
-    table.pad_edge, table.padding = False, (0, 1, 0, 0)
-    for position, text in enumerate(heading):
-        # A number that does not fit goes on below: cut off, it would be another number.
-        table.add_column(text, justify="right" if position else "left", overflow="fold")
+    table = plain_table(title, heading)
+    for column in table.columns:
+        column.no_wrap, column.overflow = False, "fold"  # cut off, a number would be another number
     return table
 
 
@@ -127,8 +124,4 @@ def csv_text(rows: list[Row]) -> str:
         | {f"{name}_{part}": x for name, value in row.items() if isinstance(value, dict) for part, x in value.items()}
         for row in rows
     ]
-    text = StringIO(newline="")
-    writer = csv.DictWriter(text, list(flat[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(flat)
-    return text.getvalue()
+    return csv_table.csv_text({name: [row[name] for row in flat] for name in flat[0]})
