@@ -32,7 +32,9 @@ from qsbearing.units import deg
 if TYPE_CHECKING:
     import pandas
 
-Index = int | tuple[int, ...] | None
+Place = tuple[int, ...]
+"""The index of one case along each case axis of its solution."""
+Index = int | Place | None
 """One case, along the case axes of its solution; None where there is a single case."""
 
 CHUNK = 4096
@@ -156,7 +158,7 @@ class Solution:
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
-    def _place(self, index: Index) -> tuple[int, ...]:
+    def _place(self, index: Index) -> Place:
         """The index of one case along each case axis.
 
         Raises:

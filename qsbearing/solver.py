@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from typing import Any
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,7 +73,8 @@ def solve(
     cases: NDArray | None = None
     workers = thread_count(threads)
 
-    def solve_stretch(begin: int, stop: int) -> NDArray:
+    def solve_stretch(begin: int) -> NDArray:
+        stop = min(begin + CHUNK, count)
         records = maker.make(begin, stop)
         results, positions, controls = (array[begin:stop] for array in found)
         memory = working_memory(maker.ball_axis)
@@ -85,23 +87,21 @@ def solve(
         return records
 
     if count <= KEPT_RECORDS:
-        cases = solve_stretch(0, count)
+        cases = solve_stretch(0)
     else:
         _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
     return Solution(maker, cases, *found, seconds=time.perf_counter() - began)
 
 
-def _in_threads(solve_stretch: Any, count: int, workers: int) -> None:
-    begins = range(0, count, CHUNK)
+def _in_threads(solve_stretch: Callable[[int], NDArray], count: int, workers: int) -> None:
+    first, *others = range(0, count, CHUNK)
+    solve_stretch(first)  # compiled or loaded once, not by every thread
     if workers == 1:
-        for begin in begins:
-            solve_stretch(begin, min(begin + CHUNK, count))
+        for begin in others:
+            solve_stretch(begin)
         return
-    from concurrent.futures import ThreadPoolExecutor
-
-    solve_stretch(0, min(CHUNK, count))  # compiled or loaded once, not by every thread
     with ThreadPoolExecutor(workers) as pool:
-        for done in [pool.submit(solve_stretch, begin, min(begin + CHUNK, count)) for begin in begins[1:]]:
+        for done in [pool.submit(solve_stretch, begin) for begin in others]:
             done.result()
 
 

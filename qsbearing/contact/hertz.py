@@ -262,15 +262,14 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
 
     def shear(z: float) -> float:
         a, b = sqrt(ellipticity**2 + z * z), sqrt(1.0 + z * z)  # A and B
-        psi_xx = -ellipticity / 3.0 * elliprd(z * z, b * b, a * a)
-        psi_yy = -ellipticity / 3.0 * elliprd(z * z, a * a, b * b)
-        chi_xx = z * psi_xx + ellipticity / (a * (a + b))
-        chi_yy = z * psi_yy + ellipticity / (b * (a + b))
+        psi = [-ellipticity / 3.0 * elliprd(z * z, q * q, p * p) for p, q in ((a, b), (b, a))]  # psi_xx, psi_yy
         sigma_z = -ellipticity / (a * b)
-        psi_z = sigma_z - z * (psi_xx + psi_yy)  # psi is harmonic
-        sigma_x = 2.0 * poisson_ratio * psi_z - z * psi_xx - (1.0 - 2.0 * poisson_ratio) * chi_xx
-        sigma_y = 2.0 * poisson_ratio * psi_z - z * psi_yy - (1.0 - 2.0 * poisson_ratio) * chi_yy
-        return 0.5 * (max(sigma_x, sigma_y, sigma_z) - min(sigma_x, sigma_y, sigma_z))
+        psi_z = sigma_z - z * sum(psi)  # psi is harmonic
+        stresses = [sigma_z]
+        for p, psi_jj in zip((a, b), psi, strict=True):
+            chi_jj = z * psi_jj + ellipticity / (p * (a + b))
+            stresses.append(2.0 * poisson_ratio * psi_z - z * psi_jj - (1.0 - 2.0 * poisson_ratio) * chi_jj)
+        return 0.5 * (max(stresses) - min(stresses))
 
     found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-7})
     return SubsurfaceShear(stress=-float(found.fun), depth=float(found.x))

@@ -11,10 +11,8 @@ from numpy.typing import NDArray
 from qsbearing import __version__, messages
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
-
-Place = tuple[int, ...]
 
 
 def record(solution: Solution, index: Place = ()) -> dict[str, Any]:

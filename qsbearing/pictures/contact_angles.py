@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.style import GREY, Place, balls, line_style, mark_lost, plain, raceways
-from qsbearing.solution import Solution
+from qsbearing.pictures.style import GREY, balls, line_style, mark_lost, plain, raceways
+from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
 
 if TYPE_CHECKING:

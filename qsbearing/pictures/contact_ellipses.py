@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY, STYLE, Place, balls, raceways
-from qsbearing.solution import Solution
+from qsbearing.pictures.style import GREY, STYLE, balls, raceways
+from qsbearing.solution import Place, Solution
 from qsbearing.units import MPa, mm
 
 if TYPE_CHECKING:

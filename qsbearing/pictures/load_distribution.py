@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.pictures.style import Place, balls, line_style, mark_lost, raceways
-from qsbearing.solution import Solution
+from qsbearing.pictures.style import balls, line_style, mark_lost, raceways
+from qsbearing.solution import Place, Solution
 
 
 def draw_loads(axes: Any, solution: Solution, place: Place) -> None:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
-from qsbearing.pictures.style import Place, figure_of_size, legend, write_title
-from qsbearing.solution import Index, Solution
+from qsbearing.pictures.style import figure_of_size, legend, write_title
+from qsbearing.solution import Index, Place, Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

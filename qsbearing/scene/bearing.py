@@ -108,16 +108,6 @@ class BallBearing:
         return np.asarray(getattr(self, name), float)
 
     @property
-    def inner_groove_radius_coefficient(self) -> NDArray:
-        """fi = ri/D [-]."""
-        return self._array("inner_groove_radius") / self._array("ball_diameter")
-
-    @property
-    def outer_groove_radius_coefficient(self) -> NDArray:
-        """fo = ro/D [-]."""
-        return self._array("outer_groove_radius") / self._array("ball_diameter")
-
-    @property
     def groove_centre_distance(self) -> NDArray:
         """BD = (fi + fo - 1) D, between the unloaded groove centres [m].
 
