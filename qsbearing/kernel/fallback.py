@@ -180,22 +180,16 @@ def solve_unfinished(
     balls: ndarray,
     tolerance: float,
     is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-    status: ndarray,
-    notes: ndarray,
-    iterations: ndarray,
-    residual: ndarray,
-    reached: ndarray,
+    results: ndarray,
+    positions: ndarray,
+    controls: ndarray,
 ) -> None:
     """Solve the cases of these numbers; arguments as for `solve_cases`, iterations added to its own."""
     work = workspaces[0]
     for k in which:
-        case = cases[k]
-        prepare(case, work, balls, is_warm, displacement[k], position[k], control[k])
-        status[k], notes[k] = solve_by_fallback(case, work, balls, tolerance)
-        iterations[k] += work.iterations
-        residual[k], reached[k] = work.residual, work.speed_factor
-        deliver(case, work, balls, displacement[k], position[k], control[k], load[k])
+        case, result = cases[k], results[k]
+        prepare(case, work, balls, is_warm, result, positions[k], controls[k])
+        result.status, result.notes = solve_by_fallback(case, work, balls, tolerance)
+        result.iterations += work.iterations
+        result.residual, result.reached = work.residual, work.speed_factor
+        deliver(case, work, balls, result, positions[k], controls[k])

@@ -18,6 +18,7 @@ import qsbearing as qs
 from qsbearing.compiled import COMPILED
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.mechanics import ring_load
@@ -86,23 +87,9 @@ def direct_code(scene: qs.Scene) -> int:
     """How the direct stage ends."""
     maker = CaseMaker(scene)
     balls = maker.ball_axis
-    status = np.empty(1, np.int8)
-    solve_cases(
-        maker.make(),
-        *working_memory(balls),
-        1e-12,
-        False,
-        np.empty((1, 5)),
-        np.empty((1, balls, 3)),
-        np.zeros((1, balls), np.int8),
-        np.empty((1, 5)),
-        status,
-        np.empty(1, np.int8),
-        np.empty(1, np.int32),
-        np.empty(1),
-        np.empty(1),
-    )
-    return int(status[0])
+    results, positions, controls = np.empty(1, RESULT), np.empty((1, balls, 3)), np.zeros((1, balls), np.int8)
+    solve_cases(maker.make(), *working_memory(balls), 1e-12, False, results, positions, controls)
+    return int(results["status"][0])
 
 
 # At rest --------------------------------------------------------------------------------------------------------------
