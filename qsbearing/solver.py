@@ -59,7 +59,7 @@ def solve(
             it, 1e-10 is accepted and `Solution.residual` tells.
 
     Returns:
-        Solution: raises nothing for a physical outcome; `status` and `outcome.message` say what happened, case by case.
+        Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
 
     Raises:
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
