@@ -34,9 +34,9 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     del values["kind"], values["name"]
     for body in ("ball", "ring"):
         material = values.pop(f"{body}_material")
-        values |= {
-            f"{body}_{name}": getattr(material, name) for name in ("elastic_modulus", "poisson_ratio", "density")
-        }
+        values[f"{body}_elastic_modulus"] = material.elastic_modulus
+        values[f"{body}_poisson_ratio"] = material.poisson_ratio
+        values[f"{body}_density"] = material.density
     return values
 
 
@@ -101,8 +101,10 @@ class CaseMaker:
         cases = np.empty(stop - start, CASE)
 
         diameter = v["ball_diameter"]
-        elastic = (v[f"{body}_{name}"] for body in ("ball", "ring") for name in ("elastic_modulus", "poisson_ratio"))
-        force = effective_modulus(*elastic) * diameter * diameter
+        modulus = effective_modulus(
+            v["ball_elastic_modulus"], v["ball_poisson_ratio"], v["ring_elastic_modulus"], v["ring_poisson_ratio"]
+        )
+        force = modulus * diameter * diameter
         mass = ball_mass(v["ball_density"], diameter)
         speed = np.sqrt(force / (mass * diameter))
         pitch = v["pitch_diameter"] / diameter

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import sys
 from contextlib import ExitStack
-from importlib.util import find_spec
 from io import BytesIO
 from typing import TYPE_CHECKING
 
@@ -86,7 +86,7 @@ def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, W
     if "--plot" in targets:
         if _extension(targets["--plot"]) not in PICTURES:
             problems.append(f"--plot {targets['--plot']}: the name must end in one of {', '.join(PICTURES)}")
-        if find_spec("matplotlib") is None:
+        if importlib.util.find_spec("matplotlib") is None:
             problems.append("--plot needs matplotlib: pip install 'qsbearing[plot]'")
     known: dict[str, str] = {os.path.realpath(scene): "SCENE"}
     for option, target in targets.items():
