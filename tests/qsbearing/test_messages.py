@@ -10,7 +10,7 @@ import pytest
 
 import qsbearing as qs
 
-from .scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE
+from .scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
 SEPARATED = "No axial load keeps the raceways together"
 
@@ -65,9 +65,11 @@ def test_an_index_from_the_end(many: qs.Solution) -> None:
 
 
 def test_balls_without_support_where_every_displacement_is_prescribed() -> None:
-    bearing = dataclasses.replace(B218, ball_count=1, free_contact_angle=0.0)
+    """A ring held two ball diameters aside of the one ball, which is thrown off."""
     held = dict.fromkeys(["axial_displacement", "radial_displacement_y", "tilt_y", "tilt_z"], 0.0)
-    solution = qs.solve(qs.Scene(bearing, qs.Operation(radial_displacement_z=0.1, first_ball_azimuth=4.0, **held)))
+    operation = qs.Operation(speed=50_000 * qs.rpm, radial_displacement_z=0.05, **held)
+    bearing = dataclasses.replace(B218, ball_count=1)
+    solution = qs.solve(qs.Scene(bearing, operation, CENTRIFUGAL, OUTER))
     assert solution.status == "no_equilibrium"
     assert "at the prescribed displacements" in qs.message(solution)
 
