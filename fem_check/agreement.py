@@ -44,6 +44,8 @@ class Row:
     tolerance_percent: float | None
     """None: reported as a finding, without pass or fail."""
     why_tolerance: str
+    worst_at: str | None = None
+    """Where one row stands for several: which of them it is."""
 
     @property
     def deviation_percent(self) -> float:
@@ -58,10 +60,10 @@ class Row:
 
     @property
     def verdict(self) -> str:
-        """pass, fail, or finding."""
+        """pass where deviation and uncertainty together stay within the tolerance; else fail; or finding."""
         if self.tolerance_percent is None:
             return "finding" if math.isfinite(self.found) else "fail"
-        return "pass" if abs(self.deviation_percent) <= self.tolerance_percent else "fail"  # NaN fails too
+        return "pass" if self.reach_percent <= self.tolerance_percent else "fail"  # NaN fails too
 
     def as_dict(self) -> dict[str, Any]:
         """As the record keeps it."""
@@ -71,8 +73,7 @@ class Row:
         }
         entries["deviation_percent"] = self.deviation_percent
         entries |= {name: ordered[name] for name in ("uncertainty_percent", "tolerance_percent", "why_tolerance")}
-        entries["verdict"] = self.verdict
-        return entries
+        return entries | {"verdict": self.verdict, "worst_at": self.worst_at}
 
 
 @dataclass
@@ -80,8 +81,8 @@ class Findings:
     """Result of a check."""
 
     rows: list[Row]
-    mesh: dict[str, Any] = field(default_factory=dict)
-    """elements_per_semi_axis, dofs, file of the finest mesh."""
+    mesh: dict[str, Any] = field(default_factory=lambda: dict.fromkeys(("elements_per_semi_axis", "dofs", "file")))
+    """elements_per_semi_axis, dofs, file of the finest mesh; None without one."""
     solver: str = ""
     pictures: dict[str, Any] = field(default_factory=dict)
     """Series of numbers from which the report draws."""
@@ -95,14 +96,14 @@ class Findings:
 
 
 def collapsed(rows: Iterable[Row], case: str) -> list[Row]:
-    """One row per quantity in place of many similar ones: the worst, under a case that names all that it stands for."""
+    """One row per quantity in place of many similar ones: the worst, under a case that names what it stands for."""
     worst: dict[str, Row] = {}
     for row in rows:
         known = worst.get(row.quantity)
         # A reach that is no number counts as the worst.
-        if known is None or not row.reach_percent <= known.reach_percent:
+        if known is None or row.reach_percent > known.reach_percent or math.isnan(row.reach_percent):
             worst[row.quantity] = row
-    return [replace(row, case=f"{case}; worst: {row.case}") for row in worst.values()]
+    return [replace(row, case=case, worst_at=row.case) for row in worst.values()]
 
 
 Progress = Callable[[str, float], None]

@@ -29,7 +29,7 @@ def deviations(groove: BallInGroove, level: Level, progress: Progress) -> dict[s
     for load in LOADS:
         problem = groove.problem(load)
         bodies = half_space_contact.condensed_bodies(
-            problem, half_space_contact.SEQUENCES[level][-1], progress=progress
+            problem, half_space_contact.SEQUENCES[level][-2], progress=progress
         )
         unit = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
         flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
@@ -84,7 +84,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 )
             )
     series["curves"] = curves
-    bodies = half_space_contact.condensed_bodies(base.problem(LOAD), half_space_contact.SEQUENCES[level][-1])
+    bodies = half_space_contact.condensed_bodies(base.problem(LOAD), half_space_contact.SEQUENCES[level][-2])
     entry = {
         "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
         "dofs": bodies.race.dofs,

@@ -33,7 +33,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             QUANTITIES[name],
             value,
             source,
-            found.farthest(name, value),
+            found.value(name),
             100.0 * found.uncertainty(name) / value,
             TOLERANCES[level][name],
             WHY[level],

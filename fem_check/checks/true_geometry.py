@@ -26,7 +26,7 @@ def half_space(
 ) -> tuple[ContactQuantities, ContactQuantities]:
     """The contact of half-spaces with the exact gap and with its parabola, on one and the same mesh."""
     problem = groove.problem(load)
-    bodies = half_space_contact.condensed_bodies(problem, half_space_contact.SEQUENCES[level][-1], progress=progress)
+    bodies = half_space_contact.condensed_bodies(problem, half_space_contact.SEQUENCES[level][-2], progress=progress)
     unit = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
     flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
     true, parabola = (
@@ -181,7 +181,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         "file": meshing.finite_body(ELEMENTS[level]).file_name,
     }
     solver = half_space_contact.condensed_bodies(
-        groove_contact(scene, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-1]
+        groove_contact(scene, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-2]
     ).race.solver
     return Findings(rows, entry, solver, {"true_geometry": series}, notes)
 
