@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -143,10 +144,10 @@ def contact(
 ) -> None:
     """Solve one contact of a scene and compare it with Hertz."""
     _load_checks()
-    from fem_check import contact as contact_solver
-    from fem_check import linear_solver, memory, meshing, records_store, runner, single_contact
+    from fem_check import memory, meshing, records_store, runner, single_contact
     from fem_check.contact import ContactError
-    from fem_check.cost import advice
+    from fem_check.cost import mesh_choice
+    from fem_check.cost import record as cost_record
     from fem_check.meshing import MeshError
     from fem_check.scenes import SceneProblemError, groove_contact
 
@@ -161,35 +162,27 @@ def contact(
     console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
-        choice = expected = None
-        if accuracy is not None:
-            solver, free = linear_solver.chosen(), memory.available_MB()
-            choice = advice.choose(groove.problem(load), accuracy, advice.table(), solver, free)
-        sequence = choice.sequence if choice else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
-        runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"--elements {sequence[-1]}")
+        choices = [None] if accuracy is None else mesh_choice.proposals(accuracy, cost_record.read())
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
-        if choice:
-            with progress_bar(as_json) as reporter:
-                expected = advice.expected(choice, groove.problem(load), reporter("speed of this machine"))
-            if not as_json:
-                console.print(advice.choice_message(choice, expected))
-        with progress_bar(as_json) as reporter:
-            findings = single_contact.run(
-                groove,
-                load,
-                sequence,
-                geometry,
-                reporter("contact"),
-                choice.positions if choice else contact_solver.POSITIONS,
-                accuracy,
+        for choice in choices:
+            sequence = (
+                choice.sequence if choice else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
             )
+            if choice and not as_json:
+                console.print(choice.message)
+            runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"{sequence[-1]} elements per semi-axis")
+            with progress_bar(as_json) as reporter:
+                findings = single_contact.run(groove, load, sequence, geometry, reporter("contact"), accuracy)
+            reached, quantity = mesh_choice.reached(findings.rows)
+            if accuracy is None or reached <= accuracy:
+                break
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
     except (
         SceneProblemError,
         MeshError,
         ContactError,
-        advice.AdviceError,
+        mesh_choice.AccuracyError,
         records_store.RecordError,
         runner.BadInputError,
         ValueError,
@@ -198,15 +191,20 @@ def contact(
     entry = records_store.record(
         None, "contact", single_contact.level_of(sequence[-1]), findings, seconds, cpu_seconds, memory.peak_MB()
     )
-    if choice and expected and accuracy is not None:
-        entry["accuracy"] = advice.accuracy_record(accuracy, choice, expected, entry)
+    if accuracy is not None:
+        entry["accuracy"] = {"asked": accuracy, "reached": reached, "reached_by": quantity, "sequence": sequence}
     if as_json:
         print(json.dumps(entry))
     else:
         Console().print(agreement_table(entry))
-        if "accuracy" in entry:
-            console.print(advice.result_message(entry["accuracy"]))
-    sys.exit(OUT_OF_TOLERANCE if findings.verdict == "fail" else 0)
+        if accuracy is not None:
+            meshes = ", ".join(map(str, sequence))
+            console.print(
+                f"Accuracy asked: {accuracy:.3g}; reached, uncertainty included: {reached:.1e} "
+                f"({quantity.replace('_', ' ')}), with {meshes} elements per semi-axis."
+            )
+    failed = findings.verdict == "fail" or (accuracy is not None and reached > accuracy)
+    sys.exit(OUT_OF_TOLERANCE if failed else 0)
 
 
 @cli.command("cost")
@@ -214,45 +212,49 @@ def contact(
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
-    default=None,
-    help="Folder for record, CSV and figures; without it the record is kept where `contact --accuracy` finds it.",
+    default="fem_check_results",
+    show_default=True,
+    help="Folder of results; the record and its picture are written into its folder `cost`.",
 )
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
-def cost(level: str, out: Path | None, as_json: bool) -> None:
-    """Measure time and memory against accuracy.
-
-    Over meshes, element families, far fields and linear solvers.
-    """
+def cost(level: str, out: Path, as_json: bool) -> None:
+    """Measure error, time and memory for element families and meshes."""
     _load_checks()
-    from fem_check import meshing, runner
-    from fem_check.agreement import Level
-    from fem_check.cost import campaign, configurations, fresh_process, output, record, tables
-    from fem_check.meshing import MeshError
+    from concurrent.futures.process import BrokenProcessPool
 
-    folder = out or record.FOLDER
+    from fem_check import meshing, records_store, runner
+    from fem_check.agreement import Level
+    from fem_check.cost import measurement, picture, record, table
+
+    path = record.path_of(level, out)
     try:
-        output.try_folder(folder)
-        finest = max(configurations.MESHES[Level(level)])
+        path.parent.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=path.parent).close()  # before the work, not after it
+        finest = max(max(counts) for counts in measurement.MESHES[Level(level)].values())
         runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
-        configurations.make_meshes(Level(level))
         with progress_bar(as_json) as reporter:
-            found = campaign.measure(Level(level), reporter("cost"))
-        written = output.write(found, out) if out else output.keep(found, folder)
-    except (MeshError, runner.BadInputError, fresh_process.ProcessError, ValueError) as problem:
+            found = measurement.measure(Level(level), reporter("cost"))
+        records_store.replace(path, records_store.text(found))
+        records_store.replace(path.with_suffix(".png"), picture.png(found))
+    except BrokenProcessPool:
+        refuse("a process that solved a contact was ended from outside, as it is when memory runs out")
+    except (meshing.MeshError, runner.BadInputError, ValueError) as problem:
         refuse(str(problem))
     except OSError as problem:
-        refuse(f"{folder} cannot be written: {problem}")
+        refuse(f"{path.parent} cannot be written: {problem}")
     if as_json:
         print(json.dumps(found))
         return
     console = Console()
-    if not console.is_terminal:
-        console = Console(width=tables.WIDTH)
-    for make in tables.TABLES:
-        console.print(tables.rich_table(make(found)))
+    for each in (table.measured(found), table.mesh_choices(found)):
+        shown_table = Table(title=each.title, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
+        for index, heading in enumerate(each.headings):
+            shown_table.add_column(heading, justify="right" if index else "left", overflow="fold")
+        for row in each.rows:
+            shown_table.add_row(*row)
+        console.print(shown_table)
     plain = Console(soft_wrap=True, highlight=False, markup=False)
-    for line in (*tables.remarks(found), f"wrote {', '.join(path.name for path in written)} in {folder}"):
-        plain.print(line)
+    plain.print(table.remark(found), f"wrote {path}", sep="\n")
 
 
 @cli.command("report")

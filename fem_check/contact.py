@@ -53,14 +53,14 @@ class ContactSolution:
     """Largest relative difference of the pressure's force and the load."""
 
 
-def edge_positions(semi_axis: float, element: float, positions: int = POSITIONS) -> Array:
+def edge_positions(semi_axis: float, element: float) -> Array:
     """Unit lengths that move the edge of a contact of the given semi-axis through one element about 1.
 
     Args:
         semi_axis: the contact's expected semi-axis along which the mesh's unit is 1 [m].
         element: size of the element at 1, in mesh units.
     """
-    tips = 1.0 + element * ((np.arange(positions) + 0.5) / positions - 0.5)
+    tips = 1.0 + element * ((np.arange(POSITIONS) + 0.5) / POSITIONS - 0.5)
     return semi_axis / tips
 
 

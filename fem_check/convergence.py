@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import log
 
 import numpy as np
 from scipy.optimize import brentq
@@ -75,8 +74,3 @@ def fitted_order(sizes: list[float], errors: list[float]) -> float:
     """Slope of log error against log size over all meshes (least squares); errors are taken by size."""
     table = np.column_stack([np.log(sizes), np.ones(len(sizes))])
     return float(np.linalg.lstsq(table, np.log(np.abs(errors)), rcond=None)[0][0])
-
-
-def exponent(x: list[float], y: list[float]) -> float:
-    """Exponent of a power law y ~ x^exponent from its ends."""
-    return log(y[-1] / y[0]) / log(x[-1] / x[0])

@@ -37,7 +37,6 @@ SERENDIPITY = ElementFamily("hex20", "20-node hexahedra, 2×2×2 points", Elemen
 
 FAMILIES: tuple[ElementFamily, ...] = (
     SERENDIPITY,
-    ElementFamily("hex20_full", "20-node hexahedra, 3×3×3 points", ElementHexS2, 5),
     ElementFamily("hex27", "27-node hexahedra, 3×3×3 points", ElementHex2, 5),
     ElementFamily("hex8", "8-node hexahedra, 2×2×2 points", ElementHex1, 3),
     ElementFamily("tet10", "10-node tetrahedra", ElementTetP2, 2, is_tetrahedral=True),

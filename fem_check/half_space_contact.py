@@ -7,7 +7,7 @@ the contact's proportions, measured on the last mesh but one, where it is no sma
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -76,14 +76,15 @@ def _block(
     ellipticity: float,
     stretch: tuple[float, float],
     poisson_ratio: float,
-    support: Support,
     family: ElementFamily,
 ) -> tuple[CondensedBody, PressureBasis]:
     recipe = meshing.half_space(elements)
     mesh = stretched(meshing.load(recipe), ellipticity * stretch[0], stretch[1], stretch[1])
     # The patch's cells are k times longer than wide: as many samples along them keep the far field exact.
     basis = elastic_body.pressure_basis_of(mesh, samples_per_cell=3 if ellipticity < 12.0 else 5)
-    return elastic_body.condense(mesh, basis, poisson_ratio, support, progress=_progress[-1], family=family), basis
+    return elastic_body.condense(
+        mesh, basis, poisson_ratio, Support.HALF_SPACE, progress=_progress[-1], family=family
+    ), basis
 
 
 # A stack, not an argument: the progress reporter must not be part of the cache key.
@@ -100,7 +101,6 @@ def condensed_bodies(
     problem: ContactProblem,
     elements: int,
     stretch: tuple[float, float] = (1.0, 1.0),
-    support: Support = Support.HALF_SPACE,
     progress: Progress = silent,
     family: ElementFamily = SERENDIPITY,
 ) -> Bodies:
@@ -109,8 +109,8 @@ def condensed_bodies(
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     _progress.append(progress)
     try:
-        race, basis = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, support, family)
-        ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, support, family)
+        race, basis = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, family)
+        ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, family)
     finally:
         _progress.pop()
     return Bodies(ball, race, basis, meshing.half_space(elements))
@@ -121,11 +121,9 @@ def clear_cache() -> None:
     _block.cache_clear()
 
 
-def solve_on(
-    problem: ContactProblem, bodies: Bodies, positions: int = contact.POSITIONS
-) -> tuple[ContactSolution, Measured]:
-    """Solve and read one contact on two condensed bodies, averaged over so many positions of its edge."""
-    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element, positions)
+def solve_on(problem: ContactProblem, bodies: Bodies) -> tuple[ContactSolution, Measured]:
+    """Solve and read one contact on two condensed bodies."""
+    unit_lengths = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
     solution = contact.solve(
         problem, bodies.basis, contact.total_flexibility(problem, bodies.ball, bodies.race), unit_lengths
     )
@@ -212,8 +210,3 @@ def soundness_rows(case: str, measured: list[Measured]) -> list[Row]:
         )
         for name in names
     ]
-
-
-def at_load(problem: ContactProblem, load: float) -> ContactProblem:
-    """The same contact under another load."""
-    return replace(problem, load=load)

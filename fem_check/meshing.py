@@ -330,13 +330,6 @@ def write_committed(folder: Path) -> None:
     (folder / MANIFEST).write_text(json.dumps(entries, indent=1) + "\n")
 
 
-def is_at_hand(recipe: Recipe) -> bool:
-    """Whether the mesh is here or can be made here."""
-    if recipe.file_name in manifest():
-        return True
-    return (cache_folder() / f"{recipe.name}-{recipe.digest}.msh").is_file() or gmsh_problem() is None
-
-
 def locate(recipe: Recipe) -> Path:
     """The recipe's file: committed, cached, or made now."""
     if recipe.file_name in manifest():

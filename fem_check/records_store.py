@@ -23,7 +23,7 @@ class RecordError(Exception):
 def versions() -> dict[str, str]:
     """Versions of what the numbers rest on."""
     found = {}
-    for package in ("qsbearing", "numpy", "scipy", "scikit-fem", "meshio", "rslab", "pypardiso", "scikit-sparse"):
+    for package in ("qsbearing", "numpy", "scipy", "scikit-fem", "meshio", "rslab"):
         try:
             found[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:

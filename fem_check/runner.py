@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from fem_check import half_space_contact, linear_solver, memory, records_store, scenes
+from fem_check import half_space_contact, memory, records_store, scenes
 from fem_check.agreement import EXAMPLE, Check, Level, Progress
 from fem_check.checks import ALL
 from fem_check.contact import ContactError
@@ -50,10 +50,6 @@ def run(
         BadInputError: the scene has no equilibrium or no elastic contact, and nothing was run; or some checks could not
             be run. The others were, and an earlier record of one that was not stays.
     """
-    try:
-        linear_solver.chosen()
-    except ValueError as problem:
-        raise BadInputError(str(problem)) from problem
     for check in checks:
         refuse_too_large(check.largest_dofs(level), f"{check.name} at level {level}")
     if scene != EXAMPLE:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fem_check import contact, convergence, half_space_contact, measuring, meshing, references
 from fem_check.agreement import Findings, Level, Row
 from fem_check.contact_problem import QUANTITIES
-from fem_check.cost.advice import SEQUENCES
-from fem_check.cost.configurations import JUDGED
+from fem_check.cost.measurement import JUDGED
+from fem_check.cost.mesh_choice import SEQUENCES
 from fem_check.elastic_body import Progress
 from fem_check.groove import BallInGroove
 from fem_check.references import hertz
@@ -36,7 +36,6 @@ def run(
     sequence: tuple[int, ...],
     geometry: str,
     progress: Progress,
-    positions: int = contact.POSITIONS,
     accuracy: float | None = None,
 ) -> Findings:
     """Solve one contact on a sequence of meshes.
@@ -47,7 +46,6 @@ def run(
         sequence: elements per semi-axis, coarse to fine; the last gives the result, all of them its uncertainty.
         geometry: "parabolic", where Hertz is exact, or "true".
         progress: progress callback.
-        positions: positions of the contact's edge in an element, over which the result is averaged.
         accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
     problem = groove.problem(load)
@@ -57,7 +55,7 @@ def run(
     sizes, measured = [], []
     for count in sequence:
         bodies = half_space_contact.condensed_bodies(problem, count, progress=progress)
-        unit = contact.edge_positions(exact.semi_minor_axis, bodies.edge_element, positions)
+        unit = contact.edge_positions(exact.semi_minor_axis, bodies.edge_element)
         flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
         solution = contact.solve(problem, bodies.basis, flexibility, unit, gap)
         measured.append(measuring.measure(solution, bodies.ball, bodies.race))

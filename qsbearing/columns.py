@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION
+from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
 
 DISPLACEMENT = (

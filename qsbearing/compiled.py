@@ -19,12 +19,14 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
+import platformdirs
 from numba import config as numba_config
 from numba.core import event as numba_event
 from numba.core.codegen import JITCodeLibrary
@@ -53,13 +55,7 @@ def _source_digest() -> str:
 
 def _usable_cache_folder() -> str | None:
     """The folder for this source's compiled kernel, made; None where nothing can be written."""
-    named = os.environ.get("NUMBA_CACHE_DIR")
-    if named:
-        root = Path(named)
-    else:
-        import platformdirs
-
-        root = Path(platformdirs.user_cache_dir("qsbearing"))
+    root = Path(os.environ.get("NUMBA_CACHE_DIR") or platformdirs.user_cache_dir("qsbearing"))
     folder = root / f"kernel-{_source_digest()}"
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -71,8 +67,6 @@ def _usable_cache_folder() -> str | None:
 
 
 def _forget_old_kernels(root: Path) -> None:
-    import shutil
-
     by_age = sorted(root.glob("kernel-*"), key=lambda path: path.stat().st_mtime, reverse=True)
     for stale in by_age[KEPT_VERSIONS:]:
         shutil.rmtree(stale, ignore_errors=True)

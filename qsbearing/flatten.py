@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
-from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, stiffness_at_angle
+from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
 from qsbearing.effects.gyroscopic_moment import SHARES_CODES
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.kernel.case import CASE
-from qsbearing.scene.bearing import BearingKind
+from qsbearing.scene.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 @entry
@@ -31,28 +29,14 @@ def _groove_stiffness(
 
 
 def case_arrays(scene: Scene) -> dict[str, Any]:
-    """Every number of a scene that may span cases, by a short name; None where the scene does not give it."""
-    bearing, operation = scene.bearing, scene.operation
-    ball, ring = bearing.ball_material, bearing.ring_material
-    values = {
-        "ball_count": bearing.ball_count,
-        "ball_diameter": bearing.ball_diameter,
-        "pitch_diameter": bearing.pitch_diameter,
-        "inner_groove_radius": bearing.inner_groove_radius,
-        "outer_groove_radius": bearing.outer_groove_radius,
-        "free_contact_angle": bearing.free_contact_angle,
-        "ball_modulus": ball.elastic_modulus,
-        "ball_poisson": ball.poisson_ratio,
-        "ball_density": ball.density,
-        "ring_modulus": ring.elastic_modulus,
-        "ring_poisson": ring.poisson_ratio,
-        "speed": operation.speed,
-        "outer_speed": operation.outer_speed,
-        "first_ball_azimuth": operation.first_ball_azimuth,
-    }
-    for channel in CHANNELS:
-        values[channel.load] = getattr(operation, channel.load)
-        values[channel.displacement] = getattr(operation, channel.displacement)
+    """Every number of a scene that may span cases, by its field's name; None where the scene does not give it."""
+    values = vars(scene.bearing) | vars(scene.operation)
+    del values["kind"], values["name"]
+    for body in ("ball", "ring"):
+        material = values.pop(f"{body}_material")
+        values |= {
+            f"{body}_{name}": getattr(material, name) for name in ("elastic_modulus", "poisson_ratio", "density")
+        }
     return values
 
 
@@ -117,11 +101,9 @@ class CaseMaker:
         cases = np.empty(stop - start, CASE)
 
         diameter = v["ball_diameter"]
-        modulus = 2.0 / (
-            (1.0 - v["ball_poisson"] ** 2) / v["ball_modulus"] + (1.0 - v["ring_poisson"] ** 2) / v["ring_modulus"]
-        )
-        force = modulus * diameter * diameter
-        mass = v["ball_density"] * (np.pi / 6.0) * diameter**3
+        elastic = (v[f"{body}_{name}"] for body in ("ball", "ring") for name in ("elastic_modulus", "poisson_ratio"))
+        force = effective_modulus(*elastic) * diameter * diameter
+        mass = ball_mass(v["ball_density"], diameter)
         speed = np.sqrt(force / (mass * diameter))
         pitch = v["pitch_diameter"] / diameter
         inner_f = v["inner_groove_radius"] / diameter
@@ -134,10 +116,8 @@ class CaseMaker:
         cases["outer_coefficient"] = outer_f
         cases["sin_free"] = sin_free
         cases["cos_free"] = cos_free
-        lever = 0.5 * pitch
-        if scene.tilt_lever is TiltLever.GROOVE_CENTRE:
-            lever = lever + (inner_f - 0.5) * cos_free
-        cases["tilt_lever"] = lever
+        is_exact = scene.tilt_lever is TiltLever.GROOVE_CENTRE
+        cases["tilt_lever"] = groove_centre_radius(pitch, inner_f, 1.0, cos_free) if is_exact else 0.5 * pitch
         self._fill_stiffness(cases, pitch, inner_f, outer_f, cos_free)
         cases["first_azimuth"] = v["first_ball_azimuth"]
         cases["inner_speed"] = v["speed"] / speed

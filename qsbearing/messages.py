@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.kernel.admissibility import (
@@ -20,15 +20,10 @@ from qsbearing.kernel.admissibility import (
 )
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import SOFTEST
+from qsbearing.solution import SOFTEST, Index, Solution
 from qsbearing.units import MPa, mrad, um
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.solution import Index, Solution
-
-    Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
+Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 
 FRICTION_IN_DOUBT = 0.06
 FRICTION_BEYOND = 0.1
@@ -55,30 +50,32 @@ def message(solution: Solution, index: Index = None) -> str:
         ValueError: the index does not name one case of this solution.
     """
     if index is None and solution.shape:
-        return f"{len(solution._codes)} cases: {solution._counts()}."
+        return f"{solution._maker.count} cases: {solution._counts()}."
     k = solution._flat_index(index)
-    code, notes = int(solution._codes[k]), int(solution._notes[k])
+    result = solution._results[k]
+    code = result["status"]
     if code == CONVERGED:
         return (
-            f"Balls and ring are in equilibrium: largest imbalance {solution._residual[k]:.1e} of the largest force, "
-            f"after {solution._iterations[k]} iterations."
+            f"Balls and ring are in equilibrium: largest imbalance {result['residual']:.1e} of the largest force, "
+            f"after {result['iterations']} iterations."
         )
     if code == NO_EQUILIBRIUM:
-        return _why_no_equilibrium(solution, k, notes)
+        return _why_no_equilibrium(solution, k)
     return (
-        f"Not converged: the last imbalance was {solution._residual[k]:.1e} of the largest force after "
-        f"{solution._iterations[k]} iterations. That does not prove that there is no equilibrium; continuing from a "
+        f"Not converged: the last imbalance was {result['residual']:.1e} of the largest force after "
+        f"{result['iterations']} iterations. That does not prove that there is no equilibrium; continuing from a "
         "neighbouring solution (lower speed, more load) may reach it."
     )
 
 
-def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
-    case = solution._maker.make(k, k + 1)[0]
+def _why_no_equilibrium(solution: Solution, k: int) -> str:
+    case, result = solution._maker.make(k, k + 1)[0], solution._results[k]
+    notes = result["notes"]
     if notes & UNSUPPORTED:
         free = solution._free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements nothing supports the balls."
-        ring = np.nan_to_num(np.abs(solution._ring[k, free]), nan=np.inf)
+        ring = np.nan_to_num(np.abs(result["displacement"][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
         return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
     if notes & FRICTION_WITHOUT_LOAD:
@@ -100,7 +97,7 @@ def _why_no_equilibrium(solution: Solution, k: int, notes: int) -> str:
         )
     else:
         return "No equilibrium."
-    return f"No equilibrium{why}" + _where(float(solution._reached[k]))
+    return f"No equilibrium{why}" + _where(float(result["reached"]))
 
 
 def _where(part: float) -> str:
@@ -135,7 +132,7 @@ def warnings(solution: Solution, index: Index = None) -> list[str]:
     Raises:
         ValueError: the index does not name one case of this solution.
     """
-    solved = solution._codes == CONVERGED
+    solved = solution._results["status"] == CONVERGED
     if index is not None or not solution.shape:
         k = solution._flat_index(index)
         return [sentence(0) for which, sentence in _all_warnings(solution, slice(k, k + 1)) if which[0] and solved[k]]
@@ -170,7 +167,7 @@ def _rows(array: NDArray, part: slice) -> NDArray:
 
 def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     free = solution._free_channels
-    unloaded = (solution._notes[part] & UNLOADED_RING) != 0
+    unloaded = (solution._results["notes"][part] & UNLOADED_RING) != 0
     yield unloaded, lambda i: "Nothing loads the ring: its position is not determined; one possible one is reported."
     stiffness, _ = solution._scaled_stiffness(part, solution._maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
@@ -206,7 +203,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
 
 def _ball_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
-        (solution._notes[part] & NO_CONSISTENT_CONTROL) != 0,
+        (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
         lambda i: (
             "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
             "tried is reported; outer and inner control bound the result."

@@ -8,9 +8,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import (
     CONVERGED,
@@ -24,16 +26,15 @@ from qsbearing.kernel.admissibility import (
 )
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
     import pandas
-    from numpy.typing import NDArray
 
-    from qsbearing.flatten import CaseMaker
-    from qsbearing.scene.scene import Scene
-
-Index = int | tuple[int, ...] | None
+Place = tuple[int, ...]
+"""The index of one case along each case axis of its solution."""
+Index = int | Place | None
 """One case, along the case axes of its solution; None where there is a single case."""
 
 CHUNK = 4096
@@ -76,11 +77,7 @@ _REASONS = {
 }
 """Several may hold; the first of these is reported."""
 
-STATUS_OF_CODE = {
-    CONVERGED: Status.CONVERGED,
-    NO_EQUILIBRIUM: Status.NO_EQUILIBRIUM,
-    NOT_CONVERGED: Status.NOT_CONVERGED,
-}
+STATUS_OF_CODE = dict(zip((CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED), Status, strict=True))
 
 
 def _contact_result(what: int, unit: str, meaning: str) -> cached_property[NDArray]:
@@ -138,30 +135,18 @@ class Solution:
         self,
         maker: CaseMaker,
         cases: NDArray | None,
-        ring: NDArray,
-        position: NDArray,
-        control: NDArray,
-        load: NDArray,
-        codes: NDArray,
-        notes: NDArray,
-        iterations: NDArray,
-        residual: NDArray,
-        reached: NDArray,
+        results: NDArray,
+        positions: NDArray,
+        controls: NDArray,
         seconds: float,
     ) -> None:
         self.scene: Scene = maker.scene
         self.shape = maker.shape
         self._maker = maker
         self._cases = cases
-        self._ring = ring
-        self._position = position
-        self._control = control
-        self._load = load
-        self._codes = codes
-        self._notes = notes
-        self._iterations = iterations
-        self._residual = residual
-        self._reached = reached
+        self._results = results
+        self._positions = positions
+        self._controls = controls
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.inner = RacewayContacts(self, INNER_SIDE)
@@ -173,7 +158,7 @@ class Solution:
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
-    def _place(self, index: Index) -> tuple[int, ...]:
+    def _place(self, index: Index) -> Place:
         """The index of one case along each case axis.
 
         Raises:
@@ -212,7 +197,7 @@ class Solution:
         """How many cases ended how, and the first of each kind that is not solved."""
         shown = []
         for code, status in STATUS_OF_CODE.items():
-            cases = np.flatnonzero(self._codes == code)
+            cases = np.flatnonzero(self._results["status"] == code)
             if cases.size:
                 where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
                 shown.append(f"{cases.size} {status}{where}")
@@ -231,21 +216,16 @@ class Solution:
             stop = min(start + CHUNK, self._maker.count)
             yield slice(start, stop), self._maker.make(start, stop)
 
+    def _given(self, part: slice, cases: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
+        """What the kernel reads of a stretch of cases."""
+        memory = working_memory(self._maker.ball_axis)
+        return cases, *memory, self._results[part], self._positions[part], self._controls[part]
+
     def _read(self, side: float, what: int, unit: str) -> NDArray:
         balls = self._maker.ball_axis
         out = np.empty((self._maker.count, balls))
         for part, cases in self._stretches():
-            readings.read_cases(
-                cases,
-                *working_memory(balls),
-                self._codes[part],
-                self._ring[part],
-                self._position[part],
-                self._control[part],
-                side,
-                what,
-                out[part],
-            )
+            readings.read_cases(*self._given(part, cases), side, what, out[part])
             if unit:
                 out[part] *= _unit(cases, unit)[:, None]
         return self._shaped(out, balls)
@@ -256,22 +236,22 @@ class Solution:
     @property
     def converged(self) -> Any:
         """Whether each case is solved; shape (*cases)."""
-        return self._shaped(self._codes == CONVERGED)
+        return self._shaped(self._results["status"] == CONVERGED)
 
     @property
     def status(self) -> Any:
         """`Status` of a single case, or an array of their names; shape (*cases)."""
         if not self.shape:
-            return STATUS_OF_CODE[int(self._codes[0])]
+            return STATUS_OF_CODE[int(self._results["status"][0])]
         names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(names[self._codes])
+        return self._shaped(names[self._results["status"]])
 
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = np.full(self._notes.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        names = np.full(self._results["notes"].shape, "", dtype=f"<U{max(map(len, Reason))}")
         for bit, reason in reversed(_REASONS.items()):
-            names[(self._codes == NO_EQUILIBRIUM) & ((self._notes & bit) != 0)] = reason
+            names[(self._results["status"] == NO_EQUILIBRIUM) & ((self._results["notes"] & bit) != 0)] = reason
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
@@ -280,17 +260,17 @@ class Solution:
 
         Asked only under per-ball control; True elsewhere.
         """
-        return self._shaped((self._notes & NO_CONSISTENT_CONTROL) == 0)
+        return self._shaped((self._results["notes"] & NO_CONSISTENT_CONTROL) == 0)
 
     @property
     def iterations(self) -> Any:
         """Newton iterations spent, fallbacks included; shape (*cases)."""
-        return self._shaped(self._iterations)
+        return self._shaped(self._results["iterations"])
 
     @property
     def residual(self) -> Any:
         """Largest imbalance of any ball or of the ring over the largest applied or inertial force; shape (*cases)."""
-        return self._shaped(self._residual)
+        return self._shaped(self._results["residual"])
 
     @property
     def speed_reached(self) -> Any:
@@ -298,12 +278,12 @@ class Solution:
 
         1 but where an equilibrium continued in speed was found to end below it: then the part that shows it.
         """
-        return self._shaped(self._reached)
+        return self._shaped(self._results["reached"])
 
     @cached_property
     def displacement(self) -> NDArray:
         """Of the inner ring; shape (*cases, 5) [m, m, m, rad, rad]."""
-        out = np.where((self._codes == CONVERGED)[:, None], self._ring, np.nan)
+        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["displacement"], np.nan)
         for part, cases in self._stretches():
             out[part, :3] *= cases["length"][:, None]
         return self._shaped(out, 5)
@@ -311,7 +291,7 @@ class Solution:
     @cached_property
     def load(self) -> NDArray:
         """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
-        out = np.where((self._codes == CONVERGED)[:, None], self._load, np.nan)
+        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["load"], np.nan)
         for part, cases in self._stretches():
             out[part] *= cases["force"][:, None]
             out[part, 3:] *= cases["length"][:, None]
@@ -354,7 +334,7 @@ class Solution:
         if self.scene.raceway_control is None:
             return None
         names = np.array(["outer", "inner", ""])
-        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._control, self._maker.ball_axis))
+        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._controls, self._maker.ball_axis))
         return names[index]
 
     @cached_property
@@ -407,15 +387,7 @@ class Solution:
     def _tangents(self, part: slice, cases: NDArray) -> NDArray:
         """Stiffness (case, 5, 5) of a stretch of flattened cases."""
         out = np.empty((cases.size, 5, 5))
-        readings.stiffness_of_cases(
-            cases,
-            *working_memory(self._maker.ball_axis),
-            self._codes[part],
-            self._ring[part],
-            self._position[part],
-            self._control[part],
-            out,
-        )
+        readings.stiffness_of_cases(*self._given(part, cases), out)
         return out
 
     def to_dataframe(self) -> pandas.DataFrame:

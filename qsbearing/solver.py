@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import os
 import time
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 THREADS_VARIABLE = "QSBEARING_THREADS"
 CHUNK = 1024
@@ -59,7 +59,7 @@ def solve(
             it, 1e-10 is accepted and `Solution.residual` tells.
 
     Returns:
-        Solution: raises nothing for a physical outcome; `status` and `outcome.message` say what happened, case by case.
+        Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
 
     Raises:
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
@@ -69,65 +69,49 @@ def solve(
     began = time.perf_counter()
     maker = CaseMaker(scene)
     count = maker.count
-    ring, position, control = _state(start, maker)
-    load, residual, reached = np.empty((count, 5)), np.empty(count), np.empty(count)
-    codes, notes = np.empty(count, np.int8), np.empty(count, np.int8)
-    iterations = np.empty(count, np.int32)
+    found = _start(start, maker)
     cases: NDArray | None = None
     workers = thread_count(threads)
 
-    def solve_stretch(begin: int, stop: int) -> NDArray:
+    def solve_stretch(begin: int) -> NDArray:
+        stop = min(begin + CHUNK, count)
         records = maker.make(begin, stop)
-        part = slice(begin, stop)
-        given = (
-            records,
-            *working_memory(maker.ball_axis),
-            tolerance,
-            start is not None,
-            ring[part],
-            position[part],
-            control[part],
-            load[part],
-            codes[part],
-            notes[part],
-            iterations[part],
-            residual[part],
-            reached[part],
-        )
+        results, positions, controls = (array[begin:stop] for array in found)
+        memory = working_memory(maker.ball_axis)
+        given = (records, *memory, tolerance, start is not None, results, positions, controls)
         solve_cases(*given)
-        if codes[part].max() == UNFINISHED:
+        if results["status"].max() == UNFINISHED:
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
-            solve_unfinished(np.flatnonzero(codes[part] == UNFINISHED), *given)
+            solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)
         return records
 
     if count <= KEPT_RECORDS:
-        cases = solve_stretch(0, count)
+        cases = solve_stretch(0)
     else:
         _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
-    seconds = time.perf_counter() - began
-    return Solution(maker, cases, ring, position, control, load, codes, notes, iterations, residual, reached, seconds)
+    return Solution(maker, cases, *found, seconds=time.perf_counter() - began)
 
 
-def _in_threads(solve_stretch: Any, count: int, workers: int) -> None:
-    begins = range(0, count, CHUNK)
+def _in_threads(solve_stretch: Callable[[int], NDArray], count: int, workers: int) -> None:
+    first, *others = range(0, count, CHUNK)
+    solve_stretch(first)  # compiled or loaded once, not by every thread
     if workers == 1:
-        for begin in begins:
-            solve_stretch(begin, min(begin + CHUNK, count))
+        for begin in others:
+            solve_stretch(begin)
         return
-    from concurrent.futures import ThreadPoolExecutor
-
-    solve_stretch(0, min(CHUNK, count))  # compiled or loaded once, not by every thread
     with ThreadPoolExecutor(workers) as pool:
-        for done in [pool.submit(solve_stretch, begin, min(begin + CHUNK, count)) for begin in begins[1:]]:
+        for done in [pool.submit(solve_stretch, begin) for begin in others]:
             done.result()
 
 
-def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:
-    """Ring, ball positions and controls to fill, holding the start where there is one."""
+def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:
+    """Results, ball positions and controls to fill, holding the start where there is one."""
     count, balls = maker.count, maker.ball_axis
+    results = np.empty(count, RESULT)
+    positions, controls = np.empty((count, balls, 3)), np.zeros((count, balls), np.int8)
     if start is None:
-        return np.empty((count, 5)), np.empty((count, balls, 3)), np.zeros((count, balls), np.int8)
+        return results, positions, controls
     if not isinstance(start, Solution):
         raise TypeError(f"start = {start!r}: must be a Solution")
     if start._maker.ball_axis != balls or start._maker.count not in (1, count):
@@ -135,10 +119,8 @@ def _state(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
             f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
             f"{balls}: a start must match, or be a single case with as many balls"
         )
-    ring = np.empty((count, 5))
-    position, control = np.empty((count, balls, 3)), np.empty((count, balls), np.int8)
-    ring[:], position[:], control[:] = start._ring, start._position, start._control
+    results[:], positions[:], controls[:] = start._results, start._positions, start._controls
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
-    failed = np.broadcast_to(start._codes != CONVERGED, count)
-    ring[failed], position[failed], control[failed] = 0.0, 0.0, 0
-    return ring, position, control
+    failed = results["status"] != CONVERGED
+    results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0
+    return results, positions, controls

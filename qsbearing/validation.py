@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-MM, RPM, DEG = 1e-3, 2.0 * pi / 60.0, pi / 180.0
+from qsbearing.units import deg, mm, rpm
+
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
 
@@ -30,14 +31,14 @@ class Quantity:
 
 
 LENGTH = Quantity(
-    "m", (("m", "metres", 1.0), ("mm", "millimetres", MM), ("um", "micrometres", 1e-6), ("in", "inches", 25.4 * MM))
+    "m", (("m", "metres", 1.0), ("mm", "millimetres", mm), ("um", "micrometres", 1e-6), ("in", "inches", 25.4 * mm))
 )
-ANGLE = Quantity("rad", (("rad", "radians", 1.0), ("deg", "degrees", DEG), ("mrad", "milliradians", 1e-3)))
+ANGLE = Quantity("rad", (("rad", "radians", 1.0), ("deg", "degrees", deg), ("mrad", "milliradians", 1e-3)))
 SPEED = Quantity(
     "rad/s",
     (
         ("rad_s", "radians per second", 1.0),
-        ("rpm", "revolutions per minute", RPM),
+        ("rpm", "revolutions per minute", rpm),
         ("Hz", "revolutions per second", 2.0 * pi),
     ),
 )

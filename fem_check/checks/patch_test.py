@@ -38,7 +38,6 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     factor = factorise(matrix[free][:, free].tocsc())
     found = exact.copy()
     found[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
-    factor.release()
     first, second = lame(POISSON)
     stress = first * np.trace(strain) * np.eye(3) + 2.0 * second * strain
     volume = float(np.prod(high)) * np.linalg.det(_sheared(np.eye(3)))

@@ -41,7 +41,7 @@ def write(records: Path, out: Path) -> Path:
     for kind, heading in kinds.items():
         parts.append(f"## {heading}\n")
         parts += [section for entry in entries if (section := _section(entry, kind, out))]
-    measured = record.read(records / "cost")
+    measured = record.read(records)
     if measured is not None:
         parts += cost.section(measured, out / PICTURES, PICTURES)
     path = out / "REPORT.md"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
@@ -29,12 +30,12 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
     Exit codes: 0 measured, 1 the scene has no solution, 2 bad input.
     """
     with ExitStack() as stack:
-        folder = None
+        fill = None
         if out is not None:
-            from qsbearing.studies.cost.output_folder import OutputFolder
+            from qsbearing.studies.cost.output_folder import output_folder
 
             try:
-                folder = stack.enter_context(OutputFolder(out))
+                fill = stack.enter_context(output_folder(out))
             except (OSError, ValueError) as error:
                 refuse(f"--out {out}: {error}")
         solution = solve(load(scene))
@@ -45,16 +46,14 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
             sys.exit(UNSOLVED)
         found = _measure(solution.scene, quick)
         if as_json:
-            import json
-
             print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
         else:
             from qsbearing.studies.cost import tables
 
             print_table(tables.report(found))
-        if folder is not None:
+        if fill is not None:
             try:
-                folder.fill(found)
+                fill(found)
             except OSError as error:  # a disk that filled up meanwhile
                 refuse(f"cannot write: {error}")
 

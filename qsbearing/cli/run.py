@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from contextlib import ExitStack
+from importlib.util import find_spec
+from io import BytesIO
 from typing import TYPE_CHECKING
 
 import click
@@ -13,7 +16,7 @@ from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load, solve, solving
 
 if TYPE_CHECKING:
-    from qsbearing.io.output_file import OutputFile
+    from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
     from qsbearing.studies.cost.accuracy import Reached
@@ -50,7 +53,9 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
     with ExitStack() as stack:
-        files = _claim(stack, scene, {"--csv": csv_target, "--plot": plot_target})
+        given = {"--csv": csv_target, "--plot": plot_target}
+        targets = {option: target for option, target in given.items() if target is not None}
+        write = _claim(stack, scene, targets)
         loaded = load(scene)
         if accuracy is None:
             reached, solution = None, solve(loaded)
@@ -59,41 +64,44 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
             solution = reached.solution
         _show(solution, reached, as_json)
         if not solution.converged:
-            for file in files.values():
-                note(f"{file.target} is not written: there is no solution to write")
+            for target in targets.values():
+                note(f"{target} is not written: there is no solution to write")
             sys.exit(UNSOLVED)
-        _write(solution, files)
+        try:
+            if csv_target is not None:
+                write["--csv"](_csv(solution))
+            if plot_target is not None:
+                write["--plot"](_picture(solution, _extension(plot_target)[1:]))
+        except OSError as error:  # a disk that filled up meanwhile
+            refuse(f"cannot write: {error}")
 
 
-def _claim(stack: ExitStack, scene: str, targets: dict[str, str | None]) -> dict[str, OutputFile]:
-    """The files to write, by their option, found to be writable; all that is wrong with them at once."""
-    given = {option: target for option, target in targets.items() if target is not None}
-    if not given:
+def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, Writer]:
+    """What writes each file, by its option; all that is wrong with the files at once."""
+    if not targets:
         return {}
-    from importlib.util import find_spec
-
-    from qsbearing.io.output_file import OutputFile
+    from qsbearing.io.output_file import output_file
 
     problems = []
-    if "--plot" in given:
-        if _extension(given["--plot"]) not in PICTURES:
-            problems.append(f"--plot {given['--plot']}: the name must end in one of {', '.join(PICTURES)}")
+    if "--plot" in targets:
+        if _extension(targets["--plot"]) not in PICTURES:
+            problems.append(f"--plot {targets['--plot']}: the name must end in one of {', '.join(PICTURES)}")
         if find_spec("matplotlib") is None:
             problems.append("--plot needs matplotlib: pip install 'qsbearing[plot]'")
     known: dict[str, str] = {os.path.realpath(scene): "SCENE"}
-    for option, target in given.items():
+    for option, target in targets.items():
         other = known.setdefault(os.path.realpath(target), option) if target else option
         if other != option:
             problems.append(f"{option}: the same file as {other}")
-    files = {}
-    for option, target in given.items():
+    writers = {}
+    for option, target in targets.items():
         try:
-            files[option] = OutputFile(target) if problems else stack.enter_context(OutputFile(target))
+            writers[option] = stack.enter_context(output_file(target))
         except (OSError, ValueError) as error:
             problems.append(f"{option} {target}: {error}")
     if problems:
         refuse("\nqsbearing: ".join(problems))
-    return files
+    return writers
 
 
 def _extension(target: str) -> str:
@@ -122,8 +130,6 @@ def _solve_to(scene: Scene, accuracy: float, as_json: bool) -> Reached:
 
 def _show(solution: Solution, reached: Reached | None, as_json: bool) -> None:
     if as_json:
-        import json
-
         from qsbearing.io.json_record import record
 
         found = record(solution)
@@ -142,19 +148,16 @@ def _show(solution: Solution, reached: Reached | None, as_json: bool) -> None:
         print_text(f"\n{text.after(reached)}\n")
 
 
-def _write(solution: Solution, files: dict[str, OutputFile]) -> None:
-    try:
-        if "--csv" in files:
-            from qsbearing.io.csv_table import csv_text
+def _csv(solution: Solution) -> bytes:
+    from qsbearing.columns import columns
+    from qsbearing.io.csv_table import csv_text
 
-            files["--csv"].replace_with(csv_text(solution).encode("utf-8"))
-        if "--plot" in files:
-            from io import BytesIO
+    return csv_text({name: values.tolist() for name, values in columns(solution).items()}).encode("utf-8")
 
-            from qsbearing.pictures import overview
 
-            picture = BytesIO()
-            overview(solution).savefig(picture, format=_extension(files["--plot"].target)[1:])
-            files["--plot"].replace_with(picture.getvalue())
-    except OSError as error:  # a disk that filled up meanwhile
-        refuse(f"cannot write: {error}")
+def _picture(solution: Solution, form: str) -> bytes:
+    from qsbearing.pictures import overview
+
+    picture = BytesIO()
+    overview(solution).savefig(picture, format=form)
+    return picture.getvalue()

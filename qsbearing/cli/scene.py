@@ -21,14 +21,13 @@ PATIENCE = 2.0
 def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.io.scene_file import load_scene
+    from qsbearing.solver import thread_count
     from qsbearing.validation import SceneError
 
     try:
         scene = load_scene(source)
     except SceneError as error:
         refuse(str(error))
-    from qsbearing.solver import thread_count
-
     try:
         thread_count()
     except ValueError as error:  # a mistake in its environment variable

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise
 from math import exp, log, pi, sqrt
 
 from qsbearing.compiled import entry, formula, kernel
@@ -240,8 +239,11 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
     Stresses on the axis follow from the potential psi of the ellipsoidal pressure and its integral chi (Johnson,
     eqs 2.25 and 3.36), j = x along a, y along b, here with a = k, b = 1, p0 = 1:
 
-        sigma_z = psi_z - z psi_zz = -a b / sqrt((a^2 + z^2)(b^2 + z^2))
+        sigma_z = psi_z - z psi_zz = -a b/(A B),     A = sqrt(a^2 + z^2),  B = sqrt(b^2 + z^2)
         sigma_j = 2 nu psi_z - z psi_jj - (1 - 2 nu) chi_jj
+        psi_xx = -a b/3 R_D(z^2, B^2, A^2),     chi_xx = z psi_xx + a b/(A (A + B))
+
+    and with A and B exchanged for y; R_D is Carlson's symmetric elliptic integral (DLMF 19.16.5).
 
     Args:
         ellipticity: k = a/b >= 1.
@@ -250,35 +252,24 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
     Raises:
         ValueError: ellipticity below 1, or Poisson's ratio outside [0, 0.5].
     """
-    from scipy.integrate import quad
     from scipy.optimize import minimize_scalar
+    from scipy.special import elliprd
 
     if not 1.0 <= ellipticity < float("inf"):
         raise ValueError(f"ellipticity = {ellipticity}: k = a/b is at least 1")
     if not 0.0 <= poisson_ratio <= 0.5:
         raise ValueError(f"poisson_ratio = {poisson_ratio}: between 0 and 0.5")
-    a, b, nu = ellipticity, 1.0, poisson_ratio
-
-    def integral(density, z: float) -> float:  # type: ignore[no-untyped-def]
-        parts = [z, z + b, z + a + b, float("inf")]  # split where the integrand changes its slope
-        return sum(quad(density, low, high, epsabs=0.0, epsrel=1e-11, limit=200)[0] for low, high in pairwise(parts))
-
-    def stresses(z: float) -> tuple[float, float, float]:
-        # psi = int p/R dA and chi, d chi/dz = psi, both over 2 pi; on the axis, with s = t^2 in the potential of an
-        # ellipsoidal pressure: psi_xx = -a b int_z^oo dt/((a^2+t^2)^(3/2) (b^2+t^2)^(1/2)), chi_xx = -int_z^oo psi_xx.
-        psi_xx = -a * b * integral(lambda t: (a * a + t * t) ** -1.5 * (b * b + t * t) ** -0.5, z)
-        psi_yy = -a * b * integral(lambda t: (a * a + t * t) ** -0.5 * (b * b + t * t) ** -1.5, z)
-        chi_xx = a * b * integral(lambda t: (t - z) * (a * a + t * t) ** -1.5 * (b * b + t * t) ** -0.5, z)
-        chi_yy = a * b * integral(lambda t: (t - z) * (a * a + t * t) ** -0.5 * (b * b + t * t) ** -1.5, z)
-        sigma_z = -a * b / sqrt((a * a + z * z) * (b * b + z * z))
-        psi_z = sigma_z - z * (psi_xx + psi_yy)  # sigma_z = psi_z - z psi_zz, and psi is harmonic
-        sigma_x = 2.0 * nu * psi_z - z * psi_xx - (1.0 - 2.0 * nu) * chi_xx
-        sigma_y = 2.0 * nu * psi_z - z * psi_yy - (1.0 - 2.0 * nu) * chi_yy
-        return sigma_x, sigma_y, sigma_z
 
     def shear(z: float) -> float:
-        principal = stresses(z)
-        return 0.5 * (max(principal) - min(principal))
+        a, b = sqrt(ellipticity**2 + z * z), sqrt(1.0 + z * z)  # A and B
+        psi = [-ellipticity / 3.0 * elliprd(z * z, q * q, p * p) for p, q in ((a, b), (b, a))]  # psi_xx, psi_yy
+        sigma_z = -ellipticity / (a * b)
+        psi_z = sigma_z - z * sum(psi)  # psi is harmonic
+        stresses = [sigma_z]
+        for p, psi_jj in zip((a, b), psi, strict=True):
+            chi_jj = z * psi_jj + ellipticity / (p * (a + b))
+            stresses.append(2.0 * poisson_ratio * psi_z - z * psi_jj - (1.0 - 2.0 * poisson_ratio) * chi_jj)
+        return 0.5 * (max(stresses) - min(stresses))
 
     found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-7})
     return SubsurfaceShear(stress=-float(found.fun), depth=float(found.x))

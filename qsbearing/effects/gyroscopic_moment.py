@@ -43,9 +43,9 @@ class GyroscopicMoment:
     name: ClassVar[str] = "gyroscopic_moment"
 
     def __post_init__(self) -> None:
-        shares, faults = choose("moment_shares", self.moment_shares, MomentShares)
+        shares, errors = choose("moment_shares", self.moment_shares, MomentShares)
         object.__setattr__(self, "moment_shares", shares)
-        raise_if_any(faults)
+        raise_if_any(errors)
 
 
 @kernel

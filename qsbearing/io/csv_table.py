@@ -1,23 +1,18 @@
-"""A solution as CSV text: the columns of `to_dataframe`, a cell without a number empty."""
+"""Columns as CSV text."""
 
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable
 from io import StringIO
-from typing import TYPE_CHECKING
-
-from qsbearing.columns import columns
-
-if TYPE_CHECKING:
-    from qsbearing.solution import Solution
+from typing import Any
 
 
-def csv_text(solution: Solution) -> str:
-    """One row per ball, units in the headings; the ring's values follow on every row, so that files can be stacked."""
-    found = columns(solution)
+def csv_text(columns: dict[str, Iterable[Any]]) -> str:
+    """Columns of equal length under their names; a cell without a number, None or NaN, is empty."""
     text = StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(found)
-    for row in zip(*(values.tolist() for values in found.values()), strict=True):
+    writer.writerow(columns)
+    for row in zip(*columns.values(), strict=True):
         writer.writerow("" if value != value else value for value in row)
     return text.getvalue()

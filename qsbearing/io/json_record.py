@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
-
-Place = tuple[int, ...]
 
 
 def record(solution: Solution, index: Place = ()) -> dict[str, Any]:

@@ -5,69 +5,56 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from types import TracebackType
+
+Writer = Callable[[bytes], object]
 
 
-class OutputFile:
-    """Claims a place for a file on entry, and fills it on `replace_with`; leaves nothing behind otherwise.
+@contextmanager
+def output_file(target: str) -> Iterator[Writer]:
+    """Claim a place for a file, and yield what puts data there in one step; without data nothing is left behind.
 
     Raises:
         OSError: the place cannot be written, with a text that says why.
     """
+    # Through links, so that a link stays one and what it points at is replaced.
+    place = Path(os.path.realpath(target))
+    if not target:
+        raise OSError("no file name is given")
+    if place.is_dir() or target.endswith(os.sep):
+        raise OSError("is a folder")
+    if not place.parent.is_dir():
+        raise OSError(f"there is no folder {place.parent}")
+    if place.exists() and not os.access(place, os.W_OK):
+        raise OSError("is write-protected")
+    if place.exists() and not place.is_file():  # a terminal, a pipe, /dev/null: written to, never replaced
+        yield place.write_bytes
+        return
+    try:
+        # In the same folder: only there is the last step one step, and only this proves that it can be written.
+        handle, name = tempfile.mkstemp(prefix=f".{place.name[:100]}.", suffix=".part", dir=place.parent)
+    except OSError as error:
+        raise OSError(f"cannot be written: {error.strerror}") from None
+    os.close(handle)
+    temporary = Path(name)
 
-    def __init__(self, target: str) -> None:
-        self.target = target
-        # Through links, so that a link stays one and what it points at is replaced.
-        self._place = Path(os.path.realpath(target))
-        self._temporary: Path | None = None
+    def put_in_place(data: bytes) -> None:
+        temporary.write_bytes(data)
+        temporary.chmod(_mode(place))
+        temporary.replace(place)
 
-    def __enter__(self) -> OutputFile:
-        place, folder = self._place, self._place.parent
-        if not self.target:
-            raise OSError("no file name is given")
-        if place.is_dir() or self.target.endswith(os.sep):
-            raise OSError("is a folder")
-        if not folder.is_dir():
-            raise OSError(f"there is no folder {folder}")
-        if place.exists() and not os.access(place, os.W_OK):
-            raise OSError("is write-protected")
-        if self._is_device:
-            return self
-        try:
-            # In the same folder: only there is the last step one step, and only this proves that it can be written.
-            handle, name = tempfile.mkstemp(prefix=f".{place.name[:100]}.", suffix=".part", dir=folder)
-        except OSError as error:
-            raise OSError(f"cannot be written: {error.strerror}") from None
-        os.close(handle)
-        self._temporary = Path(name)
-        return self
+    try:
+        yield put_in_place
+    finally:
+        temporary.unlink(missing_ok=True)
 
-    @property
-    def _is_device(self) -> bool:
-        """A terminal, a pipe, /dev/null: written to, never replaced."""
-        return self._place.exists() and not self._place.is_file()
 
-    def replace_with(self, data: bytes) -> None:
-        """Put the data in place, in one step."""
-        if self._temporary is None:
-            self._place.write_bytes(data)
-            return
-        self._temporary.write_bytes(data)
-        self._temporary.chmod(self._mode())
-        self._temporary.replace(self._place)
-        self._temporary = None
-
-    def _mode(self) -> int:
-        """Permissions of the file that is there, else those of any new file; temporary ones are the owner's alone."""
-        if self._place.exists():
-            return stat.S_IMODE(self._place.stat().st_mode)
-        mask = os.umask(0)
-        os.umask(mask)
-        return 0o666 & ~mask
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._temporary is not None:
-            self._temporary.unlink(missing_ok=True)
+def _mode(place: Path) -> int:
+    """Permissions of the file that is there, else those of any new file; temporary ones are the owner's alone."""
+    if place.exists():
+        return stat.S_IMODE(place.stat().st_mode)
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask

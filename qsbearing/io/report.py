@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rich.console import Group, RenderableType
 from rich.padding import Padding
@@ -16,12 +17,8 @@ from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.solution import Solution
 from qsbearing.units import deg, mm, rpm
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from qsbearing.solution import Solution
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load

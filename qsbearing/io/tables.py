@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import os
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 from rich import box
 from rich.console import Console, Group, RenderableType
@@ -12,10 +13,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from qsbearing.io.catalogue import Entry
+from qsbearing.io.catalogue import Entry
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""

@@ -7,41 +7,56 @@ here happen to be 1.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-_FIELDS = np.dtype(
-    [
-        ("ball_count", np.int64),
-        ("pitch_diameter", np.float64),
-        ("inner_coefficient", np.float64),
-        ("outer_coefficient", np.float64),
-        ("sin_free", np.float64),
-        ("cos_free", np.float64),
-        ("tilt_lever", np.float64),
-        ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
-        ("inner_stiffness", np.float64),  # there
-        ("outer_stiffness", np.float64),
-        ("series_stiffness", np.float64),
-        ("first_azimuth", np.float64),
-        ("inner_speed", np.float64),
-        ("outer_speed", np.float64),
-        ("prescribed", np.float64, (5,)),  # each channel's load or displacement
-        ("displacement_given", np.uint8, (5,)),  # which of the two
-        ("centrifugal", np.bool_),
-        ("gyroscopic", np.bool_),
-        ("actual_angle", np.bool_),
-        ("one_sided", np.bool_),
-        ("control", np.int64),
-        ("shares", np.int64),
-        ("form", np.int64),
-        ("length", np.float64),  # units of this case, SI
-        ("force", np.float64),
-        ("speed", np.float64),
-    ],
-    align=True,
+
+def record(*fields: tuple[Any, ...]) -> np.dtype:
+    """A record of these fields; plain Python reads them as the compiled kernel does."""
+    return np.dtype((np.record, np.dtype(list(fields), align=True)))
+
+
+CASE = record(
+    ("ball_count", np.int64),
+    ("pitch_diameter", np.float64),
+    ("inner_coefficient", np.float64),
+    ("outer_coefficient", np.float64),
+    ("sin_free", np.float64),
+    ("cos_free", np.float64),
+    ("tilt_lever", np.float64),
+    ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
+    ("inner_stiffness", np.float64),  # there
+    ("outer_stiffness", np.float64),
+    ("series_stiffness", np.float64),
+    ("first_azimuth", np.float64),
+    ("inner_speed", np.float64),
+    ("outer_speed", np.float64),
+    ("prescribed", np.float64, (5,)),  # each channel's load or displacement
+    ("displacement_given", np.uint8, (5,)),  # which of the two
+    ("centrifugal", np.bool_),
+    ("gyroscopic", np.bool_),
+    ("actual_angle", np.bool_),
+    ("one_sided", np.bool_),
+    ("control", np.int64),
+    ("shares", np.int64),
+    ("form", np.int64),
+    ("length", np.float64),  # units of this case, SI
+    ("force", np.float64),
+    ("speed", np.float64),
 )
-CASE = np.dtype((np.record, _FIELDS))
-"""One case; a record, so that plain Python reads its fields as the compiled kernel does."""
+"""One case."""
+
+RESULT = record(
+    ("displacement", np.float64, (5,)),  # of the ring; at first the start, where one is given
+    ("load", np.float64, (5,)),  # on the ring, reactions of prescribed displacements included
+    ("residual", np.float64),
+    ("reached", np.float64),  # the part of the speed that all this is for
+    ("iterations", np.int32),
+    ("status", np.int8),
+    ("notes", np.int8),  # what there is to say about the case, as bits
+)
+"""What the kernel finds for one case, but for its balls."""
 
 BALL_MASS = 1.0
 BALL_INERTIA = 0.1

@@ -4,13 +4,14 @@ Loads so heavy that every ball is pressed, and inertia hardly counts, are easy. 
 carry them: a choice hard to make at once and easy to follow. In speed the easy case is the bearing at rest.
 
 Pseudo-transient continuation takes implicit Euler steps of (d, X)' = -imbalance, ever longer as the imbalance falls:
-only an equilibrium that is stable attracts (Kelley & Keyes, SIAM J. Numerical Analysis 35, 1998). At rest they go down
-the energy
+only an equilibrium that is stable attracts (Kelley & Keyes, SIAM J. Numerical Analysis 35, 1998).
+
+At rest there is one equilibrium at most: the energy
 
     Pi(d) = sum over balls 2/5 K <|A(d)| - L>^(5/2) - F.d,      <x> = max(x, 0),
 
-which is convex, since A(d) is affine, a norm is convex, and <x>^(5/2) is convex and grows: there is one minimum, or the
-ring moves without end.
+is convex, since A(d) is affine, a norm is convex, and <x>^(5/2) is convex and grows. It has one minimum, or the ring
+moves without end.
 """
 
 from __future__ import annotations

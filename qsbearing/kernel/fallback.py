@@ -1,7 +1,7 @@
 """The fallback for cases that Newton's method from two starts does not solve.
 
-At rest the energy is convex: continuation from heavier loads or, failing that, pseudo-time steps find its minimum, or
-show that nothing supports the load.
+At rest the energy is convex: continuation from heavier loads finds its minimum, or the ring moves without end, which
+shows that nothing supports the load.
 
 At speed two strategies are tried, each ending in Newton's method: continuation from heavier loads, and continuation in
 speed; pseudo-time steps go on where a continuation ends. They are tried for the equations as they stand, in which
@@ -33,7 +33,7 @@ from qsbearing.kernel.admissibility import (
 from qsbearing.kernel.ball_inertia import NO_BOUND, is_moving
 from qsbearing.kernel.continuation import follow, heaviest_factor, pseudo_transient
 from qsbearing.kernel.initial_guess import guess_from_rest, guess_ring_at_rest, split_contacts
-from qsbearing.kernel.newton import newton
+from qsbearing.kernel.newton import newton, newton_at_rest
 from qsbearing.kernel.newton_step import is_far
 from qsbearing.kernel.snapshots import ADMISSIBLE, BOUNDED, CONTINUATION, INADMISSIBLE, restore, restore_all, save
 from qsbearing.kernel.solve_case import (
@@ -67,8 +67,7 @@ def solve_rest(case: recarray, work: recarray, balls: ndarray, tolerance: float)
         converged = newton(case, work, balls, tolerance)
     if not converged:
         guess_ring_at_rest(case, work)
-        pseudo_transient(case, work, balls)
-        converged = not is_far(work) and newton(case, work, balls, tolerance)
+        converged = newton_at_rest(case, work, balls, tolerance)
     split_contacts(case, work, balls)
     if not converged:
         return NOTHING
@@ -181,22 +180,16 @@ def solve_unfinished(
     balls: ndarray,
     tolerance: float,
     is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-    status: ndarray,
-    notes: ndarray,
-    iterations: ndarray,
-    residual: ndarray,
-    reached: ndarray,
+    results: ndarray,
+    positions: ndarray,
+    controls: ndarray,
 ) -> None:
     """Solve the cases of these numbers; arguments as for `solve_cases`, iterations added to its own."""
     work = workspaces[0]
     for k in which:
-        case = cases[k]
-        prepare(case, work, balls, is_warm, displacement[k], position[k], control[k])
-        status[k], notes[k] = solve_by_fallback(case, work, balls, tolerance)
-        iterations[k] += work.iterations
-        residual[k], reached[k] = work.residual, work.speed_factor
-        deliver(case, work, balls, displacement[k], position[k], control[k], load[k])
+        case, result = cases[k], results[k]
+        prepare(case, work, balls, is_warm, result, positions[k], controls[k])
+        result.status, result.notes = solve_by_fallback(case, work, balls, tolerance)
+        result.iterations += work.iterations
+        result.residual, result.reached = work.residual, work.speed_factor
+        deliver(case, work, balls, result, positions[k], controls[k])

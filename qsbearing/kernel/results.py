@@ -96,10 +96,9 @@ def read_cases(
     cases: ndarray,
     workspaces: ndarray,
     balls: ndarray,
-    status: ndarray,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
+    results: ndarray,
+    positions: ndarray,
+    controls: ndarray,
     side: float,
     what: int,
     out: ndarray,
@@ -110,12 +109,12 @@ def read_cases(
         case = cases[k]
         set_azimuths(case, work, balls)
         set_full_scale(case, work)
-        for j in range(position.shape[1]):
-            if status[k] != CONVERGED or j >= case.ball_count:
+        for j in range(positions.shape[1]):
+            if results[k].status != CONVERGED or j >= case.ball_count:
                 out[k, j] = nan
                 continue
             ball = balls[j]
-            restore_ball(case, ball, displacement[k], position[k, j], control[k, j])
+            restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
             out[k, j] = read_ball(case, work, ball, side, what)
 
 
@@ -133,17 +132,16 @@ def stiffness_of_cases(
     cases: ndarray,
     workspaces: ndarray,
     balls: ndarray,
-    status: ndarray,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
+    results: ndarray,
+    positions: ndarray,
+    controls: ndarray,
     out: ndarray,
 ) -> None:
     """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
     work = workspaces[0]
     for k in range(cases.size):
         case = cases[k]
-        if status[k] != CONVERGED:
+        if results[k].status != CONVERGED:
             out[k] = nan
             continue
         set_azimuths(case, work, balls)
@@ -158,8 +156,8 @@ def stiffness_of_cases(
         start_sums(case, work)
         for j in range(case.ball_count):
             ball = balls[j]
-            restore_ball(case, ball, displacement[k], position[k, j], control[k, j])
-            a1, a2 = inner_groove_centre(case, displacement[k], ball.cosine, ball.sine)
+            restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
+            a1, a2 = inner_groove_centre(case, results[k].displacement, ball.cosine, ball.sine)
             evaluate_ball(case, work, ball, a1, a2)
             add_ball(work, ball)
         for p in range(5):

@@ -56,13 +56,7 @@ def set_controls(case: recarray, work: recarray, balls: ndarray, first: int) -> 
 
 @kernel
 def prepare(
-    case: recarray,
-    work: recarray,
-    balls: ndarray,
-    is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
+    case: recarray, work: recarray, balls: ndarray, is_warm: bool, result: recarray, position: ndarray, control: ndarray
 ) -> None:
     """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
     set_azimuths(case, work, balls)
@@ -71,7 +65,7 @@ def prepare(
     work.regularisation = REGULARISATION * case.series_stiffness
     work.at_rest, work.iterations, work.budget, work.residual = False, 0, BUDGET, 1.0
     for i in range(5):
-        work.displacement[i] = displacement[i] * work.in_plane[i] if is_warm else 0.0
+        work.displacement[i] = result.displacement[i] * work.in_plane[i] if is_warm else 0.0
         if case.displacement_given[i]:
             work.displacement[i] = case.prescribed[i]
     set_controls(case, work, balls, OUTER)
@@ -181,17 +175,11 @@ def ring_load(case: recarray, work: recarray, balls: ndarray, load: ndarray) -> 
 
 @kernel
 def deliver(
-    case: recarray,
-    work: recarray,
-    balls: ndarray,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
+    case: recarray, work: recarray, balls: ndarray, result: recarray, position: ndarray, control: ndarray
 ) -> None:
     """Write the positions of ring and balls, in the case's units; zero for balls that the case does not have."""
     for i in range(5):
-        displacement[i] = work.displacement[i]
+        result.displacement[i] = work.displacement[i]
     for j in range(position.shape[0]):
         ball = balls[balls[j].index]
         is_there = j < case.ball_count
@@ -200,7 +188,7 @@ def deliver(
         if is_there:
             store_position(case, ball, position[j])
         control[j] = ball.control if is_there else 0
-    ring_load(case, work, balls, load)
+    ring_load(case, work, balls, result.load)
 
 
 @entry
@@ -210,32 +198,25 @@ def solve_cases(
     balls: ndarray,
     tolerance: float,
     is_warm: bool,
-    displacement: ndarray,
-    position: ndarray,
-    control: ndarray,
-    load: ndarray,
-    status: ndarray,
-    notes: ndarray,
-    iterations: ndarray,
-    residual: ndarray,
-    reached: ndarray,
+    results: ndarray,
+    positions: ndarray,
+    controls: ndarray,
 ) -> None:
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
-    displacement (case, 5) and position (case, ball, 3) hold the start if is_warm, and the result in the case's units;
-    load (case, 5) the ring's loads, reactions of prescribed displacements included; reached the part of the speed that
-    all this is for. workspaces (1) and balls are working memory. An unfinished case keeps its start.
+    results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
+    case's units. workspaces (1) and balls are working memory. An unfinished case keeps its start.
     """
     work = workspaces[0]
     for k in range(cases.size):
-        case = cases[k]
-        prepare(case, work, balls, is_warm, displacement[k], position[k], control[k])
+        case, result = cases[k], results[k]
+        prepare(case, work, balls, is_warm, result, positions[k], controls[k])
         if is_moving(case):
             found = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:
             found = solve_at_rest(case, work, balls, tolerance, is_warm)
-        iterations[k], residual[k], reached[k] = work.iterations, work.residual, 1.0
-        notes[k] = remarks(case, found)
-        status[k] = CONVERGED if found >= CONTRADICTED else UNFINISHED
+        result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
+        result.notes = remarks(case, found)
+        result.status = CONVERGED if found >= CONTRADICTED else UNFINISHED
         if found >= CONTRADICTED:
-            deliver(case, work, balls, displacement[k], position[k], control[k], load[k])
+            deliver(case, work, balls, result, positions[k], controls[k])

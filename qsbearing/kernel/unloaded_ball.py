@@ -105,8 +105,11 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
 
 @kernel
 def place_unloaded(case: recarray, work: recarray, ball: recarray, a1: float, a2: float) -> None:
-    """Put a ball that its grooves leave room where inertia presses it; midway where no centrifugal force does."""
-    if case.centrifugal and is_moving(case):
+    """Put a ball that its grooves leave room where inertia presses it; midway where no centrifugal force does.
+
+    At a speed factor of zero none does: in a corner, rounding would press it to both grooves.
+    """
+    if case.centrifugal and is_moving(case) and work.speed_factor > 0.0:
         place_by_inertia(case, work, ball, a1, a2)
     else:
         place_midway(case, ball, a1, a2)

@@ -9,100 +9,89 @@ and the bound on friction.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
+from qsbearing.kernel.case import record
 from qsbearing.kernel.snapshots import SNAPSHOTS
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-_BALL = np.dtype(
-    [
-        # By a ball's number in the bearing:
-        ("azimuth_cosine", np.float64),
-        ("azimuth_sine", np.float64),
-        ("index", np.int64),  # of the ball in this array that is solved for it
-        # By index among the balls solved:
-        ("number", np.int64),  # in the bearing
-        ("cosine", np.float64),
-        ("sine", np.float64),
-        ("weight", np.float64),  # how many equal balls it stands for
-        ("control", np.int64),  # its raceway control
-        ("control_changes", np.int64),
-        ("factor", np.float64, (5,)),  # through which each channel solved feels its force, weight included
-        ("lever", np.float64, (5,)),  # through which each channel solved moves its inner groove centre
-        # Contact lines: unit vectors (sine, cosine) of the contact angles, and approaches. At rest the inner line alone
-        # stands for both contacts, from groove centre to groove centre.
-        ("outer_sine", np.float64),
-        ("outer_cosine", np.float64),
-        ("outer_approach", np.float64),
-        ("inner_sine", np.float64),
-        ("inner_cosine", np.float64),
-        ("inner_approach", np.float64),
-        ("outer_inverse", np.float64),  # 1/length
-        ("inner_inverse", np.float64),
-        ("outer_step1", np.float64),  # steps of the two lines, axial and radial
-        ("outer_step2", np.float64),
-        ("inner_step1", np.float64),
-        ("inner_step2", np.float64),
-        ("closure1", np.float64),  # residual of loop closure: what the lines lack between the groove centres
-        ("closure2", np.float64),
-        ("turn", np.float64),  # the larger turn of its contact lines by the step
-        ("follows_inertia", np.bool_),  # its inner load hardly counts beside its centrifugal force
-        ("snapshot", np.float64, (SNAPSHOTS, 6)),
-        ("snapshot_control", np.int64, (SNAPSHOTS,)),
-        # Evaluated: its imbalance, and its force on the ring (axial, radial, moment about the groove centre circle).
-        ("imbalance", np.float64, (2,)),
-        ("force", np.float64, (3,)),
-        ("condensed", np.float64, (3,)),  # the same after the ball's own step
-        ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
-        ("y1", np.float64),  # the ball's own step is -(y + Y dA)
-        ("y2", np.float64),
-        ("y11", np.float64),
-        ("y12", np.float64),
-        ("y21", np.float64),
-        ("y22", np.float64),
-    ],
-    align=True,
+BALL = record(
+    # By a ball's number in the bearing:
+    ("azimuth_cosine", np.float64),
+    ("azimuth_sine", np.float64),
+    ("index", np.int64),  # of the ball in this array that is solved for it
+    # By index among the balls solved:
+    ("number", np.int64),  # in the bearing
+    ("cosine", np.float64),
+    ("sine", np.float64),
+    ("weight", np.float64),  # how many equal balls it stands for
+    ("control", np.int64),  # its raceway control
+    ("control_changes", np.int64),
+    ("factor", np.float64, (5,)),  # through which each channel solved feels its force, weight included
+    ("lever", np.float64, (5,)),  # through which each channel solved moves its inner groove centre
+    # Contact lines: unit vectors (sine, cosine) of the contact angles, and approaches. At rest the inner line alone
+    # stands for both contacts, from groove centre to groove centre.
+    ("outer_sine", np.float64),
+    ("outer_cosine", np.float64),
+    ("outer_approach", np.float64),
+    ("inner_sine", np.float64),
+    ("inner_cosine", np.float64),
+    ("inner_approach", np.float64),
+    ("outer_inverse", np.float64),  # 1/length
+    ("inner_inverse", np.float64),
+    ("outer_step1", np.float64),  # steps of the two lines, axial and radial
+    ("outer_step2", np.float64),
+    ("inner_step1", np.float64),
+    ("inner_step2", np.float64),
+    ("closure1", np.float64),  # residual of loop closure: what the lines lack between the groove centres
+    ("closure2", np.float64),
+    ("turn", np.float64),  # the larger turn of its contact lines by the step
+    ("follows_inertia", np.bool_),  # its inner load hardly counts beside its centrifugal force
+    ("snapshot", np.float64, (SNAPSHOTS, 6)),
+    ("snapshot_control", np.int64, (SNAPSHOTS,)),
+    # Evaluated: its imbalance, and its force on the ring (axial, radial, moment about the groove centre circle).
+    ("imbalance", np.float64, (2,)),
+    ("force", np.float64, (3,)),
+    ("condensed", np.float64, (3,)),  # the same after the ball's own step
+    ("stiffness", np.float64, (3, 2)),  # of that, by the inner groove centre's displacement
+    ("y1", np.float64),  # the ball's own step is -(y + Y dA)
+    ("y2", np.float64),
+    ("y11", np.float64),
+    ("y12", np.float64),
+    ("y21", np.float64),
+    ("y22", np.float64),
 )
-BALL = np.dtype((np.record, _BALL))
 
-_WORKSPACE = np.dtype(
-    [
-        ("load_factor", np.float64),  # on the loads of the case
-        ("speed_factor", np.float64),  # on the speeds of the case
-        ("friction_bound", np.float64),  # the most friction that contacts carry, over their load; NO_BOUND for none
-        ("at_rest", np.bool_),  # no inertia acts: each ball is one contact line
-        ("displacement", np.float64, (5,)),
-        ("step", np.float64, (5,)),
-        ("reaction", np.float64, (5,)),
-        ("snapshot", np.float64, (SNAPSHOTS, 5)),
-        ("snapshot_force", np.float64, (SNAPSHOTS,)),  # the largest force there
-        ("snapshot_residual", np.float64, (SNAPSHOTS,)),
-        ("snapshot_bound", np.float64, (SNAPSHOTS,)),
-        ("snapshot_speed", np.float64, (SNAPSHOTS,)),
-        ("ball_count", np.int64),  # of balls solved
-        ("channel_count", np.int64),  # of channels solved: loaded, and in the plane of symmetry
-        ("channel", np.int64, (5,)),  # which
-        ("row", np.int64, (5,)),  # for each, which of a ball's three forces it feels
-        ("in_plane", np.float64, (5,)),  # 1 for channels that the symmetry leaves, 0 where it makes all vanish
-        ("imbalance", np.float64, (5,)),  # of the channels solved: the balls' forces less the load
-        ("right_side", np.float64, (5,)),
-        ("matrix", np.float64, (5, 5)),
-        ("regularisation", np.float64),  # least stiffness of anything
-        ("largest_force", np.float64),
-        ("largest_approach", np.float64),  # of any inner line
-        ("iterations", np.int64),  # spent on the case
-        ("budget", np.int64),  # after which it counts as not converged
-        ("residual", np.float64),  # of the last solve
-        ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
-        ("azimuth_first", np.float64),
-    ],
-    align=True,
+WORKSPACE = record(
+    ("load_factor", np.float64),  # on the loads of the case
+    ("speed_factor", np.float64),  # on the speeds of the case
+    ("friction_bound", np.float64),  # the most friction that contacts carry, over their load; NO_BOUND for none
+    ("at_rest", np.bool_),  # no inertia acts: each ball is one contact line
+    ("displacement", np.float64, (5,)),
+    ("step", np.float64, (5,)),
+    ("reaction", np.float64, (5,)),
+    ("snapshot", np.float64, (SNAPSHOTS, 5)),
+    ("snapshot_force", np.float64, (SNAPSHOTS,)),  # the largest force there
+    ("snapshot_residual", np.float64, (SNAPSHOTS,)),
+    ("snapshot_bound", np.float64, (SNAPSHOTS,)),
+    ("snapshot_speed", np.float64, (SNAPSHOTS,)),
+    ("ball_count", np.int64),  # of balls solved
+    ("channel_count", np.int64),  # of channels solved: loaded, and in the plane of symmetry
+    ("channel", np.int64, (5,)),  # which
+    ("row", np.int64, (5,)),  # for each, which of a ball's three forces it feels
+    ("in_plane", np.float64, (5,)),  # 1 for channels that the symmetry leaves, 0 where it makes all vanish
+    ("imbalance", np.float64, (5,)),  # of the channels solved: the balls' forces less the load
+    ("right_side", np.float64, (5,)),
+    ("matrix", np.float64, (5, 5)),
+    ("regularisation", np.float64),  # least stiffness of anything
+    ("largest_force", np.float64),
+    ("largest_approach", np.float64),  # of any inner line
+    ("iterations", np.int64),  # spent on the case
+    ("budget", np.int64),  # after which it counts as not converged
+    ("residual", np.float64),  # of the last solve
+    ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
+    ("azimuth_first", np.float64),
 )
-WORKSPACE = np.dtype((np.record, _WORKSPACE))
 
 
 def working_memory(balls: int) -> tuple[NDArray, NDArray]:

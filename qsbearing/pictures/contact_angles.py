@@ -6,36 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.style import (
-    GREY,
-    balls,
-    figure_of_size,
-    legend,
-    line_style,
-    mark_lost,
-    plain,
-    raceways,
-    write_title,
-)
+from qsbearing.pictures.style import GREY, balls, line_style, mark_lost, plain, raceways
+from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
-
-
-def contact_angles(solution: Solution, index: Index = None) -> Figure:
-    """Inner and outer contact angles by azimuth."""
-    place = solution._place(index)
-    figure = figure_of_size(7.0, 4.2)
-    axes = figure.add_subplot()
-    draw_angles(axes, solution, place)
-    legend(figure, axes)
-    write_title(figure, solution, place)
-    return figure
 
 
 def draw_angles(axes: Axes, solution: Solution, place: Place) -> None:

@@ -5,30 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY, STYLE, balls, figure_of_size, raceways, write_title
+from qsbearing.pictures.style import GREY, STYLE, balls, raceways
+from qsbearing.solution import Place, Solution
 from qsbearing.units import MPa, mm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
 
 MOST_ELLIPSES = 20
 """More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""
-
-
-def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
-    """Outlines of the contact ellipses, all to one scale, with their greatest pressure."""
-    place = solution._place(index)
-    figure = figure_of_size(10.0, 4.6)
-    axes = figure.add_subplot()
-    draw_ellipses(axes, solution, place)
-    write_title(figure, solution, place)
-    return figure
 
 
 def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:

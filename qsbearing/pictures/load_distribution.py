@@ -2,32 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from qsbearing.pictures.style import balls, figure_of_size, legend, line_style, mark_lost, raceways, write_title
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from qsbearing.pictures.style import Place
-    from qsbearing.solution import Index, Solution
-
-
-def load_distribution(solution: Solution, index: Index = None) -> Figure:
-    """Contact loads of all balls around the bearing, as a polar picture.
-
-    Args:
-        index: the case, along the solution's case axes; nothing for a single case.
-    """
-    place = solution._place(index)
-    figure = figure_of_size(5.6, 5.6)
-    axes = figure.add_subplot(projection="polar")
-    draw_loads(axes, solution, place)
-    legend(figure, axes)
-    write_title(figure, solution, place)
-    return figure
+from qsbearing.pictures.style import balls, line_style, mark_lost, raceways
+from qsbearing.solution import Place, Solution
 
 
 def draw_loads(axes: Any, solution: Solution, place: Place) -> None:

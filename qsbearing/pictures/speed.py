@@ -6,16 +6,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain, raceways
+from qsbearing.solution import Solution
 from qsbearing.units import deg, rpm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    from qsbearing.solution import Solution
 
 
 def against_speed(solution: Solution, labels: Sequence[str] = (), ball: int = 0) -> Figure:

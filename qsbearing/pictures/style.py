@@ -9,18 +9,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.solution import Place, RacewayContacts, Solution
 from qsbearing.units import rpm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    from qsbearing.solution import RacewayContacts, Solution
-
-    Place = tuple[int, ...]
 
 # Okabe & Ito's blue and vermilion: told apart by every kind of colour vision, and by their lightness in print.
 # The outer's hollow squares are larger than the inner's discs: where the two coincide, both are seen.
@@ -45,9 +42,10 @@ def legend(figure: Figure, *axes: Any) -> None:
     for each in axes:
         for handle, label in zip(*each.get_legend_handles_labels(), strict=True):
             known.setdefault(label, handle)
-    figure.legend(
-        list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
-    )
+    if known:
+        figure.legend(
+            list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
+        )
 
 
 def plain(axes: Axes) -> None:
@@ -86,16 +84,9 @@ def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> Non
         (inner & outer, "x", "no load on either raceway"),
         (inner & ~outer, "+", "inner contact lost"),
     ):
-        if lost.any():
-            axes.plot(
-                along[lost],
-                np.full(along.shape, height)[lost],
-                marker,
-                color=GREY,
-                markersize=6,
-                label=label,
-                clip_on=False,
-            )
+        where = along[lost]
+        if where.size:
+            axes.plot(where, [height] * where.size, marker, color=GREY, markersize=6, label=label, clip_on=False)
 
 
 def write_title(figure: Figure, solution: Solution, place: Place) -> None:
@@ -109,8 +100,6 @@ def write_title(figure: Figure, solution: Solution, place: Place) -> None:
     largest = np.abs(load).max()
     for channel, value in zip(CHANNELS, load, strict=True):
         if abs(value) > 1e-6 * largest:
-            name, unit = (
-                (channel.label.replace("tilt", "moment"), "N m") if channel.is_rotation else (channel.label, "N")
-            )
+            name, unit = channel.label.replace("tilt", "moment"), "N m" if channel.is_rotation else "N"
             parts.append(f"{name} {value:.5g} {unit}")
     figure.suptitle(", ".join(parts), fontsize=10, parse_math=False)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.contact.hertz import effective_modulus
 from qsbearing.scene.material import STEEL, Material
@@ -27,9 +28,6 @@ from qsbearing.validation import (
     unit_mistake,
     within,
 )
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)
@@ -110,16 +108,6 @@ class BallBearing:
         return np.asarray(getattr(self, name), float)
 
     @property
-    def inner_groove_radius_coefficient(self) -> NDArray:
-        """fi = ri/D [-]."""
-        return self._array("inner_groove_radius") / self._array("ball_diameter")
-
-    @property
-    def outer_groove_radius_coefficient(self) -> NDArray:
-        """fo = ro/D [-]."""
-        return self._array("outer_groove_radius") / self._array("ball_diameter")
-
-    @property
     def groove_centre_distance(self) -> NDArray:
         """BD = (fi + fo - 1) D, between the unloaded groove centres [m].
 
@@ -134,14 +122,14 @@ class BallBearing:
 
     @property
     def inner_groove_centre_radius(self) -> NDArray:
-        """Ri = dm/2 + (fi - 1/2) D cos alpha0: of the circle of inner groove centres [m]."""
-        reach = self._array("inner_groove_radius") - 0.5 * self._array("ball_diameter")
-        return 0.5 * self._array("pitch_diameter") + reach * np.cos(self._array("free_contact_angle"))
+        """Ri, of the circle of inner groove centres [m]."""
+        pitch, radius, ball = map(self._array, ("pitch_diameter", "inner_groove_radius", "ball_diameter"))
+        return np.asarray(groove_centre_radius(pitch, radius, ball, np.cos(self._array("free_contact_angle"))))
 
     @property
     def ball_mass(self) -> NDArray:
         """m = rho pi D^3/6 [kg]."""
-        return np.asarray(self.ball_material.density, float) * pi / 6.0 * self._array("ball_diameter") ** 3
+        return np.asarray(ball_mass(np.asarray(self.ball_material.density, float), self._array("ball_diameter")))
 
     @property
     def ball_inertia(self) -> NDArray:
@@ -157,6 +145,16 @@ class BallBearing:
             for number in (material.elastic_modulus, material.poisson_ratio)
         ]
         return np.asarray(effective_modulus(*numbers))  # type: ignore[arg-type]
+
+
+def ball_mass(density: Any, ball_diameter: Any) -> Any:
+    """m = rho pi D^3/6 [kg]."""
+    return density * (pi / 6.0) * ball_diameter**3
+
+
+def groove_centre_radius(pitch_diameter: Any, groove_radius: Any, ball_diameter: Any, cos_free: Any) -> Any:
+    """Ri = dm/2 + (ri - D/2) cos alpha0, of the circle of inner groove centres, in the unit of the lengths."""
+    return 0.5 * pitch_diameter + (groove_radius - 0.5 * ball_diameter) * cos_free
 
 
 def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_distance: ArrayLike) -> NDArray:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
+
+from numpy.typing import ArrayLike
 
 from qsbearing.validation import ANGLE, FORCE, LENGTH, MOMENT, SPEED, ErrorDetail, numeric, raise_if_any, within
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 
 class Channel(NamedTuple):

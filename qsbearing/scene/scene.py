@@ -12,7 +12,8 @@ from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
-from qsbearing.validation import MM, RPM, SPEED, ErrorDetail, choose, raise_if_any, unit_mistake
+from qsbearing.units import mm, rpm
+from qsbearing.validation import SPEED, ErrorDetail, choose, raise_if_any, unit_mistake
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
@@ -113,10 +114,10 @@ def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail
         pitch, value = np.broadcast_arrays(
             np.asarray(bearing.pitch_diameter, float), np.asarray(0.0 if speed is None else speed, float)
         )
-        parameter = pitch / MM * np.abs(value) / RPM
+        parameter = pitch / mm * np.abs(value) / rpm
         if (parameter > SPEED_PARAMETER_MAX).any():
             worst = parameter.argmax()
-            most = float(SPEED_PARAMETER_MAX * RPM * MM / pitch.flat[worst])
+            most = float(SPEED_PARAMETER_MAX * rpm * mm / pitch.flat[worst])
             found = float(value.flat[worst])
             problem = (
                 f"is too fast: dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing "

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.studies.cost import accuracy, answers
+from qsbearing.studies.cost import accuracy, results
 from tests.benchmarks import random_scenes
 
 SEED = 77
@@ -65,8 +65,8 @@ def outcomes(count: int = SCENES, seed: int = SEED, rounds: int = ROUNDS) -> lis
     for (scene, accuracy_asked), *turns in zip(asked, *taken, strict=True):
         reached, full, error = turns[0], qs.solve(scene), 0.0
         if full.converged:
-            judged = answers.errors(answers.read(reached.option.scene, reached.solution), answers.read(scene, full))
-            error = float(answers.accuracy(judged))
+            judged = results.errors(results.read(reached.solution), results.read(full))
+            error = float(results.accuracy(judged))
         over = tuple(turn.seconds / turn.choice.option.seconds for turn in turns)
         found.append(Outcome(accuracy_asked, error, bool(reached.option.left_out), reached.solves, over))
     return found

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from qsbearing.studies.cost import accuracy, answers, indicators, levels, machine
+from qsbearing.studies.cost import accuracy, indicators, levels, machine, results
 from tests.benchmarks import acceptance, random_scenes
 
 TABLE = Path(qs.__file__).parent / "studies" / "cost" / "advice.json"
@@ -37,11 +37,11 @@ def ratios(count: int = BATCHES, size: int = CASES, seed: int = SEED) -> dict[st
     for scene in random_scenes.batches(seed, count, size):
         found = levels.simplifications(scene)
         solutions = [qs.solve(simple) for _, simple in found]
-        read = [answers.read(simple, solution) for (_, simple), solution in zip(found, solutions, strict=True)]
+        read = [results.read(solution) for solution in solutions]
         for k in range(len(found) - 1):
             (name,) = indicators.omissions(found[k][1], found[k + 1][1])
             indicated, nearly_unloaded = indicators.indicators(scene, solutions[k])
-            error = answers.accuracy(answers.errors(read[k], read[k + 1]))
+            error = results.accuracy(results.errors(read[k], read[k + 1]))
             both = solutions[k].converged & solutions[k + 1].converged & np.isfinite(error)
             for key, values in (("indicator", indicated[name]), ("nearly_unloaded", nearly_unloaded), ("error", error)):
                 table[name][key].append(np.broadcast_to(values, error.shape)[both])

@@ -12,7 +12,7 @@ from typing import Any
 import qsbearing as qs
 from fem_check import records_store
 from fem_check.cost import record as cost_record
-from fem_check.cost import tables as cost_tables
+from fem_check.cost import table as cost_table
 from tests.benchmarks.record import RECORD
 
 GUIDE = Path(qs.__file__).parent / "guide"
@@ -99,11 +99,11 @@ def alternatives() -> str:
 
 
 def finite_elements() -> str:
-    """Closed forms and meshes: error, time, memory."""
+    """What each accuracy costs."""
     record = cost_record.read()
     if record is None:
         raise ValueError("there is no record of `fem-check cost`")
-    return cost_tables.summary(record)
+    return cost_table.mesh_choices(record).markdown()
 
 
 def contacts() -> str:
@@ -118,7 +118,7 @@ def contacts() -> str:
         }
         rows.append([name, entry["level"], entry["verdict"], *(f"{value:.2g}" for value in worst.values())])
     rows.append(
-        ["tolerance", "release", "", *(f"{_tolerance(entries[HALF_SPACE_CHECKS[1]], name):g}" for name in QUANTITIES)]
+        ["tolerance", entries[HALF_SPACE_CHECKS[1]]["level"], "", *(f"{_tolerance(entries[HALF_SPACE_CHECKS[1]], name):g}" for name in QUANTITIES)]
     )
     return markdown(["check", "level", "verdict", *QUANTITIES.values()], rows)
 

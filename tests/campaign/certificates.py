@@ -202,7 +202,8 @@ def as_left(solution: qs.Solution) -> qs.Solution:
     left = copy.copy(solution)
     for name in [name for name in vars(left) if not name.startswith("_") and name not in ("scene", "shape", "seconds")]:
         del left.__dict__[name]  # what was read off the cases before
-    left._codes = np.zeros_like(solution._codes)
+    left._results = solution._results.copy()
+    left._results["status"] = 0
     left.inner = type(solution.inner)(left, solution.inner._side)
     left.outer = type(solution.outer)(left, solution.outer._side)
     return left

@@ -48,7 +48,7 @@ class Tally:
     def add(self, group: Group, first: int, judged: Judged) -> None:
         """The scenes of a group, or of a part of it, of which the first has this number."""
         solution, found, certificates = judged
-        for array in (solution._codes, solution.iterations, solution.displacement, solution.load):
+        for array in (solution._results["status"], solution.iterations, solution.displacement, solution.load):
             self.digest.update(np.ascontiguousarray(array).tobytes())
         failed, converged = found.failed(), solution.converged
         for k, status in enumerate(map(str, solution.status)):

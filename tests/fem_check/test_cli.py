@@ -186,6 +186,6 @@ def test_a_damaged_record_is_named(tmp_path):
 
 
 def test_memory_estimate_bounds_what_was_measured():
-    # Peaks of one contact in a process of its own (MB), by unknowns: the larger of rslab's and PARDISO's.
+    # Peaks of one contact in a process of its own (MB), by unknowns.
     for dofs, peak in ((4320, 254), (12474, 493), (20412, 568), (26784, 725), (68112, 1472)):
         assert peak <= memory.estimate_MB(dofs) <= 3.0 * peak

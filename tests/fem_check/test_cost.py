@@ -1,34 +1,18 @@
-"""What accuracy costs: element families, fits, processes, the record, the advice made from it."""
+"""What accuracy costs: element families, the record, the mesh chosen by it."""
 
 import json
-import os
-import signal
-from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
 from skfem import MeshHex
 
-from fem_check import half_space_contact, linear_solver, memory, meshing
-from fem_check.agreement import Level
-from fem_check.checks.other_contacts import slender_problem
+from fem_check import half_space_contact, memory, meshing
+from fem_check.agreement import Level, Row
 from fem_check.cli import cli
-from fem_check.contact_problem import ElasticConstants
-from fem_check.cost import (
-    advice,
-    campaign,
-    configurations,
-    figures,
-    fits,
-    fresh_process,
-    holdout,
-    output,
-    record,
-    shapes,
-    tables,
-    timing,
-)
+from fem_check.cost import measurement, mesh_choice, picture, record, table
+from fem_check.cost.mesh_choice import MeshChoice
 from fem_check.elastic_body import DisplacementSpace, stiffness
 from fem_check.element_family import FAMILIES, SERENDIPITY
 from fem_check.references import hertz
@@ -82,7 +66,7 @@ def test_tetrahedra_fill_the_brick_and_fit_together():
 
 
 def test_families_agree_on_the_contact():
-    problem = configurations.problem()
+    problem = measurement.problem()
     exact = hertz(problem)
     # Quadratic displacements: all within the 3 % that one mesh of three elements is off in the mean.
     for family in FAMILIES:
@@ -94,225 +78,62 @@ def test_families_agree_on_the_contact():
         assert found.semi_major_axis == pytest.approx(exact.semi_major_axis, rel=1e-2), family.name
 
 
-# --- fits -------------------------------------------------------------------------------------------------------------
+# --- the record, measured on a few coarse meshes ----------------------------------------------------------------------
 
 
-def test_a_power_law_is_found_with_its_interval():
-    x = [1e3, 3e3, 1e4, 3e4]
-    fit = fits.power_law(x, [2e-5 * value**1.4 for value in x])
-    assert fit["exponent"] == pytest.approx(1.4)
-    assert fit["factor"] == pytest.approx(2e-5)
-    assert fit["uncertainty"] == pytest.approx(0.0, abs=1e-9)
-    two = fits.power_law(x[:2], [1.0, 9.0])
-    assert two["exponent"] == pytest.approx(2.0)
-    assert two["uncertainty"] is None
-    assert fits.power_law([1.0], [1.0])["exponent"] is None
+@pytest.fixture
+def few(monkeypatch):
+    """`fem-check cost` measures four configurations, once, in this process."""
+    monkeypatch.setitem(measurement.MESHES, Level.QUICK, {SERENDIPITY.name: (4, 5, 6), "tet4": (4,)})
+    monkeypatch.setattr(measurement, "REPEATS", 1)
+    monkeypatch.setattr(measurement, "in_fresh_process", lambda function, argument: function(argument))
 
 
-def test_the_interval_holds_what_it_says():
-    # 400 noisy power laws: the true exponent lies inside the 95 % interval 95 times in 100, 2 standard errors 2.2 %.
-    generator = np.random.default_rng(3)
-    x = np.logspace(3, 5, 6)
-    inside = 0
-    for _ in range(400):
-        fit = fits.power_law(x, x**1.5 * np.exp(generator.normal(0.0, 0.2, len(x))))
-        inside += abs(fit["exponent"] - 1.5) <= fit["uncertainty"]
-    assert inside / 400 == pytest.approx(0.95, abs=0.033)
-
-
-def test_ratios_come_out_again_within_their_bounds():
-    # Runs on a machine whose speed drifts by a third from round to round, every series scattering by 8 % besides.
-    generator = np.random.default_rng(5)
-
-    def run() -> list[list[float]]:
-        drift = np.exp(generator.normal(0.0, 0.3, 3))
-        return [list(size * drift * np.exp(generator.normal(0.0, 0.08, 3))) for size in np.logspace(-1, 1, 40)]
-
-    missed, widths = 0, []
-    for _ in range(50):
-        first, again = timing.ratios(run(), 7), timing.ratios(run(), 7)
-        assert first[7] == {"median": 1.0, "low": 1.0, "high": 1.0}
-        for one, other in zip(first, again, strict=True):
-            assert one["low"] <= one["median"] <= one["high"]
-            missed += not one["low"] <= other["median"] <= one["high"]
-            widths.append(one["high"] / one["low"])
-    # 2000 ratios at 99.9 %: two misses are expected; more than eight would be one chance in a thousand.
-    assert missed <= 8
-    # Bounds that held anything would say nothing: with the drift left in, they would be seven times apart.
-    assert 1.5 < np.median(widths) < 3.0
-    assert timing.ratios([[1.0, 2.0], []], 0)[1] is None
-
-
-def test_configurations_take_turns_there_and_back(monkeypatch):
-    called = []
-
-    def call(function, argument):
-        called.append(argument)
-        if argument == 2:
-            raise fresh_process.ProcessError("no two")
-        return {"seconds": function(argument)}
-
-    monkeypatch.setattr(fresh_process, "call", call)
-    monkeypatch.setattr(timing, "REPEATS", 2)
-    found = timing.interleaved(float, [1, 2, 3], Level.QUICK, lambda stage, part: None, str)
-    assert called == [1, 2, 3, 3, 1]
-    assert found == [[{"seconds": 1.0}] * 2, "no two", [{"seconds": 3.0}] * 2]
-    assert timing.spread([1.0, 4.0, 2.0]) == {"median": 2.0, "low": 1.0, "high": 4.0, "runs": 3}
-
-
-# --- processes of their own -------------------------------------------------------------------------------------------
-
-
-def _fail(argument):
-    raise ValueError(f"no {argument}")
-
-
-def _die(argument):
-    os.kill(os.getpid(), signal.SIGKILL)
-
-
-def test_a_process_of_its_own_answers_or_says_why_not():
-    answer = fresh_process.call(configurations.solve, configurations.Configuration(3, "scipy"))
-    assert answer["dofs"] == 2376
-    assert answer["sound"]
-    assert answer["peak_memory_MB"] > answer["base_memory_MB"] > 0.0
-    assert answer["seconds"] > answer["contact_seconds"] > 0.0
-    with pytest.raises(fresh_process.ProcessError, match="ValueError: no bread"):
-        fresh_process.call(_fail, "bread")
-    with pytest.raises(fresh_process.ProcessError, match="code -9"):
-        fresh_process.call(_die, None)
-
-
-# --- configurations ---------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("level", list(Level))
-def test_every_configuration_is_planned_once(level):
-    planned = configurations.planned(level, "rslab", ["scipy", "cholmod"])
-    assert len(planned) == len(set(planned))
-    assert {each.family for each in planned} == {family.name for family in FAMILIES}
-    assert {each.solver for each in planned} == {"rslab", "scipy", "cholmod"}
-    plain = {each.elements for each in planned if each == configurations.Configuration(each.elements, "rslab")}
-    # What advice solves is measured.
-    finest = [count for count in advice.SEQUENCES if count in configurations.MESHES[level]]
-    assert finest
-    assert {count for each in finest for count in advice.SEQUENCES[each]} <= plain
-    assert {each.box_size for each in planned if each.is_clamped} == {0.0, *configurations.BOX_SIZES}
-
-
-def test_a_clamped_block_takes_back_nearly_half_of_the_approach():
-    # Boussinesq's displacement falls like 1/distance, and the walls are two and a half semi-axes away.
-    found = configurations.solve(configurations.Configuration(4, "scipy", is_clamped=True))
-    assert -0.6 < found["error"]["approach"] < -0.3
-
-
-# --- the record, measured on a refinement of a few configurations -----------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def small(tmp_path_factory):
-    """`fem-check cost --out`, on few and coarse configurations in this process; scipy's solver not installed."""
-
-    def call_here(function, argument):
-        try:
-            return function(argument)
-        except Exception as problem:
-            raise fresh_process.ProcessError(f"{type(problem).__name__}: {problem}") from None
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(configurations.MESHES, Level.QUICK, (3, 4, 5))
-        patch.setitem(configurations.FAMILY_MESHES, Level.QUICK, {})
-        patch.setitem(configurations.CLAMPED_BLOCK_MESHES, Level.QUICK, (3,))
-        patch.setitem(configurations.BOX_MESHES, Level.QUICK, ())
-        patch.setitem(shapes.ELLIPTICITIES, Level.QUICK, (20.0,))
-        patch.setattr(timing, "REPEATS", 1)
-        patch.setattr(fresh_process, "call", call_here)
-        patch.setitem(holdout.COUNT, Level.QUICK, 1)
-        patch.setattr(linear_solver, "available", lambda: ["rslab"])
-        patch.setenv(linear_solver.ENVIRONMENT, "rslab")
-        folder = tmp_path_factory.mktemp("cost")
-        result = call("cost", "--out", str(folder), "--json")
+def test_cost_writes_a_record_and_its_picture(few, tmp_path):
+    result = call("cost", "--out", str(tmp_path), "--json")
     assert result.exit_code == 0, result.output
-    return result, folder
+    made = record.read(tmp_path)
+    assert json.loads(result.stdout) == made
+    assert {path.name for path in (tmp_path / "cost").iterdir()} == {"quick.json", "quick.png"}
+    *hexahedra, tetrahedra = made["meshes"]
+    assert [entry["dofs"] for entry in hexahedra] == [4320, 5508, 12474]
+    assert all(entry["seconds"]["median"] > 0.0 and entry["peak_memory_MB"] > 50 for entry in made["meshes"])
+    assert tetrahedra["worst_error"] > 5.0 * hexahedra[0]["worst_error"]
+    assert [choice.sequence for choice in mesh_choice.choices(made)] == [(4, 5, 6)]
 
 
-def test_no_number_of_a_picture_is_cut_off_and_an_error_of_zero_is_said():
-    kept = record.read()
-    for name in ("families", "far-field"):
-        figure = figures.FIGURES[name][0](kept)
-        figure.canvas.draw()
-        frame = figure.axes[0].get_window_extent()
-        assert all(frame.y0 <= text.get_window_extent().y0 for text in figure.axes[0].texts), name
-    exact = kept["closed_forms"][-1]
-    exact["error"] = dict.fromkeys(exact["error"], 0.0)
-    axes = figures.combined(kept).axes[0]
-    assert f"{exact['label']}: error 0, not shown" in axes.get_legend_handles_labels()[1]
-    assert min(y for line in axes.lines for y in line.get_ydata()) > 1e-6
+def test_a_process_of_its_own_gives_the_same_error():
+    configuration = measurement.Configuration(3, SERENDIPITY.name)
+    apart = measurement.in_fresh_process(measurement.solve, configuration)
+    assert apart["error"] == pytest.approx(measurement.solve(configuration)["error"], abs=1e-10)
 
 
-def test_cost_writes_one_record_with_tables_and_figures(small):
-    result, folder = small
-    kept = json.loads((folder / "fem_cost.json").read_text())
-    assert json.loads(result.stdout) == kept
-    assert set(record.FIELDS) <= set(kept)
-    assert {path.name for path in folder.iterdir()} == {
-        "fem_cost.json",
-        *(f"fem_{name}.png" for name in figures.FIGURES),
-        *(f"fem_{part}.csv" for part in tables.CSV_PARTS),
-    }
-    lines = (folder / "fem_configurations.csv").read_text().splitlines()
-    assert len(lines) == 1 + len(kept["configurations"])
-    assert "seconds.median" in lines[0]
-    for entry in kept["configurations"]:
-        if entry["status"] == record.MEASURED:
-            assert entry["seconds"]["runs"] == 1
-            assert entry["seconds"]["median"] > 0.0
-
-
-def test_a_configuration_that_fails_is_kept_with_its_reason(small):
-    # Clamped, the contact is longer than the patch of three elements: no number, and never a zero.
-    _, folder = small
-    kept = json.loads((folder / "fem_cost.json").read_text())
-    (failed,) = [entry for entry in kept["configurations"] if entry["far_field"] != "exact"]
-    assert "fills the whole patch" in failed["status"]
-    assert failed["seconds"] is failed["worst_error"] is failed["peak_memory_MB"] is None
-    assert any("Not measured: 3 elements" in line for line in tables.remarks(kept))
-
-
-def test_what_is_not_installed_is_named_and_never_zero(small):
-    _, folder = small
-    kept = json.loads((folder / "fem_cost.json").read_text())
-    assert kept["solvers"]["scipy"]["status"] == "not installed"
-    assert [entry for entry in kept["configurations"] if entry["solver"] == "scipy"] == []
-    (row,) = [row for row in tables.solvers(kept).rows if row[0] == "SuperLU (scipy)"]
-    assert row[1:] == ("not installed", *[""] * (len(row) - 2))
-    assert any("Not installed" in line and "SuperLU" in line for line in tables.remarks(kept))
-
-
-def test_an_interrupted_measurement_leaves_the_earlier_files(tmp_path, monkeypatch):
+def test_an_interrupted_measurement_leaves_the_earlier_record(few, tmp_path, monkeypatch):
     def stop(function, argument):
         raise KeyboardInterrupt
 
-    (tmp_path / "fem_cost.json").write_text("earlier")
-    monkeypatch.setattr(fresh_process, "call", stop)
-    result = call("cost", "--out", str(tmp_path))
-    assert result.exit_code != 0
-    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"fem_cost.json": "earlier"}
+    (tmp_path / "cost").mkdir()
+    (tmp_path / "cost" / "quick.json").write_text("earlier")
+    monkeypatch.setattr(measurement, "in_fresh_process", stop)
+    assert call("cost", "--out", str(tmp_path)).exit_code != 0
+    assert {path.name: path.read_text() for path in (tmp_path / "cost").iterdir()} == {"quick.json": "earlier"}
 
 
 def test_a_folder_that_takes_no_files_is_refused_first(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
-    monkeypatch.setattr(campaign, "measure", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(measurement, "measure", lambda *_: pytest.fail("measured"))
     result = call("cost", "--out", str(tmp_path / "file" / "inside"))
     assert result.exit_code == 2
     assert "cannot be written" in result.stderr
 
 
 def test_a_damaged_cost_record_is_named(tmp_path):
-    (tmp_path / "quick.json").write_text('{"level": "quick"}')
-    with pytest.raises(record.RecordError, match=r"quick.json lacks machine"):
+    path = record.path_of("quick", tmp_path)
+    path.parent.mkdir()
+    path.write_text('{"level": "quick"}')
+    with pytest.raises(record.RecordError, match=r"quick.json lacks made_by"):
         record.read(tmp_path)
-    output.replace(tmp_path / "quick.json", b"{")
+    path.write_text("{")
     with pytest.raises(record.RecordError, match=r"quick.json is no cost record"):
         record.read(tmp_path)
 
@@ -322,98 +143,93 @@ def test_a_damaged_cost_record_is_named(tmp_path):
 
 @pytest.fixture(scope="module")
 def kept():
-    return advice.table()
+    return record.read()
+
+
+def of_family(kept, family):
+    return [entry for entry in kept["meshes"] if entry["family"] == family.label]
 
 
 def test_the_kept_record_shows_what_it_should(kept):
-    refinement = record.mesh_refinement(kept["configurations"], kept["main_solver"])
-    assert all(entry["sound"] for entry in kept["configurations"] if entry["status"] == record.MEASURED)
-    # Finer is dearer in both; and the whole refinement buys accuracy, by at least the order that the edge allows.
-    for name in ("seconds", "peak_memory_MB"):
-        assert refinement[-1][name]["median"] > refinement[0][name]["median"]
-    fineness = refinement[0]["element_size"] / refinement[-1]["element_size"]
-    assert refinement[0]["worst_error"] / refinement[-1]["worst_error"] > fineness**1.5
-    for entry in refinement:
-        assert entry["worst_error"] < entry["worst_single_position"]
-    # No clamped body comes near the exact far field on the same mesh.
-    exact = {entry["elements_per_semi_axis"]: abs(entry["error"]["approach"]) for entry in refinement}
-    for entry in kept["configurations"]:
-        if entry["far_field"] != "exact":
-            assert abs(entry["error"]["approach"]) > 10.0 * exact[entry["elements_per_semi_axis"]]
+    for family in FAMILIES:
+        coarse, *_, fine = of_family(kept, family)
+        for name in ("dofs", "peak_memory_MB"):
+            assert fine[name] > coarse[name]
+        assert fine["seconds"]["median"] > coarse["seconds"]["median"]
+        # First order elements level off, see `table.remark`; the others gain at least what the contact's edge allows.
+        order = 0.5 if family.name in ("hex8", "tet4") else 1.5
+        assert coarse["worst_error"] / fine["worst_error"] > (coarse["element_size"] / fine["element_size"]) ** order
     assert kept["closed_forms"][-1]["worst_error"] < 1e-13
-    assert len(kept["holdout_contacts"]) == holdout.COUNT[Level(kept["level"])]
-    assert all(each["deviation"] <= each["expected_error"] <= each["asked"] for each in kept["holdout_contacts"])
 
 
 def test_the_errors_kept_are_those_made_here(kept):
-    # Errors do not depend on the machine: the coarsest mesh's are found again, to the digits kept.
-    (entry,) = [
-        e
-        for e in record.mesh_refinement(kept["configurations"], kept["main_solver"])
-        if e["elements_per_semi_axis"] == 4
+    # Errors do not depend on the machine: the second mesh's are found again, to rounding in the linear solver.
+    found = measurement.solve(measurement.Configuration(4, SERENDIPITY.name))
+    entry = of_family(kept, SERENDIPITY)[1]
+    for name in ("error", "position_uncertainty"):
+        assert found[name] == pytest.approx(entry[name], abs=1e-9)
+
+
+def test_every_number_of_the_picture_and_the_table_is_there(kept):
+    figure = picture.draw(kept)
+    figure.canvas.draw()
+    (axes,) = figure.axes
+    frame = axes.get_window_extent()
+    assert len(axes.texts) == len(of_family(kept, SERENDIPITY)) + len(mesh_choice.choices(kept))
+    assert all(frame.y0 <= text.get_window_extent().y0 for text in axes.texts)
+    rows = table.measured(kept).rows
+    assert len(rows) == len(kept["closed_forms"]) + len(kept["meshes"])
+    assert {len(row) for row in rows} == {len(table.measured(kept).headings)}
+
+
+# --- the mesh chosen --------------------------------------------------------------------------------------------------
+
+
+def test_the_cheapest_that_will_do_comes_first(kept):
+    every = mesh_choice.choices(kept)
+    assert every[0].sequence == (4, 5, 6)
+    for cheap, dear in pairwise(every):
+        assert cheap.seconds <= dear.seconds
+        assert cheap.accuracy > dear.accuracy
+    for accuracy in (1e-2, 4e-3, 1e-3, 5e-4):
+        first, *others = mesh_choice.proposals(accuracy, kept)
+        assert first.accuracy <= accuracy
+        assert all(choice.seconds >= first.seconds for choice in every if choice.accuracy <= accuracy)
+        assert all(other.seconds >= first.seconds for other in others)
+    with pytest.raises(mesh_choice.AccuracyError, match=r"best attainable is .*, with 16 elements per semi-axis"):
+        mesh_choice.proposals(1e-9, kept)
+    with pytest.raises(mesh_choice.AccuracyError, match="no cost record"):
+        mesh_choice.proposals(1e-2, None)
+
+
+def test_the_accuracy_of_a_choice_includes_its_uncertainty():
+    # Errors of 8 h^3: that of h = 0.1 is 8e-3; Roache's factor makes 1e-2 of it; the positions add 1e-3.
+    entries = [
+        {
+            "family": SERENDIPITY.label,
+            "elements_per_semi_axis": count,
+            "element_size": h,
+            "error": dict.fromkeys(measurement.JUDGED, -8.0 * h**3),
+            "position_uncertainty": dict.fromkeys(measurement.JUDGED, 1e-3),
+            "seconds": {"median": 2.0},
+            "peak_memory_MB": 10.0 * count,
+        }
+        for count, h in ((4, 0.4), (8, 0.2), (16, 0.1))
     ]
-    found = configurations.solve(configurations.Configuration(4, "scipy"))
-    for name in configurations.JUDGED:
-        assert found["error"][name] == pytest.approx(entry["error"][name], rel=1e-3, abs=1e-8)
+    assert mesh_choice.choices({"meshes": entries}) == [
+        MeshChoice((4, 8, 16), pytest.approx(8e-3 + 1.25 * 8e-3 + 1e-3), 6.0, 160.0)
+    ]
 
 
-# --- advice -----------------------------------------------------------------------------------------------------------
+def test_what_is_reached_is_deviation_and_uncertainty_together():
+    def row(quantity, found, uncertainty, tolerance):
+        return Row("case", quantity, "m", 1.0, "", found, uncertainty, tolerance, "")
 
-
-def test_advice_takes_the_cheapest_that_will_do(kept):
-    problem = slender_problem(6.0)
-    every = advice.choices(problem, kept, kept["main_solver"])
-    dearer = 0.0
-    for accuracy in (0.1, 1e-2, 5e-3, 3e-3, 1e-3):
-        choice = advice.choose(problem, accuracy, kept, kept["main_solver"], None)
-        assert choice.error <= accuracy
-        assert all(other.seconds >= choice.seconds for other in every if other.error <= accuracy)
-        assert choice.seconds >= dearer
-        dearer = choice.seconds
-
-
-def test_unlike_bodies_take_twice_the_time(kept):
-    problem = slender_problem(6.0)
-    hybrid = replace(problem, ball=ElasticConstants(310e9, 0.26))
-    one, two = (advice.choose(each, 1e-3, kept, kept["main_solver"], None) for each in (problem, hybrid))
-    assert two.elements == one.elements
-    assert 1.7 < two.seconds / one.seconds <= 2.0
-
-
-def test_advice_says_what_is_attainable(kept, monkeypatch, tmp_path):
-    problem, solver = slender_problem(6.0), kept["main_solver"]
-    finest = max(count for count in advice.SEQUENCES if count in {e["elements_per_semi_axis"] for e in kept["shapes"]})
-    with pytest.raises(
-        advice.AdviceError, match=rf"beyond the finest mesh.*best attainable here is .*with {finest} el"
-    ):
-        advice.choose(problem, 1e-9, kept, solver, None)
-    with pytest.raises(advice.AdviceError, match=r"elements per semi-axis, and about .* MB, of which 400 MB are free"):
-        advice.choose(problem, 1e-3, kept, solver, 400.0)
-    with pytest.raises(advice.AdviceError, match="no measured mesh is available here"):
-        advice.choose(problem, 1e-3, kept, solver, 10.0)
-    with pytest.raises(advice.AdviceError, match=r"a/b = 50.0, and errors were measured up to 30"):
-        advice.choose(slender_problem(50.0), 1e-2, kept, solver, None)
-    # Without gmsh only the meshes that come with the package are to be had.
-    monkeypatch.setattr(meshing, "gmsh_problem", lambda: "gmsh is not installed: pip install gmsh")
-    monkeypatch.setenv("FEM_CHECK_CACHE", str(tmp_path))
-    with pytest.raises(advice.AdviceError, match=r"best attainable here is .*with 6 elements"):
-        advice.choose(problem, 1e-5, kept, solver, None)
-
-
-def test_a_solver_measured_on_few_meshes_is_followed_along_its_power_law(kept):
-    def entry(dofs, elements, solver, seconds):
-        timed = {"median": seconds}
-        return {
-            "status": record.MEASURED, "family": SERENDIPITY.name, "far_field": "exact", "solver": solver, "dofs": dofs,
-            "elements_per_semi_axis": elements, "seconds": timed,
-        }  # fmt: skip
-
-    made = [entry(1000 * n, n, "one", 1e-3 * n) for n in (1, 2, 4, 8, 16)]
-    made += [entry(1000 * n, n, "two", 1e-3 * n**2) for n in (2, 4)]
-    table = {"main_solver": "one", "configurations": made}
-    assert advice._interpolated(table, 4, "two", "seconds") == pytest.approx(16e-3)
-    assert advice._interpolated(table, 16, "two", "seconds") == pytest.approx(256e-3)
-    assert advice._interpolated(table, 16, "never measured", "seconds") == pytest.approx(16e-3)
+    good, worst = row("approach", 1.001, 0.02, 1.0), row("semi_major_axis", 0.998, 0.3, 1.0)
+    not_judged = row("max_shear_depth", 1.5, 9.0, None)
+    assert mesh_choice.reached([good, worst, not_judged]) == (pytest.approx(5e-3), "semi_major_axis")
+    # A finding's reference is not its exact value: the uncertainty alone counts.
+    assert mesh_choice.reached([row("approach", 1.1, 0.2, None)])[0] == pytest.approx(2e-3)
 
 
 @pytest.mark.parametrize(
@@ -423,7 +239,7 @@ def test_a_solver_measured_on_few_meshes_is_followed_along_its_power_law(kept):
         (["--accuracy", "nan"], "a relative error, above 0 and below 1"),
         (["--accuracy", "1"], "a relative error, above 0 and below 1"),
         (["--accuracy", "1e-3", "--elements", "6"], "name one of the two"),
-        (["--accuracy", "1e-9"], "the best attainable here is"),
+        (["--accuracy", "1e-9"], "the best attainable is"),
     ],
 )
 def test_bad_accuracy_is_exit_2_with_a_sentence(arguments, said):
@@ -433,11 +249,27 @@ def test_bad_accuracy_is_exit_2_with_a_sentence(arguments, said):
     assert "Traceback" not in result.output
 
 
-def test_too_little_memory_leaves_a_coarser_mesh(kept, monkeypatch):
+def test_too_little_memory_is_said(monkeypatch):
     monkeypatch.setattr(memory, "available_MB", lambda: 300.0)
     result = call("contact", "--scene", "b218", "--race", "inner", "--load-N", "100", "--accuracy", "1e-3")
     assert result.exit_code == 2
     assert "300 MB are free" in result.stderr
+
+
+COARSE, FINE = MeshChoice((3, 4, 5), 0.0, 1.0, 1.0), MeshChoice((4, 5, 6), 0.0, 2.0, 1.0)
+"""On B218's contact they reach 1.6 % and 0.4 %."""
+
+
+@pytest.mark.parametrize(("proposed", "exit_code"), [([COARSE, FINE], 0), ([COARSE], 1)])
+def test_a_mesh_that_falls_short_is_followed_by_the_next_or_fails(proposed, exit_code, monkeypatch):
+    monkeypatch.setattr(mesh_choice, "proposals", lambda *_: proposed)
+    result = call("contact", "--scene", "b218", "--race", "inner", "--load-N", "100", "--accuracy", "8e-3", "--json")
+    assert result.exit_code == exit_code
+    entry = json.loads(result.stdout)
+    # The mesh that falls short is off by less than the accuracy: its uncertainty alone fails it.
+    assert all(abs(row["deviation_percent"]) < 0.8 for row in entry["rows"])
+    assert tuple(entry["accuracy"]["sequence"]) == proposed[-1].sequence
+    assert (entry["accuracy"]["reached"] <= 8e-3) == (exit_code == 0)
 
 
 def scene_file(folder, ball_material="steel", groove=11.6281, other=11.6281, diameter=22.225, pitch=125.26):
@@ -461,83 +293,57 @@ axial_load_N = 1000
     return str(path)
 
 
-# Contacts that no record was made on: other shapes (a/b from 3 to 25), materials, sizes, loads.
 CONTACTS = [
-    ({}, "outer", 321.0),
     ({"ball_material": "silicon nitride"}, "inner", 2500.0),
     ({"groove": 11.25, "other": 11.3}, "inner", 40.0),
-    ({"groove": 11.9}, "inner", 900.0),
-    ({"groove": 12.5}, "inner", 5000.0),
-    ({"groove": 14.0}, "inner", 700.0),
     ({"groove": 20.0}, "inner", 60.0),
-    ({"other": 16.0}, "outer", 1500.0),
-    ({"diameter": 6.35, "pitch": 40.0, "groove": 3.3, "other": 3.35}, "inner", 12.0),
-    (
-        {"diameter": 6.35, "pitch": 40.0, "groove": 3.3, "other": 3.35, "ball_material": "silicon nitride"},
-        "outer",
-        25.0,
-    ),
+    ({"diameter": 6.35, "pitch": 40.0, "groove": 3.3, "other": 3.35}, "outer", 12.0),
 ]
+"""Contacts that no record was made on: other shapes (a/b from 3 to 25), materials, sizes, loads."""
 
 
 def met(scene, race, load, accuracy):
-    """Solve a contact to an accuracy, see that it is met, and hand back what was said of it."""
+    """Solve a contact to an accuracy and see that it is met, uncertainty included."""
     result = call(
         "contact", "--scene", scene, "--race", race, "--load-N", str(load), "--accuracy", str(accuracy), "--json"
     )
     assert result.exit_code == 0, result.output
     entry = json.loads(result.stdout)
-    found = entry["accuracy"]
-    assert found["deviation"] <= accuracy
-    judged = [row for row in entry["rows"] if row["quantity"] in configurations.JUDGED]
+    judged = [row for row in entry["rows"] if row["quantity"] in measurement.JUDGED]
     assert len(judged) == 5
-    assert all(abs(row["deviation_percent"]) <= 100.0 * accuracy for row in judged)
-    assert all(row["tolerance_percent"] == pytest.approx(100.0 * accuracy) for row in judged)
-    assert found["deviation"] <= found["expected_error"] <= accuracy
-    return found
+    for row in judged:
+        assert abs(row["deviation_percent"]) + row["uncertainty_percent"] <= 100.0 * accuracy
+        assert row["tolerance_percent"] == pytest.approx(100.0 * accuracy)
+    assert entry["accuracy"]["reached"] <= accuracy
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("elements", [8, 10, 12])
-@pytest.mark.parametrize("which", [0, 2, 6])
+@pytest.mark.parametrize("elements", [8, 10, 12, 16])
+@pytest.mark.parametrize("which", range(len(CONTACTS)))
 def test_the_uncertainty_owns_up_to_the_error(which, elements, tmp_path):
+    half_space_contact.clear_cache()
     bearing, race, load = CONTACTS[which]
     scene = scene_file(tmp_path, **bearing)
     result = call(
         "contact", "--scene", scene, "--race", race, "--load-N", str(load), "--elements", str(elements), "--json"
     )
     for row in json.loads(result.stdout)["rows"]:
-        if row["quantity"] in configurations.JUDGED:
+        if row["quantity"] in measurement.JUDGED:
             assert abs(row["deviation_percent"]) <= row["uncertainty_percent"], row["quantity"]
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("accuracy", [1e-2, 3e-3, 1e-3, 5e-4, 2e-4])
+@pytest.mark.parametrize("accuracy", [1e-2, 1e-3, 5e-4])
 @pytest.mark.parametrize("which", range(len(CONTACTS)))
 def test_every_accuracy_is_met_on_every_contact(which, accuracy, tmp_path):
     half_space_contact.clear_cache()
     bearing, race, load = CONTACTS[which]
-    found = met(scene_file(tmp_path, **bearing), race, load, accuracy)
-    # Times are no pass mark on a shared machine; what was promised and what it took is for the eye (pytest -s).
-    print(f"{found['seconds']:.2f} s, expected {found['expected_seconds']:.2f} s")
+    met(scene_file(tmp_path, **bearing), race, load, accuracy)
 
 
 def test_an_accuracy_asked_for_is_met_and_said():
     met("7210c", "inner", 50.0, 1e-2)
     result = call("contact", "--scene", "7210c", "--race", "inner", "--load-N", "50", "--accuracy", "1e-2")
     assert result.exit_code == 0
-    assert "Chosen: 5 elements per semi-axis" in result.output
-    assert "Expected:" in result.output
-    assert "Asked: 0.01. Reached:" in result.output
-
-
-def test_the_true_gap_is_not_judged_by_hertz():
-    result = call(
-        "contact", "--scene", "7210c", "--race", "inner", "--load-N", "50", "--accuracy", "1e-2", "--geometry", "true",
-        "--json",
-    )  # fmt: skip
-    assert result.exit_code == 0
-    entry = json.loads(result.stdout)
-    assert entry["accuracy"]["deviation"] is None
-    assert entry["accuracy"]["uncertainty"] > 0.0
-    assert {row["verdict"] for row in entry["rows"] if row["quantity"] in configurations.JUDGED} == {"finding"}
+    assert "Solving with 4, 5, 6 elements per semi-axis" in result.output
+    assert "Accuracy asked: 0.01; reached, uncertainty included:" in result.output

@@ -32,9 +32,9 @@ PLANTED = {
         SOLUTION,
     ),
     "E' from the ball's modulus alone": (
-        "qsbearing/flatten.py",
-        '(1.0 - v["ring_poisson"] ** 2) / v["ring_modulus"]',
-        '(1.0 - v["ball_poisson"] ** 2) / v["ball_modulus"]',
+        "qsbearing/contact/hertz.py",
+        "(1.0 - poisson_ratio_2**2) / elastic_modulus_2)",
+        "(1.0 - poisson_ratio_1**2) / elastic_modulus_1)",
         SOLUTION,
     ),
     "load exponent 1.49": (

@@ -5,7 +5,11 @@ Each scene that must converge was chosen because it no longer does when the laye
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +17,8 @@ import pytest
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
 from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.mechanics import ring_load
@@ -81,23 +87,9 @@ def direct_code(scene: qs.Scene) -> int:
     """How the direct stage ends."""
     maker = CaseMaker(scene)
     balls = maker.ball_axis
-    status = np.empty(1, np.int8)
-    solve_cases(
-        maker.make(),
-        *working_memory(balls),
-        1e-12,
-        False,
-        np.empty((1, 5)),
-        np.empty((1, balls, 3)),
-        np.zeros((1, balls), np.int8),
-        np.empty((1, 5)),
-        status,
-        np.empty(1, np.int8),
-        np.empty(1, np.int32),
-        np.empty(1),
-        np.empty(1),
-    )
-    return int(status[0])
+    results, positions, controls = np.empty(1, RESULT), np.empty((1, balls, 3)), np.zeros((1, balls), np.int8)
+    solve_cases(maker.make(), *working_memory(balls), 1e-12, False, results, positions, controls)
+    return int(results["status"][0])
 
 
 # At rest --------------------------------------------------------------------------------------------------------------
@@ -122,6 +114,22 @@ def test_at_rest_nothing_supports_the_load() -> None:
     assert solution.speed_reached == 1.0
 
 
+# The direct stage -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        turning(40e3, **CENTRIFUGAL_INNER, **upright(1e4, 1e4)),
+        turning(20e3, STEEP, **CENTRIFUGAL_INNER, **upright(1e3, 500.0)),
+    ],
+    ids=["radial load as large as axial", "steep contact angle"],
+)
+def test_a_second_start_spares_the_fallback(scene: qs.Scene) -> None:
+    """Newton's method from the likelier start alone leaves these to the fallback, ten times as dear."""
+    assert direct_code(scene) == CONVERGED
+
+
 # Refusals and limits --------------------------------------------------------------------------------------------------
 
 
@@ -142,6 +150,53 @@ def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:
     assert solution.status is qs.Status.NO_EQUILIBRIUM
     assert 0.0 < float(solution.speed_reached) < 1.0
     assert f"{100 * float(solution.speed_reached):.3g} % of the speed" in qs.message(solution)
+
+
+@pytest.mark.parametrize(
+    ("rpm", "axial", "moment", "is_refused"),
+    [(1e4, 1e-4, 0.0, True), (0.05, 0.01, -2e-4, False)],
+    ids=["balls over the shoulder at rest", "balls that only rounding presses over the shoulder"],
+)
+def test_a_case_for_which_nothing_is_found_is_refused_if_the_bearing_at_rest_is(
+    rpm: float, axial: float, moment: float, is_refused: bool
+) -> None:
+    """Rings turn against each other, so that balls hardly orbit: the equilibrium at rest is unique and the evidence."""
+    loads = {"axial_load": axial, "radial_load_y": axial, "radial_load_z": 0.0, "moment_y": 0.0, "moment_z": moment}
+    solution = qs.solve(turning(rpm, STEEP, outer_rpm=-0.83 * rpm, **CENTRIFUGAL_INNER, **loads))
+    at_rest = qs.solve(resting(STEEP, **loads))
+    assert (at_rest.status is qs.Status.NO_EQUILIBRIUM) == is_refused
+    if is_refused:
+        assert solution.status is qs.Status.NO_EQUILIBRIUM
+        assert solution.reason == at_rest.reason == qs.Reason.OVER_SHOULDER
+        assert solution.speed_reached == 0.0
+    else:
+        assert solution.status is not qs.Status.NO_EQUILIBRIUM
+
+
+def test_no_step_is_taken_beyond_the_budget() -> None:
+    """With a budget of 25 iterations, fewer than one call of Newton's method may use: neither it nor the pseudo-time
+    steps go on. In a process without the compiler, where the budget can be changed."""
+    program = """
+import qsbearing.kernel.solve_case as direct
+import qsbearing as qs
+from tests.kernel.test_fallback import SCENES
+direct.BUDGET = 25
+for scenes in SCENES.values():
+    for scene in scenes.values():
+        solution = qs.solve(scene)
+        print(solution.status, int(solution.iterations))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    lines = done.stdout.split()
+    assert set(lines[::2]) <= {"not_converged", "no_equilibrium"}
+    assert max(map(int, lines[1::2])) <= 2 * 25  # direct stage and fallback, each its own
 
 
 @pytest.mark.skipif(not COMPILED, reason="ten thousand iterations of plain Python")

@@ -633,7 +633,7 @@ def test_control_by_each_ball_never_asks_friction_of_an_unloaded_contact(
     """The outer raceway controls a ball that has left the inner one, by the criterion: no verdict on friction."""
     scene = turning(speed / qs.rpm, replace(bearing, kind=qs.BearingKind.DEEP_GROOVE), control=PER_BALL)
     solution = qs.solve(with_operation(scene, **dict(zip(LOADS, load, strict=True))))
-    assert solution.status is qs.Status.CONVERGED, (solution.status, solution._notes, solution.residual)
+    assert solution.status is qs.Status.CONVERGED, (solution.status, solution._results["notes"], solution.residual)
 
 
 @pytest.mark.parametrize("speed", [0.0, 700.0])
@@ -643,9 +643,9 @@ def test_what_is_not_a_number_is_never_converged(speed: float) -> None:
     expected = qs.solve(scene)
     for codes in (0, 2):
         start = qs.solve(scene)
-        start._ring[:] = np.nan
-        start._position[:] = np.nan
-        start._codes[:] = codes
+        start._results["displacement"] = np.nan
+        start._positions[:] = np.nan
+        start._results["status"] = codes
         found = qs.solve(scene, start=start)
         assert found.converged
         assert found.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)
@@ -770,7 +770,7 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
     maker = CaseMaker(turning(10_000.0, axial_load=1.0))
     g = B218.ball_diameter / B218.pitch_diameter
     solution = qs.solve(turning(10_000.0, control=control, axial_load=1e3))
-    solution._codes[:] = 0
+    solution._results["status"] = 0
     case = maker.make()[0]
     inner_length, outer_length = (f - 0.5 for f in (case["inner_coefficient"], case["outer_coefficient"]))
     free = np.array([case["sin_free"], case["cos_free"]])
@@ -779,10 +779,10 @@ def test_a_ball_sees_the_inner_groove_from_any_side(control: qs.RacewayControl) 
         for inner_angle in np.radians(np.linspace(-180.0, 180.0, 361)):
             outer_line, inner_line = (np.array([np.sin(angle), np.cos(angle)]) for angle in (outer_angle, inner_angle))
             # angle from the free one, outer and inner approach
-            solution._position[0] = outer_angle - np.arctan2(*free), 1e-9, -0.1 * inner_length
-            solution._ring[0, :] = 0.0
-            solution._ring[0, :2] = outer_length * outer_line + 0.9 * inner_length * inner_line
-            solution._ring[0, :2] -= (outer_length + inner_length) * free
+            solution._positions[0] = outer_angle - np.arctan2(*free), 1e-9, -0.1 * inner_length
+            solution._results["displacement"][0, :] = 0.0
+            solution._results["displacement"][0, :2] = outer_length * outer_line + 0.9 * inner_length * inner_line
+            solution._results["displacement"][0, :2] -= (outer_length + inner_length) * free
             for name in ("orbital_speed", "gyroscopic_moment", "centrifugal_force"):
                 vars(solution).pop(name, None)
             orbits.append(solution.orbital_speed[0])

@@ -269,6 +269,9 @@ def test_places_that_cannot_be_written_are_refused_before_solving(tmp_path: Path
         result = call("run", "b218", option, target)
         assert (result.exit_code, result.stdout) == (2, ""), target
         assert words in result.stderr
+    both = call("run", "b218", "--csv", tmp_path / "none" / "out.csv", "--plot", tmp_path / "none" / "out.png")
+    assert "--csv" in both.stderr
+    assert "--plot" in both.stderr
     assert sorted(tmp_path.rglob("*")) == here
     assert (tmp_path / "file").read_text() == "kept"
 

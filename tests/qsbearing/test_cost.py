@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.tables import text_of
-from qsbearing.studies.cost import answers, figures, levels, measuring, output_folder, record, speeds, tables
+from qsbearing.studies.cost import figures, levels, measuring, output_folder, record, results, speeds, tables
 from tests.benchmarks import cost as kept
 from tests.benchmarks import random_scenes
 
@@ -31,8 +31,8 @@ LEVEL = {level.name: level for level in levels.LEVELS}
 
 
 def judged(simple: qs.Scene, full: qs.Scene) -> dict[str, Any]:
-    """Errors of one scene's answers against another's."""
-    return answers.errors(answers.read(simple, solved(simple)), answers.read(full, solved(full)))
+    """Errors of one scene's results against another's."""
+    return results.errors(results.read(solved(simple)), results.read(solved(full)))
 
 
 # Model levels -------------------------------------------------------------------------------------------------------
@@ -80,20 +80,20 @@ def test_a_choice_that_is_no_simplification_stays() -> None:
 # Errors -------------------------------------------------------------------------------------------------------------
 
 
-def test_an_answer_has_no_error_against_itself() -> None:
+def test_a_result_has_no_error_against_itself() -> None:
     for scene in random_scenes.batches(5, 4, 3):
         errors = judged(scene, scene)
-        assert set(errors) == set(answers.NAMES)
+        assert set(errors) == set(results.NAMES)
         assert all(np.all(error == 0.0) for error in errors.values())
 
 
-@pytest.mark.parametrize("name", answers.NAMES)
-def test_a_changed_answer_shows_under_its_own_name_alone(name: str) -> None:
+@pytest.mark.parametrize("name", results.NAMES)
+def test_a_changed_result_shows_under_its_own_name_alone(name: str) -> None:
     scene = turning(9000, **COMBINED)
-    full = answers.read(scene, solved(scene))
+    full = results.read(solved(scene))
     changed = full | {name: full[name].copy()}
     changed[name].flat[np.nanargmax(np.abs(full[name]))] *= 1.01
-    errors = answers.errors(changed, full)
+    errors = results.errors(changed, full)
     assert errors[name] > 1e-6
     assert all(error == 0.0 for other, error in errors.items() if other != name)
     if name.endswith(("load", "axis", "pressure")) and name != "ring_load":
@@ -102,19 +102,19 @@ def test_a_changed_answer_shows_under_its_own_name_alone(name: str) -> None:
 
 def test_a_ball_nearly_without_load_counts_with_its_load_alone() -> None:
     scene = resting(axial_load=8e3, radial_load_y=8e3, tilt_y=0.0, tilt_z=0.0)
-    full = answers.read(scene, solved(scene))
+    full = results.read(solved(scene))
     light = int(np.argmin(full["inner_load"]))
     for name, counts in (("inner_load", True), ("inner_semi_major_axis", False), ("inner_max_pressure", False)):
         changed = full | {name: full[name].copy()}
         changed[name][light] += 0.01 * full[name].max()
-        assert (answers.errors(changed, full)[name] > 0.0) == counts
+        assert (results.errors(changed, full)[name] > 0.0) == counts
 
 
 def test_what_has_no_number_is_an_infinite_error() -> None:
     scene = turning(9000, **COMBINED)
-    full = answers.read(scene, solved(scene))
+    full = results.read(solved(scene))
     lost = {name: np.full_like(array, np.nan) for name, array in full.items()}
-    assert answers.accuracy(answers.errors(lost, full)) == np.inf
+    assert results.accuracy(results.errors(lost, full)) == np.inf
 
 
 # Monotone where it should be ----------------------------------------------------------------------------------------
@@ -123,14 +123,14 @@ def test_what_has_no_number_is_an_infinite_error() -> None:
 def test_each_ball_effect_brings_every_group_nearer_at_speed() -> None:
     """At spindle speed and above. Per-ball control comes to outer control there; below, a hypothesis is no error."""
     rows = record.errors(turning(9000, **COMBINED))
-    for speed, group in itertools.product(("spindle", "aero engine"), answers.GROUPS):
+    for speed, group in itertools.product(("spindle", "aero engine"), results.GROUPS):
         steps = [tables.select(rows, speed=speed, level=level)[0][group] for level in list(LEVEL)[1:]]
         assert all(after <= before for before, after in itertools.pairwise(steps)), (speed, group, steps)
 
 
 def test_at_rest_the_ball_effects_change_nothing() -> None:
     rows = {row["level"]: row for row in tables.select(record.errors(turning(9000, **COMBINED)), speed="rest")}
-    groups = [tuple(rows[level][group] for group in answers.GROUPS) for level in list(LEVEL)[1:]]
+    groups = [tuple(rows[level][group] for group in results.GROUPS) for level in list(LEVEL)[1:]]
     assert len(set(groups[:4])) == 1
     assert set(groups[-1]) == {0.0}
 
@@ -145,9 +145,9 @@ def test_a_tighter_tolerance_is_no_worse() -> None:
     """Up to rounding: 1e-13 is some hundred units of it, what a displacement found from loads may carry."""
     for loads in (COMBINED, {"axial_load": 17_800.0}):
         scene = turning(10_000, **loads)
-        tightest = answers.read(scene, solved(scene, tolerance=record.TOLERANCES[-1]))
-        found = [answers.read(scene, solved(scene, tolerance=tolerance)) for tolerance in record.TOLERANCES]
-        errors = [float(answers.accuracy(answers.errors(one, tightest))) for one in found]
+        tightest = results.read(solved(scene, tolerance=record.TOLERANCES[-1]))
+        found = [results.read(solved(scene, tolerance=tolerance)) for tolerance in record.TOLERANCES]
+        errors = [float(results.accuracy(results.errors(one, tightest))) for one in found]
         assert all(after <= before or after < 1e-13 for before, after in itertools.pairwise(errors)), errors
         assert errors[0] > 1e-7  # a loose tolerance is felt
 
@@ -256,7 +256,7 @@ def test_the_kept_errors_are_the_models(full_record: dict[str, Any]) -> None:
     found = record.errors(qs.load_scene(kept.SCENE))
     assert [row["level"] for row in found] == [row["level"] for row in full_record["errors"]]
     for now, before in zip(found, full_record["errors"], strict=True):
-        for group in answers.GROUPS:
+        for group in results.GROUPS:
             # a part in a thousand, or what rounding leaves of a residual of 1e-12 in the softest stiffness
             assert now[group] == pytest.approx(before[group], rel=1e-3, abs=1e-8)
 
@@ -303,8 +303,8 @@ def test_an_error_of_zero_is_drawn_at_zero_and_the_others_in_their_decades(full_
 
 
 def test_the_folder_is_filled_whole(tmp_path: Path, full_record: dict[str, Any]) -> None:
-    with output_folder.OutputFolder(str(tmp_path / "new")) as folder:
-        folder.fill(full_record)
+    with output_folder.output_folder(str(tmp_path / "new")) as fill:
+        fill(full_record)
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(output_folder.FILES)
     assert json.loads((tmp_path / "new" / "cost.json").read_text()) == full_record
     for name in figures.PICTURES:
@@ -313,11 +313,11 @@ def test_the_folder_is_filled_whole(tmp_path: Path, full_record: dict[str, Any])
 
 def test_a_folder_that_is_not_filled_leaves_nothing(tmp_path: Path, full_record: dict[str, Any]) -> None:
     broken = {key: value for key, value in full_record.items() if key != "errors"}
-    with pytest.raises(KeyError), output_folder.OutputFolder(str(tmp_path / "new")) as folder:
-        folder.fill(broken)
+    with pytest.raises(KeyError), output_folder.output_folder(str(tmp_path / "new")) as fill:
+        fill(broken)
     assert list(tmp_path.iterdir()) == []
     (tmp_path / "old").mkdir()
-    with output_folder.OutputFolder(str(tmp_path / "old")):
+    with output_folder.output_folder(str(tmp_path / "old")):
         pass
     assert list((tmp_path / "old").iterdir()) == []
 

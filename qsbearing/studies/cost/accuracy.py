@@ -3,7 +3,7 @@
 `choose` solves the scene at its coarsest level and judges every level by the contacts found there: the error of what it
 leaves out is at most a factor of `advice.json` times its indicator. The first whose error stays below what was asked is
 taken. `solve_to` solves it, judges it anew by its own contacts, and goes on to a finer one where these say that it will
-not do. The scene itself has no error by definition: accuracy is against the scene's full answer, counted as `answers`
+not do. The scene itself has no error by definition: accuracy is against the scene's full result, counted as `results`
 says.
 """
 
@@ -15,19 +15,16 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from qsbearing.flatten import case_arrays
-from qsbearing.scene.scene import HertzAngle, HertzForm
+from qsbearing.scene.scene import HertzAngle, HertzForm, Scene
+from qsbearing.solution import Solution
 from qsbearing.solver import solve
 from qsbearing.studies.cost import indicators
 from qsbearing.studies.cost.levels import Level, simplifications
-
-if TYPE_CHECKING:
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
 
 FINEST, COARSEST = 1e-12, 1.0
 """What may be asked: the solver's own tolerance, and everything."""

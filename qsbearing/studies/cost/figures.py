@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.studies.cost.answers import GROUPS
 from qsbearing.studies.cost.levels import LEVELS
 from qsbearing.studies.cost.machine import in_a_line
+from qsbearing.studies.cost.results import GROUPS
 from qsbearing.studies.cost.speeds import OWN
 from qsbearing.studies.cost.tables import select
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
@@ -26,7 +25,7 @@ MARKERS = ("v", "s", "^", "D", "o", "*")
 
 
 def speeds(record: dict[str, Any]) -> Figure:
-    """When a model level is enough: errors of four groups of answers along the speed."""
+    """When a model level is enough: errors of four groups of results along the speed."""
     figure, axes = _sheet(record, 2, 2, (11.0, 8.0), "When a model level is enough: errors against the finest level")
     for each, group in zip(axes.ravel(), GROUPS, strict=True):
         each.set(title=group.capitalize(), xlabel="dm n, mm rpm", ylabel="relative error")
@@ -55,7 +54,7 @@ def levels(record: dict[str, Any]) -> Figure:
             low, median, high = (1e6 * row["case_s"][name] for name in ("low", "median", "high"))
             error, bars = np.array([row["error"]], float), [[median - low], [high - median]]
             each.errorbar([median], error, xerr=bars, elinewidth=0.7, capsize=1.5, linewidth=0, **_style(k))
-        each.set(xscale="log", xlabel=label, ylabel="error of the worst answer (shaded: linear, down to 0)")
+        each.set(xscale="log", xlabel=label, ylabel="error of the worst result (shaded: linear, down to 0)")
         _plain(each.xaxis)
     _legend(figure, axes[0, 0])
     return figure

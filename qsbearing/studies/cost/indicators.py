@@ -13,18 +13,14 @@ centres and g = D/dm:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.scene.scene import HertzAngle
-from qsbearing.studies.cost.answers import LIGHT
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+from qsbearing.scene.scene import HertzAngle, Scene
+from qsbearing.solution import Solution
+from qsbearing.studies.cost.results import LIGHT
 
 OMISSIONS = {
     "centrifugal_force": "the centrifugal force",

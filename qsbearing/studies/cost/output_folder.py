@@ -3,62 +3,57 @@
 from __future__ import annotations
 
 import json
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from qsbearing.io.output_file import OutputFile
+from qsbearing.io.output_file import output_file
 from qsbearing.studies.cost import figures, tables
 
 FILES = ("cost.json", *(f"{name}.csv" for name in tables.LISTS), *(f"{name}.png" for name in figures.PICTURES))
 
 
-class OutputFolder:
-    """Claims a folder, made if there is none, and all its files on entry; leaves nothing behind unless filled.
+@contextmanager
+def output_folder(target: str) -> Iterator[Callable[[dict[str, Any]], None]]:
+    """Claim a folder, made if there is none, and all its files; yield what fills it with a complete record.
+
+    Every table and picture is made before the first is put there; without a record nothing is left behind.
 
     Raises:
         OSError: the folder or a file cannot be written, or there is nothing to draw with; the text says why.
     """
+    if find_spec("matplotlib") is None:
+        raise OSError("needs matplotlib: pip install 'qsbearing[plot]'")
+    if not target:
+        raise OSError("no folder is named")
+    folder = Path(target)
+    with ExitStack() as stack:
+        if not folder.is_dir():
+            _make(folder)
+            stack.callback(lambda: None if any(folder.iterdir()) else folder.rmdir())
+        write = {}
+        for name in FILES:
+            try:
+                write[name] = stack.enter_context(output_file(str(folder / name)))
+            except OSError as error:
+                raise OSError(f"{name}: {error}") from None
 
-    def __init__(self, target: str) -> None:
-        self._target, self._folder = target, Path(target)
-        self._stack = ExitStack()
-        self._files: dict[str, OutputFile] = {}
+        def fill(record: dict[str, Any]) -> None:
+            contents = {"cost.json": (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()}
+            contents |= {f"{name}.csv": tables.csv_text(record[name]).encode() for name in tables.LISTS}
+            contents |= {f"{name}.png": figures.png(draw(record)) for name, draw in figures.PICTURES.items()}
+            for name, data in contents.items():
+                write[name](data)
 
-    def __enter__(self) -> OutputFolder:
-        if find_spec("matplotlib") is None:
-            raise OSError("needs matplotlib: pip install 'qsbearing[plot]'")
-        if not self._target:
-            raise OSError("no folder is named")
-        with ExitStack() as stack:  # undone at the first fault
-            if not self._folder.is_dir():
-                self._make()
-                stack.callback(lambda: None if any(self._folder.iterdir()) else self._folder.rmdir())
-            for name in FILES:
-                try:
-                    self._files[name] = stack.enter_context(OutputFile(str(self._folder / name)))
-                except OSError as error:
-                    raise OSError(f"{name}: {error}") from None
-            self._stack = stack.pop_all()
-        return self
+        yield fill
 
-    def _make(self) -> None:
-        try:
-            self._folder.mkdir()
-        except FileNotFoundError:
-            raise OSError(f"there is no folder {self._folder.parent}") from None
-        except OSError as error:
-            is_file = self._folder.exists()
-            raise OSError("is a file, not a folder" if is_file else f"cannot be made: {error.strerror}") from None
 
-    def fill(self, record: dict[str, Any]) -> None:
-        """Write every table and picture of a complete record; all are made before the first is put there."""
-        contents = {"cost.json": (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()}
-        contents |= {f"{name}.csv": tables.csv_text(record[name]).encode() for name in tables.LISTS}
-        contents |= {f"{name}.png": figures.png(draw(record)) for name, draw in figures.PICTURES.items()}
-        for name, data in contents.items():
-            self._files[name].replace_with(data)
-
-    def __exit__(self, *reason: object) -> None:
-        self._stack.close()
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir()
+    except FileNotFoundError:
+        raise OSError(f"there is no folder {folder.parent}") from None
+    except OSError as error:
+        raise OSError("is a file, not a folder" if folder.exists() else f"cannot be made: {error.strerror}") from None

@@ -3,37 +3,33 @@
     kind, version, machine, settings    what this is, where and how thoroughly it was measured
     definition, bearing, scene          how errors are counted, what was looked at
     measured    [{part, name, cases, tolerance, case_s, over_last, iterations, error, memory_MB}]
-    errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of answers}]
+    errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of results}]
 
 `part` is what is varied: "levels", "tolerance" or "cases". `case_s` is the processor's time of a call over its cases,
 `over_last` that over the time of the last of its series (the finest level, the tightest tolerance, the most cases):
-{median, low, high}, the median of all rounds and their 5 % and 95 % quantiles. `error` is the worst of all answers
+{median, low, high}, the median of all rounds and their 5 % and 95 % quantiles. `error` is the worst of all results
 against the last of the series, `memory_MB` the peak of a process that makes this call alone. Null stands for what does
 not apply or has no number.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing import __version__
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import Solution
 from qsbearing.solver import TOLERANCE, solve
-from qsbearing.studies.cost import answers, measuring, speeds
+from qsbearing.studies.cost import measuring, results, speeds
 from qsbearing.studies.cost.levels import FINEST, LEVELS
 from qsbearing.studies.cost.machine import machine
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
 
 TOLERANCES = tuple(float(f"1e-{power}") for power in range(2, 15, 2))
 
@@ -124,8 +120,8 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
                 row["memory_MB"] = measuring.in_fresh_process(call.memory)
             else:
                 solution = call.prepared()()
-                judged = answers.errors(answers.read(solution.scene, solution), answers.read(last.scene, last))
-                row["error"] = _short(np.max(answers.accuracy(judged)))
+                judged = results.errors(results.read(solution), results.read(last))
+                row["error"] = _short(np.max(results.accuracy(judged)))
                 row["iterations"] = float(f"{np.mean(solution.iterations):.3g}")
             rows.append(row)
     return {
@@ -133,7 +129,7 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
         "version": __version__,
         "machine": where,
         "settings": asdict(settings),
-        "definition": answers.__doc__,
+        "definition": results.__doc__,
         "bearing": scene.bearing.name,
         "scene": _text(scene),
         "measured": rows,
@@ -149,16 +145,16 @@ def times(scene: Scene, settings: Settings) -> measuring.Times:
 
 
 def errors(scene: Scene) -> list[dict[str, Any]]:
-    """Error of each group of answers at every level against the finest along the speeds."""
+    """Error of each group of results at every level against the finest along the speeds."""
     names, swept = speeds.along_speeds(scene)
     parameter = speeds.dm_n(swept)
     full = solve(FINEST.of(swept))
-    exact = answers.read(full.scene, full)
+    exact = results.read(full)
     rows = []
     for level in LEVELS:
         solution = solve(level.of(swept))
-        judged = answers.errors(answers.read(solution.scene, solution), exact)
-        groups = {group: answers.accuracy(judged, members) for group, members in answers.GROUPS.items()}
+        judged = results.errors(results.read(solution), exact)
+        groups = {group: results.accuracy(judged, members) for group, members in results.GROUPS.items()}
         rows += [
             {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
             | {group: _short(values[k]) for group, values in groups.items()}

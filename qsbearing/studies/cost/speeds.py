@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import mm, rpm
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 NAMED = {"rest": 0.0, "general machinery": 1e5, "spindle": 1e6, "aero engine": 2.5e6}
 """dm n [mm rpm]: customary ranges of use."""

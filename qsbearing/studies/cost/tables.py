@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import csv
-from io import StringIO
+from collections.abc import Iterable, Sequence
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from rich import box
 from rich.console import Group
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.studies.cost.answers import GROUPS
+from qsbearing.io import csv_table
+from qsbearing.io.tables import plain_table
 from qsbearing.studies.cost.levels import LEVELS
 from qsbearing.studies.cost.machine import in_a_line
+from qsbearing.studies.cost.results import GROUPS
 from qsbearing.studies.cost.speeds import OWN
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
 
 Row = dict[str, Any]
 
@@ -39,7 +36,7 @@ def select(rows: list[Row], **chosen: Any) -> list[Row]:
 
 
 def worst(row: Row, groups: Iterable[str] = GROUPS) -> float | None:
-    """The worst error of some groups of answers; None where one has no number."""
+    """The worst error of some groups of results; None where one has no number."""
     values = [row[group] for group in groups]
     return None if None in values else max(values)
 
@@ -66,7 +63,7 @@ def _levels(record: dict[str, Any]) -> Table:
 def _speeds(record: dict[str, Any]) -> Table:
     named = [row for row in select(record["errors"], level=LEVELS[0].name) if row["speed"] is not None]
     heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:g}"]) for row in named)]
-    table = _table("Error of the worst answer by speed; below: dm n, mm rpm", heading)
+    table = _table("Error of the worst result by speed; below: dm n, mm rpm", heading)
     for level in LEVELS:
         rows = [row for row in select(record["errors"], level=level.name) if row["speed"] is not None]
         table.add_row(level.text, *(short(worst(row)) for row in rows))
@@ -98,11 +95,9 @@ def _scaling(record: dict[str, Any]) -> Table:
 
 
 def _table(title: str, heading: Sequence[str]) -> Table:
-    table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
-    table.pad_edge, table.padding = False, (0, 1, 0, 0)
-    for position, text in enumerate(heading):
-        # A number that does not fit goes on below: cut off, it would be another number.
-        table.add_column(text, justify="right" if position else "left", overflow="fold")
+    table = plain_table(title, heading)
+    for column in table.columns:
+        column.no_wrap, column.overflow = False, "fold"  # cut off, a number would be another number
     return table
 
 
@@ -129,8 +124,4 @@ def csv_text(rows: list[Row]) -> str:
         | {f"{name}_{part}": x for name, value in row.items() if isinstance(value, dict) for part, x in value.items()}
         for row in rows
     ]
-    text = StringIO(newline="")
-    writer = csv.DictWriter(text, list(flat[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(flat)
-    return text.getvalue()
+    return csv_table.csv_text({name: [row[name] for row in flat] for name in flat[0]})

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from qsbearing.studies.cost.accuracy import Choice, Option, Reached
 from qsbearing.studies.cost.indicators import OMISSIONS
-
-if TYPE_CHECKING:
-    from qsbearing.studies.cost.accuracy import Choice, Option, Reached
 
 
 def before(choice: Choice) -> str:
@@ -20,9 +18,9 @@ def before(choice: Choice) -> str:
 
 def after(reached: Reached) -> str:
     """What was reached, and the time it took."""
-    said = "the scene's own full answer"
+    said = "the scene's own full result"
     if reached.option.left_out:
-        said = f"within {reached.error:.1e} of the full answer by the loads and angles found"
+        said = f"within {reached.error:.1e} of the full result by the loads and angles found"
     said = f"Reached: {said}; {_time(reached.seconds)} to solve."
     if reached.solves == 1:
         return said

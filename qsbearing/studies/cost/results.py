@@ -10,23 +10,18 @@ Each error is relative to a size that cannot vanish while the bearing carries lo
     ring load (reactions)               the largest, moments over dm/2
     stiffness, diagonal                 its own, at least a tenth of the largest of its kind (per length, per angle)
 
-Of several balls or channels the worst counts. The *accuracy* of an answer is the worst of all of these.
+Of several balls or channels the worst counts. The *accuracy* of a result is the worst of all of these.
 """
 
 from __future__ import annotations
 
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.solution import stiffness
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+from qsbearing.solution import Solution
 
 LIGHT = 0.1
 """Of contacts that carry less than this part of the largest load only the load is judged; stiffnesses below this part
@@ -46,20 +41,20 @@ GROUPS = {
     "semi-axes and pressures": tuple(f"{side}_{name}" for side in RACEWAYS for name in CONTACT[2:]),
     "stiffness": STIFFNESS,
 }
-"""Answers that err alike."""
+"""Results that err alike."""
 NAMES = tuple(name for names in GROUPS.values() for name in names)
-"""Every answer judged."""
+"""Every result judged."""
 
-Answers = dict[str, "NDArray"]
+Results = dict[str, NDArray]
 """Arrays (*cases, balls or channels) by name, SI."""
 
 
-def read(scene: Scene, solution: Solution) -> Answers:
-    """The answers of a solution; NaN in cases that are not solved and for balls that are not there."""
+def read(solution: Solution) -> Results:
+    """The results of a solution; NaN in cases that are not solved and for balls that are not there."""
     displacement, load = solution.displacement, solution.load
-    lever = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)[..., None]
-    tangent = np.diagonal(stiffness(scene, solution), axis1=-2, axis2=-1)
-    answers: Answers = {
+    lever = 0.5 * np.asarray(solution.scene.bearing.pitch_diameter, float)[..., None]
+    tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
+    found: Results = {
         "axial_displacement": displacement[..., :1],
         "radial_displacement": displacement[..., 1:3],
         "tilt": displacement[..., 3:] * lever,
@@ -71,14 +66,14 @@ def read(scene: Scene, solution: Solution) -> Answers:
     }
     for side in RACEWAYS:
         for name in CONTACT:
-            answers[f"{side}_{name}"] = getattr(getattr(solution, side), name)
-    return answers
+            found[f"{side}_{name}"] = getattr(getattr(solution, side), name)
+    return found
 
 
-def errors(found: Answers, full: Answers) -> dict[str, NDArray]:
-    """Error of each answer against the full one's; shape (*cases).
+def errors(found: Results, full: Results) -> dict[str, NDArray]:
+    """Error of each result against the full one's; shape (*cases).
 
-    NaN where the full answer has no number; infinite where only the one found has none.
+    NaN where the full result has no number; infinite where only the one found has none.
     """
     loads = {side: np.nan_to_num(full[f"{side}_load"]) for side in RACEWAYS}
     heavy = {side: load > LIGHT * load.max(axis=-1, keepdims=True) for side, load in loads.items()}

@@ -1,0 +1,77 @@
+"""The cost record as tables; they format, and compute nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from fem_check.cost.measurement import JUDGED
+from fem_check.cost.mesh_choice import choices
+
+SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))
+UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6))
+
+
+@dataclass(frozen=True)
+class Table:
+    """A title, headings, and rows of text; the first column is a name, the others are numbers."""
+
+    title: str
+    headings: tuple[str, ...]
+    rows: list[tuple[str, ...]]
+
+    def markdown(self) -> str:
+        """For the report and the guide."""
+        lines = [self.headings, ("---",) * len(self.headings), *self.rows]
+        return "\n".join([f"{self.title}:", "", *("| " + " | ".join(line) + " |" for line in lines)])
+
+
+def duration(seconds: dict[str, float]) -> str:
+    """Median, and smallest to largest, in a unit that suits them."""
+    unit, factor = next((unit for unit in UNITS if seconds["median"] >= unit[1]), UNITS[-1])
+    median, low, high = (f"{seconds[name] / factor:.4g}" for name in ("median", "low", "high"))
+    return f"{median} ({low} to {high}) {unit}"
+
+
+def measured(record: dict[str, Any]) -> Table:
+    """Errors, time and memory of every closed form and every mesh."""
+    rows = []
+    for entry in [*record["closed_forms"], *record["meshes"]]:
+        label = f"{entry['family']}: {entry['elements_per_semi_axis']}" if "family" in entry else entry["label"]
+        errors = (f"{100.0 * entry['error'][name]:+.2g}" if name in entry["error"] else "" for name in JUDGED)
+        dofs, memory = (str(entry.get(name, "")) for name in ("dofs", "peak_memory_MB"))
+        rows.append((label, dofs, *errors, duration(entry["seconds"]), memory))
+    title = f"One contact ({record['contact']}, a/b = {record['ellipticity']:.2f}); elements: number per semi-axis"
+    headings = ("solved by", "unknowns", *(f"{name} %" for name in SHORT_NAMES.values()), "time", "MB")
+    return Table(title, headings, rows)
+
+
+def mesh_choices(record: dict[str, Any]) -> Table:
+    """What each accuracy costs, uncertainty included."""
+    rows: list[tuple[str, ...]] = [
+        (
+            f"{choice.accuracy:.1e}",
+            ", ".join(map(str, choice.sequence)),
+            f"{choice.seconds:.2g} s",
+            f"{choice.peak_memory_MB:.0f}",
+        )
+        for choice in choices(record)
+    ]
+    machine = record["machine"]
+    title = (
+        "Accuracy reached: deviation and uncertainty from three meshes together, on "
+        f"{machine['cores']} cores ({machine['processor']}, {record['solver']})"
+    )
+    return Table(title, ("accuracy", "elements per semi-axis", "time of all three", "MB"), rows)
+
+
+def remark(record: dict[str, Any]) -> str:
+    """Where and how it was measured."""
+    machine = record["machine"]
+    return (
+        f"Measured on {machine['processor']}, {machine['cores']} cores, load average {machine['load_average']} at the "
+        f"start, linear solver {record['solver']}, by `{record['made_by']}`. Times are medians of repeats taken in "
+        "turn, each in a process of its own, with the smallest and the largest beside; memory is that process's peak. "
+        "The elements' errors are those of the mean over 8 positions of the contact's edge in an element. All meshes "
+        "are divided in depth as 20-node hexahedra need it: elements of first order level off."
+    )
