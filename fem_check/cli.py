@@ -127,7 +127,7 @@ def _kept(finished: list[str], out: Path) -> str:
 @click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
 @click.option("--race", required=True, help="inner or outer")
 @click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
-@click.option("--elements", default=None, type=int, help="Per semi-axis; 6 unless an accuracy is asked for.")
+@click.option("--elements", default=None, type=int, help="Per semi-axis; 8 unless an accuracy is asked for.")
 @click.option(
     "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
 )

@@ -62,7 +62,7 @@ def _section(entry: Entry, kind: str, out: Path) -> str:
         lines += [f"![{caption}]({PICTURES}/{name})\n" for name, caption in figures.draw_all(entry, out / PICTURES)]
     else:
         rows = [row for row in entry["rows"] if row["verdict"] != "finding"] if kind == "verification" else []
-        lines = [f"### {entry['check']}: method against method\n"]
-    if not rows:
-        return ""
-    return "\n".join([*lines, tables.agreement(rows) + "\n", tables.sources(rows) + "\n"])
+        lines = [f"### {entry['check']}: method against method\n"] if rows else []
+    if rows:
+        lines += [tables.agreement(rows) + "\n", tables.sources(rows) + "\n"]
+    return "\n".join(lines)
