@@ -18,6 +18,9 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 from rich.table import Table
 from rich.text import Text
 
+RESULTS = "fem_check_results"
+"""The working folder's own folder, unless another is named."""
+
 OUT_OF_TOLERANCE = 1
 BAD_INPUT = 2
 
@@ -80,41 +83,51 @@ def list_checks() -> None:
 @cli.command("run")
 @click.argument("names", nargs=-1, metavar="[CHECK ...]")
 @click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option("--scene", default=None, help="Your bearing: a scene file (TOML) or a name of the catalogue.")
+@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
 @click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
-@click.option("--records", type=click.Path(path_type=Path), default=None, help="Where to keep the records.")
-def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path | None) -> None:
-    """Run checks, all by default.
+def run_checks(names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool) -> None:
+    """Run checks, all by default, on B218 or on a bearing of yours.
 
-    Prints each comparison with its reference and keeps the records.
+    Prints each comparison with its reference and keeps the records in a folder.
     """
     _load_checks()
-    from fem_check import records_store, runner
-    from fem_check.agreement import Level
+    from fem_check import runner
+    from fem_check.agreement import EXAMPLE, Level
 
-    folder = records or records_store.FOLDER
+    finished: list[str] = []
     failed = False
     console = Console()
     try:
         chosen = runner.selected(names)
         with progress_bar(as_json) as reporter:
-            for entry in runner.run(chosen, Level(level), folder, lambda check: reporter(check.name)):
+            for entry in runner.run(chosen, Level(level), out, lambda check: reporter(check.name), scene or EXAMPLE):
                 failed |= entry["verdict"] != "pass"
+                finished.append(entry["check"])
                 if as_json:
                     print(json.dumps(entry), flush=True)
                 else:
                     console.print(agreement_table(entry))
     except runner.BadInputError as problem:
-        refuse(str(problem))
+        refuse(str(problem) + _kept(finished, out))
+    except KeyboardInterrupt:
+        refuse("interrupted" + _kept(finished, out))
     except OSError as problem:
-        refuse(f"the records in {folder} cannot be written: {problem}")
+        refuse(f"the records in {out} cannot be written: {problem}")
+    if not as_json:
+        console.print(f"records: {out / level}", soft_wrap=True, highlight=False)
     sys.exit(OUT_OF_TOLERANCE if failed else 0)
+
+
+def _kept(finished: list[str], out: Path) -> str:
+    return f"\nrecords of {', '.join(finished)} are kept in {out}" if finished else ""
 
 
 @cli.command("contact")
 @click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
 @click.option("--race", required=True, help="inner or outer")
 @click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
-@click.option("--elements", default=None, type=int, help="Per semi-axis; 6 unless an accuracy is asked for.")
+@click.option("--elements", default=None, type=int, help="Per semi-axis; 8 unless an accuracy is asked for.")
 @click.option(
     "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
 )
@@ -245,22 +258,22 @@ def cost(level: str, out: Path, as_json: bool) -> None:
 
 
 @cli.command("report")
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Folder of REPORT.md.")
-@click.option("--records", type=click.Path(path_type=Path), default=None, help="Where the records are.")
-def report(out: Path | None, records: Path | None) -> None:
-    """Build REPORT.md and its pictures from the records.
+@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+def report(out: Path) -> None:
+    """Build REPORT.md and its pictures in a folder.
 
-    Runs no check.
+    From the records there; where it has none, from those that came with the package. Runs no check.
     """
     _load_checks()
     from fem_check import records_store
     from fem_check.report import book
 
     try:
-        path = book.write(records or records_store.FOLDER, out or records_store.FOLDER)
+        records = out if records_store.read_all(out) else records_store.FOLDER
+        path = book.write(records, out)
     except (records_store.RecordError, OSError) as problem:
         refuse(str(problem))
-    Console(soft_wrap=True).print(f"wrote {path}")
+    Console(soft_wrap=True, highlight=False).print(f"wrote {path}, from the records in {records}")
 
 
 def _load_checks() -> dict[str, Any]:
@@ -284,8 +297,8 @@ def agreement_table(entry: dict[str, Any]) -> Group:
         Text.assemble(
             (f"{entry['check']} ({entry['level']}): ", "bold"),
             (entry["verdict"], style[entry["verdict"]]),
-            f"   {entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB, {entry['mesh'].get('dofs', 0)} unknowns, "
-            f"{entry['solver']}",
+            f"   {entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
+            + (f", {entry['mesh']['dofs']} unknowns, {entry['solver']}" if entry["mesh"].get("dofs") else ""),
         )
     ]
     for case in dict.fromkeys(row["case"] for row in entry["rows"]):
@@ -293,6 +306,7 @@ def agreement_table(entry: dict[str, Any]) -> Group:
         table.add_column("", no_wrap=True)
         for heading in ("reference", "found", "dev. %", "± %", "tol. %"):
             table.add_column(heading, justify="right", no_wrap=True)
+        table.add_column("")
         table.add_column("")
         for row in entry["rows"]:
             if row["case"] != case:
@@ -307,6 +321,7 @@ def agreement_table(entry: dict[str, Any]) -> Group:
                 "" if row["uncertainty_percent"] is None else f"{row['uncertainty_percent']:.2g}",
                 "" if row["tolerance_percent"] is None else f"{row['tolerance_percent']:.2g}",
                 Text(row["verdict"], style=style.get(row["verdict"], "")),
+                f"worst: {row['worst_at']}" if row["worst_at"] else "",
             )
         parts.append(table)
     return Group(*parts)

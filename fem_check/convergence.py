@@ -57,6 +57,19 @@ def estimate(sizes: list[float], values: list[float]) -> MeshEstimate:
     return MeshEstimate(order, v3 - error, SAFE_FACTOR * abs(error))
 
 
+def uncertainty_at_order(sizes: list[float], values: list[float], order: float) -> float:
+    """Of the finest mesh's value, where the order of convergence is known from elsewhere: the larger of what the
+    coarser meshes say, each beside the finest.
+
+    Meshes whose errors are irregular show no order of their own in three values, and chance may bring two together.
+    """
+    steps = [
+        abs(value - values[-1]) / ((size / sizes[-1]) ** order - 1.0)
+        for size, value in zip(sizes[:-1], values[:-1], strict=True)
+    ]
+    return SAFE_FACTOR * max(steps)
+
+
 def fitted_order(sizes: list[float], errors: list[float]) -> float:
     """Slope of log error against log size over all meshes (least squares); errors are taken by size."""
     table = np.column_stack([np.log(sizes), np.ones(len(sizes))])

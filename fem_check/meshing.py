@@ -170,7 +170,7 @@ def finite_body(elements: int) -> Recipe:
 
 
 COMMITTED = (
-    *(half_space(elements) for elements in (3, 4, 5, 6)),
+    *(half_space(elements) for elements in (3, 4, 5, 6, 8)),
     load_series(6, 4.641589),
     *(clamped_box(4, size, 8.2) for size in (8.0, 16.0, 32.0)),
     finite_body(4),

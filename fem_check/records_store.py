@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from fem_check import meshing
-from fem_check.agreement import Check, Findings, Level
+from fem_check.agreement import EXAMPLE, Check, Findings, Level
 
 FOLDER = Path(__file__).parent / "records"
-FIELDS = ("check", "level", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")
+FIELDS = ("check", "level", "scene", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")
 
 
 class RecordError(Exception):
@@ -40,6 +40,7 @@ def record(
     seconds: float,
     cpu_seconds: float,
     peak_memory_MB: float,
+    scene: str = EXAMPLE,
 ) -> dict[str, Any]:
     """A check's findings as they are kept and printed.
 
@@ -48,6 +49,7 @@ def record(
     entry: dict[str, Any] = {
         "check": name,
         "level": str(level),
+        "scene": scene,
         "verdict": findings.verdict,
         "seconds": round(seconds, 2),
         "cpu_seconds": round(cpu_seconds, 2),

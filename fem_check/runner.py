@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from fem_check import half_space_contact, memory, records_store
-from fem_check.agreement import Check, Level, Progress
+from fem_check import half_space_contact, memory, records_store, scenes
+from fem_check.agreement import EXAMPLE, Check, Level, Progress
 from fem_check.checks import ALL
 from fem_check.contact import ContactError
 from fem_check.meshing import MeshError
@@ -16,7 +16,7 @@ from fem_check.scenes import SceneProblemError
 
 
 class BadInputError(Exception):
-    """Nothing was run; the message says what to change."""
+    """Something was not run; the message says what and what to change."""
 
 
 def selected(names: tuple[str, ...]) -> list[Check]:
@@ -42,26 +42,35 @@ def run(
     level: Level,
     folder: Path,
     progress: Callable[[Check], Progress],
+    scene: str = EXAMPLE,
 ) -> Iterator[dict[str, Any]]:
-    """Run checks and keep their records; each record is handed out as it is written.
+    """Run checks on a scene and keep their records; each record is handed out as it is written.
 
     Raises:
-        BadInputError: a check cannot be run; records written before stay, its own earlier record too.
+        BadInputError: the scene has no equilibrium or no elastic contact, and nothing was run; or some checks could not
+            be run. The others were, and an earlier record of one that was not stays.
     """
     for check in checks:
         refuse_too_large(check.largest_dofs(level), f"{check.name} at level {level}")
+    if scene != EXAMPLE:
+        try:
+            scenes.solved(scene)
+        except SceneProblemError as problem:
+            raise BadInputError(str(problem)) from problem
+    not_run = []
     for check in checks:
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
         try:
-            findings = check.run(level, progress(check))
-        except (MeshError, SceneProblemError) as problem:
-            raise BadInputError(f"{check.name}: {problem}") from problem
-        except ContactError as problem:
-            raise BadInputError(f"{check.name}: {problem}") from problem
+            findings = check.run(level, progress(check), scene)
+        except (MeshError, SceneProblemError, ContactError) as problem:
+            not_run.append(f"{check.name} was not run: {problem}")
+            continue
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
-        entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB())
+        entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB(), scene)
         records_store.write(entry, folder)
         if level is Level.RELEASE:
             half_space_contact.clear_cache()
         yield entry
+    if not_run:
+        raise BadInputError("\n".join(not_run))

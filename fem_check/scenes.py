@@ -1,18 +1,21 @@
-"""Contacts of real bearings, and the loads that the quasi-static model gives them; where the checks call
-`qsbearing`."""
+"""Scenes under test: the drawing of a bearing, and what `qsbearing` says of it at its operating points."""
 
 from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
 from functools import lru_cache
+from math import asin, pi
 from typing import Any
 
 import numpy as np
 
 import qsbearing
+from fem_check.agreement import EXAMPLE
 from fem_check.contact_problem import ElasticConstants
+from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
+from qsbearing.messages import STATIC_PRESSURE_LIMIT
 
 
 class SceneProblemError(Exception):
@@ -20,27 +23,55 @@ class SceneProblemError(Exception):
 
 
 @dataclass(frozen=True)
-class OperatingPoint:
-    """A pure thrust load at a speed: every ball carries the same."""
+class Solved:
+    """A scene at one operating point, solved by the quasi-static model."""
 
-    axial_load: float
-    """[N]"""
-    speed: float
-    """Of the inner ring [rad/s]."""
-
-    @property
-    def label(self) -> str:
-        """In the field's units."""
-        speed = f"{self.speed / qsbearing.rpm:.0f} rpm" if self.speed else "at rest"
-        return f"Fa = {self.axial_load:.0f} N, {speed}"
+    label: str
+    solution: qsbearing.Solution
 
 
-OPERATING_POINTS = tuple(
-    OperatingPoint(load, speed * qsbearing.rpm)
-    for load in (500.0, 2000.0, 17800.0, 44500.0)
-    for speed in (0.0, 10000.0)
-)
-"""B218, light to heavy, at rest and at 10 000 rpm."""
+def load_scene(source: str) -> qsbearing.Scene:
+    """The scene of a file or of a catalogue entry.
+
+    Raises:
+        SceneProblemError: it cannot be read; the message has every error.
+    """
+    try:
+        return qsbearing.load_scene(source)
+    except (OSError, ValueError, KeyError) as problem:
+        raise SceneProblemError(f"scene {source}: {problem}") from problem
+
+
+def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
+    """The dimensions and materials of a scene's bearing.
+
+    Raises:
+        SceneProblemError: a field holds several values; a contact needs a single bearing.
+    """
+
+    def number(value: Any, field: str) -> float:
+        array = np.asarray(value, dtype=float)
+        if array.size != 1:
+            raise SceneProblemError(
+                f"scene {name}: {field} holds {array.size} values; one contact needs a single bearing"
+            )
+        return float(array.ravel()[0])
+
+    def constants(material: Any, field: str) -> ElasticConstants:
+        return ElasticConstants(
+            number(material.elastic_modulus, f"{field}.elastic_modulus"),
+            number(material.poisson_ratio, f"{field}.poisson_ratio"),
+        )
+
+    bearing = scene.bearing
+    lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
+    return Drawing(
+        name=bearing.name or name,
+        **{field: number(getattr(bearing, field), field) for field in lengths},
+        ball=constants(bearing.ball_material, "ball_material"),
+        ring=constants(bearing.ring_material, "ring_material"),
+        ball_density=number(bearing.ball_material.density, "ball_material.density"),
+    )
 
 
 def groove_contact(scene: str, race: str) -> BallInGroove:
@@ -51,48 +82,85 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
     """
     if race not in RACES:
         raise SceneProblemError(f"race {race!r}: must be one of {', '.join(RACES)}")
-    try:
-        bearing = qsbearing.load_scene(scene).bearing
-    except (OSError, ValueError, KeyError) as problem:
-        raise SceneProblemError(f"scene {scene}: {problem}") from problem
+    return drawing_of(load_scene(scene), scene).groove(race)
 
-    def number(value: Any, field: str) -> float:
-        array = np.asarray(value, dtype=float)
-        if array.size != 1:
-            raise SceneProblemError(
-                f"scene {scene}: {field} holds {array.size} values; one contact needs a single bearing"
-            )
-        return float(array.ravel()[0])
 
-    def constants(material: Any, field: str) -> ElasticConstants:
-        return ElasticConstants(
-            number(material.elastic_modulus, f"{field}.elastic_modulus"),
-            number(material.poisson_ratio, f"{field}.poisson_ratio"),
-        )
-
-    return BallInGroove(
-        name=bearing.name or scene,
-        race_name=race,
-        ball_diameter=number(bearing.ball_diameter, "ball_diameter"),
-        groove_radius=number(getattr(bearing, f"{race}_groove_radius"), f"{race}_groove_radius"),
-        pitch_diameter=number(bearing.pitch_diameter, "pitch_diameter"),
-        contact_angle=number(bearing.free_contact_angle, "free_contact_angle"),
-        ball=constants(bearing.ball_material, "ball_material"),
-        race=constants(bearing.ring_material, "ring_material"),
-    )
+def operating_points(source: str) -> dict[str, qsbearing.Scene]:
+    """What a scene is solved at, by label: a scene's own operation; the example's also at other loads and speeds."""
+    scene = load_scene(source)
+    if source != EXAMPLE:
+        return {"own operation": scene}
+    rest, fast = 0.0, 10_000.0 * qsbearing.rpm
+    points: dict[str, dict[str, float]] = {
+        "Fa = 500 N, at rest": {"speed": rest, "axial_load": 500.0},
+        "Fa = 44500 N, at rest": {"speed": rest, "axial_load": 44500.0},
+        "Fa = 2000 N, Fr = 8000 N, no tilt, at rest": {
+            "speed": rest, "axial_load": 2000.0, "radial_load_y": 8000.0, "tilt_z": 0.0,
+        },
+        "Fa = 2000 N, 10000 rpm": {"speed": fast, "axial_load": 2000.0},
+        "Fa = 17800 N, 10000 rpm": {"speed": fast, "axial_load": 17800.0},
+        "Fa = 44500 N, 10000 rpm": {"speed": fast, "axial_load": 44500.0},
+        "Fa = 8000 N, Fr = 4000 N, no tilt, 10000 rpm": {
+            "speed": fast, "axial_load": 8000.0, "radial_load_y": 4000.0, "tilt_z": 0.0,
+        },
+        "Fa = 17800 N, Fr = 8000 N, free to tilt, 10000 rpm": {
+            "speed": fast, "axial_load": 17800.0, "radial_load_y": 8000.0, "moment_z": 0.0,
+        },
+    }  # fmt: skip
+    return {
+        label: dataclasses.replace(scene, operation=qsbearing.Operation(**fields)) for label, fields in points.items()
+    }
 
 
 @lru_cache(maxsize=8)
-def operating_loads(scene_name: str, race: str) -> tuple[tuple[str, float], ...]:
-    """Label and contact load [N] at every operating point, from the quasi-static model with both ball effects."""
-    scene = qsbearing.load_scene(scene_name)
-    found = []
-    for point in OPERATING_POINTS:
-        operation = qsbearing.Operation(speed=point.speed, axial_load=point.axial_load)
-        solution = qsbearing.solve(dataclasses.replace(scene, operation=operation))
-        contacts = solution.inner if race == "inner" else solution.outer
-        load = float(np.asarray(contacts.load).ravel()[0])
-        if not load > 0.0:
-            raise SceneProblemError(f"{scene_name} at {point.label}: the model gives the {race} raceway no load")
-        found.append((point.label, load))
-    return tuple(found)
+def solved(source: str) -> tuple[Solved, ...]:
+    """A scene, solved at its operating points.
+
+    Raises:
+        SceneProblemError: no equilibrium, or a contact that is beyond elastic half-spaces: pressed past yield, or over
+            the edge of its groove.
+    """
+    found = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
+    for point in found:
+        _refuse_beyond_elastic_contact(source, point)
+    return found
+
+
+def solve(source: str, label: str, scene: qsbearing.Scene) -> qsbearing.Solution:
+    """The solution of a single case.
+
+    Raises:
+        SceneProblemError: several cases, or no equilibrium.
+    """
+    solution = qsbearing.solve(scene)
+    if solution.shape:
+        raise SceneProblemError(f"scene {source} holds {solution.shape} cases; a check takes a single one")
+    if not solution.converged:
+        raise SceneProblemError(f"scene {source}, {label}: {qsbearing.message(solution)}")
+    return solution
+
+
+def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
+    bearing = point.solution.scene.bearing
+    for race in RACES:
+        contacts = getattr(point.solution, race)
+        pressure = float(contacts.max_pressure.max())
+        if pressure > STATIC_PRESSURE_LIMIT:
+            raise SceneProblemError(
+                f"scene {source}, {point.label}: the {race} raceway's pressure reaches "
+                f"{pressure / qsbearing.MPa:.0f} MPa; beyond {STATIC_PRESSURE_LIMIT / qsbearing.MPa:.0f} MPa (ISO 76) "
+                "bearing steel yields, and no elastic contact describes it: take less load"
+            )
+        radius = float(np.asarray(getattr(bearing, f"{race}_groove_radius")))
+        for angle, a in zip(contacts.angle, contacts.semi_major_axis, strict=True):
+            if a > 0.0 and (a >= radius or abs(angle) + asin(a / radius) >= 0.5 * pi):
+                raise SceneProblemError(
+                    f"scene {source}, {point.label}: the {race} contact, {a / qsbearing.mm:.2f} mm to either side of "
+                    f"{angle / qsbearing.deg:.1f} degrees, leaves its groove: take less load"
+                )
+
+
+def operating_loads(source: str, race: str) -> tuple[float, ...]:
+    """All loads that the contacts of a race carry at the operating points, in rising order [N]."""
+    loads = np.concatenate([np.asarray(getattr(point.solution, race).load) for point in solved(source)])
+    return tuple(float(load) for load in np.unique(loads[loads > 0.0]))

@@ -11,6 +11,7 @@ from fem_check.checks import (
     load_power_law,
     other_contacts,
     patch_test,
+    solution_contacts,
     sphere_on_plane,
     true_geometry,
 )
@@ -28,6 +29,7 @@ ALL = {
         body_size.CHECK,
         convergence_order.CHECK,
         hertz_formula.CHECK,
+        solution_contacts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
     )

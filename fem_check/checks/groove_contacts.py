@@ -1,30 +1,33 @@
-"""What the two groove checks share: B218's contact, at the loads that the quasi-static model gives it."""
+"""What the two groove checks share: a bearing's contact, at the loads that the quasi-static model gives it."""
 
 from __future__ import annotations
 
 from fem_check import half_space_contact, meshing, references
-from fem_check.agreement import Findings, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Findings, Level, Progress, Row
 from fem_check.contact_problem import ContactProblem
 from fem_check.half_space_contact import MeshStudy
 from fem_check.pictures import contact_pictures
-from fem_check.scenes import groove_contact, operating_loads
-
-SCENE = "b218"
+from fem_check.scenes import SceneProblemError, groove_contact, operating_loads
 
 
-def run(race: str, level: Level, progress: Progress) -> Findings:
-    """Every operating point: one set of meshes, since contacts of one shape are similar at every load."""
-    contact = groove_contact(SCENE, race)
-    rows = []
-    loads = operating_loads(SCENE, race)
-    found: MeshStudy | None = None
-    for label, load in loads:
-        found = half_space_contact.mesh_study(contact.problem(load), level, progress)
-        rows += half_space_contact.rows(f"{label}: Q = {load:.1f} N", found, level, references.HERTZ_SOURCE)
-    assert found is not None
-    return Findings(
-        rows, mesh_entry(found), found.bodies.race.solver, contact_pictures(found.solution, found.bodies, loads[-1][0])
+def run(race: str, level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+    """One contact stands for all operating points: contacts of one shape are similar at every load."""
+    loads = operating_loads(scene, race)
+    if not loads:
+        raise SceneProblemError(f"scene {scene}: no contact of the {race} raceway carries load")
+    groove = groove_contact(scene, race)
+    rows, found = single(
+        f"{groove.name} {race}: {span(loads)}", groove.problem(loads[-1]), level, progress, references.HERTZ_SOURCE
     )
+    pictures = contact_pictures(found.solution, found.bodies, "the heaviest load")
+    return Findings(rows, mesh_entry(found), found.bodies.race.solver, pictures)
+
+
+def span(loads: tuple[float, ...]) -> str:
+    """Which loads a row stands for."""
+    if len(loads) == 1:
+        return f"Q = {loads[0]:.4g} N"
+    return f"{len(loads)} loads, Q = {loads[0]:.4g} to {loads[-1]:.4g} N"
 
 
 def mesh_entry(found: MeshStudy) -> dict[str, object]:

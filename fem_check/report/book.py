@@ -17,14 +17,14 @@ HEAD = """# Finite elements against Hertz
 
 Built by `fem-check report` from the records in this folder; every number below is theirs.
 
-*Verification* asks whether the finite elements solve the contact problem right: bodies are half-spaces, the gap a
-parabola, Hertz is exact, and every per cent of deviation is an error. *Validation* asks how far Hertz is from a true
-ball in a true groove: the deviation is the finding, and only what an independent method also gives has a tolerance.
-Neither is a measurement.
+*Verification* asks whether equations are solved right: the reference is exact, or another method's result for the same
+problem, and every per cent of deviation is an error. A row passes if deviation and uncertainty together stay within the
+tolerance. *Validation* of Hertz asks how far he is from a true ball in a true groove: the deviation is the finding, and
+has no tolerance. Neither is a measurement.
 
-Each value found is the mean over several positions of the contact's edge within an element; compared with the reference
-is the worst of several meshes, one in the contact's proportions and others stretched out of them. The uncertainty is
-that of the mesh: a sequence of sizes, positions of the edge, and alignment together. A *finding* has no tolerance.
+Each value found is the mean over several positions of the contact's edge within an element. The uncertainty is that of
+the mesh: a sequence of sizes, positions of the edge, and alignment together. Contacts of one shape are similar at every
+load: one row stands for all loads that it names, and where they differ it shows the worst and says which.
 """
 
 
@@ -39,10 +39,8 @@ def write(records: Path, out: Path) -> Path:
     entries.sort(key=lambda entry: (order[entry["kind"]], entry["check"]))
     parts = [HEAD, "## Summary\n", tables.summary(entries) + "\n"]
     for kind, heading in kinds.items():
-        chosen = [entry for entry in entries if entry["kind"] == kind]
-        if chosen:
-            parts.append(f"## {heading}\n")
-            parts += [_section(entry, out) for entry in chosen]
+        parts.append(f"## {heading}\n")
+        parts += [section for entry in entries if (section := _section(entry, kind, out))]
     measured = record.read(records)
     if measured is not None:
         parts += cost.section(measured, out / PICTURES, PICTURES)
@@ -55,9 +53,16 @@ def write(records: Path, out: Path) -> Path:
     return path
 
 
-def _section(entry: Entry, out: Path) -> str:
-    lines = [f"### {entry['check']}\n", f"{entry['question']} **{entry['verdict']}** ({entry['level']}).\n"]
-    lines += [f"{note}\n" for note in entry["notes"]]
-    lines += [f"![{caption}]({PICTURES}/{name})\n" for name, caption in figures.draw_all(entry, out / PICTURES)]
-    lines += [tables.agreement(entry) + "\n", tables.sources(entry) + "\n"]
+def _section(entry: Entry, kind: str, out: Path) -> str:
+    """What a check says of one kind; of a validation, two methods compared with each other are verification."""
+    if kind == entry["kind"]:
+        rows = entry["rows"] if kind == "verification" else [r for r in entry["rows"] if r["verdict"] == "finding"]
+        lines = [f"### {entry['check']}\n", f"{entry['question']} **{entry['verdict']}** ({entry['level']}).\n"]
+        lines += [f"{note}\n" for note in entry["notes"]]
+        lines += [f"![{caption}]({PICTURES}/{name})\n" for name, caption in figures.draw_all(entry, out / PICTURES)]
+    else:
+        rows = [row for row in entry["rows"] if row["verdict"] != "finding"] if kind == "verification" else []
+        lines = [f"### {entry['check']}: method against method\n"] if rows else []
+    if rows:
+        lines += [tables.agreement(rows) + "\n", tables.sources(rows) + "\n"]
     return "\n".join(lines)

@@ -118,7 +118,7 @@ def contacts() -> str:
         }
         rows.append([name, entry["level"], entry["verdict"], *(f"{value:.2g}" for value in worst.values())])
     rows.append(
-        ["tolerance", "release", "", *(f"{_tolerance(entries[HALF_SPACE_CHECKS[1]], name):g}" for name in QUANTITIES)]
+        ["tolerance", entries[HALF_SPACE_CHECKS[1]]["level"], "", *(f"{_tolerance(entries[HALF_SPACE_CHECKS[1]], name):g}" for name in QUANTITIES)]
     )
     return markdown(["check", "level", "verdict", *QUANTITIES.values()], rows)
 

@@ -1,6 +1,7 @@
 """The command line: exit codes, sentences, records kept whole, the report's sameness."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,7 @@ def test_list_names_every_check():
 
 
 def test_run_keeps_and_prints_one_record(tmp_path):
-    result = call("run", "patch_test", "--json", "--records", str(tmp_path))
+    result = call("run", "patch_test", "--json", "--out", str(tmp_path))
     assert result.exit_code == 0
     printed = json.loads(result.stdout)
     kept = json.loads((tmp_path / "quick" / "patch_test.json").read_text())
@@ -35,35 +36,33 @@ def test_run_keeps_and_prints_one_record(tmp_path):
     assert {"elements_per_semi_axis", "dofs", "file"} <= set(kept["mesh"])
     assert set(kept["rows"][0]) == {
         "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",
-        "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict",
+        "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict", "worst_at",
     }  # fmt: skip
 
 
 def test_a_row_out_of_tolerance_is_exit_1(tmp_path, monkeypatch):
     bad = Row("case", "approach", "m", 1.0, "source", 1.1, None, 1.0, "why")
     monkeypatch.setitem(ALL, "patch_test", _replaced(Findings([bad], {"dofs": 1}, "none")))
-    result = call("run", "patch_test", "--records", str(tmp_path))
+    result = call("run", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 1
     assert "fail" in result.output
 
 
 def _replaced(findings):
-    from dataclasses import replace
-
-    return replace(ALL["patch_test"], run=lambda level, progress: findings)
+    return replace(ALL["patch_test"], run=lambda level, progress, scene="": findings)
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (["run", "patch_tst"], "no check named patch_tst"),
+        (["run", "patch_test", "--scene", "no_such"], "no_such"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "0"], "positive load"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "nan"], "positive load"),
         (["contact", "--scene", "b218", "--race", "cage", "--load-N", "10"], "must be one of inner, outer"),
         (["contact", "--scene", "no_such", "--race", "inner", "--load-N", "10"], "no_such"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "2"], "at least 5"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "400"], "MB are free"),
-        (["report", "--records", "/no/such/folder"], "run `fem-check run` first"),
     ],
 )
 def test_bad_input_is_exit_2_with_a_sentence(arguments, said):
@@ -77,7 +76,7 @@ def test_too_little_memory_is_said_before_starting(tmp_path, monkeypatch):
     monkeypatch.setattr(memory, "available_MB", lambda: 100.0)
     (tmp_path / "quick").mkdir()
     (tmp_path / "quick" / "patch_test.json").write_text("earlier")
-    result = call("run", "patch_test", "--records", str(tmp_path))
+    result = call("run", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 2
     assert "100 MB are free" in result.stderr
     assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
@@ -90,10 +89,40 @@ def test_a_lost_mesh_is_exit_2_and_leaves_the_record(tmp_path, monkeypatch):
     monkeypatch.setattr(meshing, "committed_folder", lambda: tmp_path / "meshes")
     (tmp_path / "quick").mkdir()
     (tmp_path / "quick" / "patch_test.json").write_text("earlier")
-    result = call("run", "patch_test", "--records", str(tmp_path))
+    result = call("run", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 2
     assert "half_space_04.msh is missing" in result.stderr
     assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
+
+
+def test_interrupted_it_says_what_is_kept(tmp_path, monkeypatch):
+    monkeypatch.setitem(ALL, "sphere_on_plane", _interrupting())
+    result = call("run", "patch_test", "sphere_on_plane", "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "interrupted" in result.stderr
+    assert f"records of patch_test are kept in {tmp_path}" in result.stderr
+    assert (tmp_path / "quick" / "patch_test.json").is_file()
+
+
+def test_a_check_that_cannot_run_does_not_stop_the_others(tmp_path, monkeypatch):
+    def fail(level, progress, scene=""):
+        raise meshing.MeshError("no mesh")
+
+    monkeypatch.setitem(ALL, "sphere_on_plane", replace(ALL["patch_test"], name="sphere_on_plane", run=fail))
+    result = call("run", "sphere_on_plane", "patch_test", "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "sphere_on_plane was not run: no mesh" in result.stderr
+    assert (tmp_path / "quick" / "patch_test.json").is_file()
+
+
+def test_results_go_to_the_working_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shipped = {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")}
+    assert call("run", "patch_test").exit_code == 0
+    assert (tmp_path / "fem_check_results" / "quick" / "patch_test.json").is_file()
+    assert call("report").exit_code == 0
+    assert "patch_test" in (tmp_path / "fem_check_results" / "REPORT.md").read_text()
+    assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
 
 
 def test_an_interrupted_run_leaves_the_earlier_records(tmp_path, monkeypatch):
@@ -108,9 +137,7 @@ def test_an_interrupted_run_leaves_the_earlier_records(tmp_path, monkeypatch):
 
 
 def _interrupting():
-    from dataclasses import replace
-
-    def stop(level, progress):
+    def stop(level, progress, scene=""):
         raise KeyboardInterrupt
 
     return replace(ALL["patch_test"], name="stopped", run=stop)
@@ -153,7 +180,7 @@ def _files(folder: Path) -> dict[str, bytes]:
 def test_a_damaged_record_is_named(tmp_path):
     (tmp_path / "quick").mkdir()
     (tmp_path / "quick" / "patch_test.json").write_text("{")
-    result = call("report", "--records", str(tmp_path), "--out", str(tmp_path / "out"))
+    result = call("report", "--out", str(tmp_path))
     assert result.exit_code == 2
     assert "patch_test.json is no record" in result.stderr
 

@@ -91,7 +91,7 @@ def verdict_of(name: str) -> str:
 def one_load(monkeypatch):
     from fem_check.checks import groove_contacts
 
-    monkeypatch.setattr(groove_contacts, "operating_loads", lambda scene, race: (("one load", 1000.0),))
+    monkeypatch.setattr(groove_contacts, "operating_loads", lambda scene, race: (1000.0,))
 
 
 @pytest.mark.usefixtures("one_load")
@@ -100,7 +100,7 @@ def test_without_a_planted_error_it_is_within_its_gate():
     assert findings.verdict == "pass"
     # The estimate must own up to the error it makes: the true error of each gated quantity is known here.
     for row in findings.rows[:4]:
-        assert abs(row.deviation_percent) <= 2.0 * row.uncertainty_percent
+        assert abs(row.deviation_percent) <= row.uncertainty_percent
 
 
 @pytest.mark.usefixtures("one_load")
@@ -143,9 +143,10 @@ def test_planted_error_in_the_formula(monkeypatch):
     from fem_check.checks import hertz_formula
 
     right = hertz_formula.of_qsbearing
-    monkeypatch.setattr(hertz_formula, "RACES", ("inner",))  # the outer raceway's meshes would cost four seconds more
     monkeypatch.setattr(
-        hertz_formula, "of_qsbearing", lambda problem: {name: 1.004 * value for name, value in right(problem).items()}
+        hertz_formula,
+        "of_qsbearing",
+        lambda problem: {name: (1.0 + 1e-6) * value for name, value in right(problem).items()},
     )
     assert verdict_of("hertz_formula") == "fail"
 

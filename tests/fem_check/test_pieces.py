@@ -1,6 +1,7 @@
 """Small parts: point load, basis, active set, solvers, convergence, rows."""
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import scipy.sparse as sp
 from scipy.optimize import nnls
 
 from fem_check import boussinesq, contact, convergence, linear_solver
-from fem_check.agreement import Row
+from fem_check.agreement import Row, collapsed
 from fem_check.pressure_basis import PressureBasis
 
 
@@ -90,6 +91,33 @@ def test_estimate_is_careful_without_one():
 
 def row(found: float, tolerance: float | None) -> Row:
     return Row("case", "approach", "m", 2.0, "source", found, None, tolerance, "why")
+
+
+def test_a_deviation_passes_only_with_its_uncertainty():
+    deviating = replace(row(2.002, 0.2), uncertainty_percent=0.09)
+    assert deviating.verdict == "pass"
+    assert replace(deviating, uncertainty_percent=0.11).verdict == "fail"
+    assert replace(deviating, uncertainty_percent=float("nan")).verdict == "fail"
+
+
+def test_similar_rows_collapse_into_their_worst():
+    light, heavy = (replace(row(found, 0.2), case=case) for found, case in ((2.001, "50 N"), (1.998, "500 N")))
+    other = replace(row(2.0, 0.2), quantity="load")
+    approach, load = collapsed([light, heavy, other], "50 to 500 N")
+    assert (approach.found, approach.case, approach.worst_at) == (1.998, "50 to 500 N", "500 N")
+    assert load.quantity == "load"
+    hidden, _ = collapsed([replace(light, found=float("nan")), heavy, other], "50 to 500 N")
+    assert hidden.verdict == "fail"
+
+
+def test_uncertainty_at_a_known_order_bounds_the_error():
+    sizes = [0.25, 0.2, 0.125]
+    values = [3.0 + 2.0 * h**3 for h in sizes]
+    error = abs(values[-1] - 3.0)
+    # Errors that fall faster than the order taken for granted are bounded, and not by much.
+    assert error <= convergence.uncertainty_at_order(sizes, values, 2.5) <= 3.0 * error
+    # Two meshes that agree by chance do not hide what the coarsest says.
+    assert convergence.uncertainty_at_order(sizes, [3.1, 3.0, 3.0], 2.5) > 0.01
 
 
 def test_verdicts():
