@@ -288,6 +288,7 @@ class BearingSector:
             previous, friction = friction, state.friction_pressures()
             if np.abs(friction - previous).max() < FRICTION_TOLERANCE * np.abs(state.contact.pressures[:count]).max():
                 break
+        self.last = state
         return state.results(worst)
 
 
@@ -403,10 +404,10 @@ def _mesh_constants() -> list[float]:
     return [
         body_mesh.PATCH,
         body_mesh.DEPTH,
-        body_mesh.DEPTH_GROWTH,
-        body_mesh.LAYERS,
-        body_mesh.BESIDE,
-        body_mesh.GROWTH,
+        body_mesh.WIDTH,
+        body_mesh.depth_growth(1),
+        body_mesh.side_growth(1),
+        *body_mesh.free_size(1),
         body_mesh.FAR,
         BORE_BELOW_PITCH,
         OUTSIDE_ABOVE_PITCH,

@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from math import cos, pi, radians, sin
+from math import cos, log, log1p, pi, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -22,18 +22,28 @@ from fem_check.contact_problem import Array
 from fem_check.meshing import MeshError, gmsh_problem
 
 PATCH = 1.3
-"""Half-sides of the block under a contact, in semi-axes of the contact that is expected there."""
-DEPTH = 1.5
-"""Its depth, in semi-minor axes."""
-DEPTH_GROWTH = 1.25
-"""Of the block's layers; their number is this part of the elements per semi-axis:"""
-LAYERS = 0.8
-BESIDE = 0.8
-"""Element size beside the block, in semi-minor axes,"""
-GROWTH = 0.5
-"""and what it gains per length of distance."""
+"""Half-sides of the patch that may carry pressure, in semi-axes of the contact that is expected there."""
+WIDTH, DEPTH = 2.7, 2.5
+"""Half-width and depth of the block of slender elements below it, in semi-minor axes."""
 FAR = 0.25
 """Largest element, in ball radii."""
+
+
+def depth_growth(elements: int) -> float:
+    """Length of each layer below the contact over the one above."""
+    return 1.0 + 2.0 / elements
+
+
+def side_growth(elements: int) -> float:
+    """Length of each element beside the patch over the one before."""
+    return 1.0 + 2.4 / elements
+
+
+def free_size(elements: int) -> tuple[float, float]:
+    """Size of the equal-sided elements at the block, in semi-minor axes, and its growth per distance."""
+    return 1.8 / sqrt(elements), 0.8 / sqrt(elements)
+
+
 HIGH_SHOULDER, LOW_SHOULDER = radians(70.0), radians(20.0)
 """The groove's arc ends here, on the loaded and on the other side of the radial plane."""
 
@@ -56,8 +66,13 @@ class Patch:
 
     @property
     def half_width(self) -> float:
-        """Of the block along the minor axis [m]."""
+        """Of the patch along the minor axis [m]."""
         return PATCH * self.semi_minor_axis
+
+    @property
+    def block_half_width(self) -> float:
+        """Of the block [m]."""
+        return WIDTH * self.semi_minor_axis
 
 
 @dataclass(frozen=True)
@@ -136,7 +151,7 @@ def ball(radius: float, patches: Sequence[Patch], elements: int) -> BodyMesh:
             face = _block_face(occ, np.zeros(2), patch, _mm(radius), inward=True)
             # About the contact's tangent (x') through the centre, from the plane of symmetry towards z > 0.
             axis = np.cross([*patch.normal, 0.0], [0.0, 0.0, 1.0])
-            blocks += _revolved(occ, face, axis, patch.half_width / radius)
+            blocks += _block(occ, face, axis, patch, radius)
         occ.fragment([(3, solid)], [(3, block) for block in blocks])
         occ.synchronize()
         positions = [_mm(radius) * patch.normal for patch in patches]
@@ -168,7 +183,7 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
         centre, radius = _mm(section.groove_centre), _mm(section.groove_radius)
         position = centre + radius * patch.normal
         face = _block_face(occ, centre, patch, radius, inward=False)
-        block = _revolved(occ, face, np.array([1.0, 0.0, 0.0]), _mm(patch.half_width) / position[1])
+        block = _block(occ, face, np.array([1.0, 0.0, 0.0]), patch, 1e-3 * position[1])
         occ.fragment([(3, tag) for tag in solid], [(3, tag) for tag in block])
         occ.synchronize()
         return _meshed(gmsh, [patch], [position], [1.0], elements, FAR * radius)
@@ -219,6 +234,14 @@ def _block_face(occ: Any, centre: Array, patch: Patch, radius: float, *, inward:
     return int(occ.addPlaneSurface([occ.addCurveLoop(loop)]))
 
 
+def _block(occ: Any, face: int, axis: Array, patch: Patch, radius: float) -> list[int]:
+    """The patch's part of the block and the part beside it."""
+    patch_angle, angle = patch.half_width / radius, patch.block_half_width / radius
+    beside = occ.copy([(2, face)])
+    occ.rotate(beside, 0, 0, 0, *axis, patch_angle)
+    return _revolved(occ, face, axis, patch_angle) + _revolved(occ, beside[0][1], axis, angle - patch_angle)
+
+
 def _section_face(occ: Any, section: RingSection) -> int:
     centre, radius = _mm(section.groove_centre), _mm(section.groove_radius)
     high, low = (centre + radius * section.direction(angle) for angle in (HIGH_SHOULDER, -LOW_SHOULDER))
@@ -244,10 +267,10 @@ def _meshed(
     """Mesh the model; `inward` is the sign of each patch's normal that points into the body."""
     model = gmsh.model
     solids = sorted((tag for _, tag in model.getEntities(3)), key=lambda tag: model.occ.getMass(3, tag))
-    if len(solids) != len(patches) + 1:
-        raise MeshError(f"the body fell into {len(solids)} solids, not into {len(patches)} blocks and a rest")
+    if len(solids) != 2 * len(patches) + 1:
+        raise MeshError(f"the body fell into {len(solids)} solids, not into {2 * len(patches)} blocks and a rest")
     sizes = []
-    for block in solids[: len(patches)]:
+    for block in solids[:-1]:
         centre = np.array(model.occ.getCenterOfMass(3, block))[:2]
         index = int(np.argmin([np.linalg.norm(centre - position) for position in positions]))
         sizes.append(_cut_block(model, block, patches[index], inward[index], elements))
@@ -272,17 +295,22 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
     if len(faces) != 6 or len(curves) != 12:
         raise MeshError(f"the block under the contact has {len(faces)} faces and {len(curves)} edges, not 6 and 12")
     half = max(2, round(PATCH * elements))
+    depth_ratio, side_ratio = depth_growth(elements), side_growth(elements)
     for curve in curves:
         ends = [np.array(model.getValue(0, tag, [])) for _, tag in model.getBoundary([(1, curve)], oriented=True)]
         step = ends[1] - ends[0]
         parts = np.abs([step[:2] @ along, step[2], step[:2] @ depth])
         if parts.argmax() == 0:
             model.mesh.setTransfiniteCurve(curve, 2 * half + 1)
-        elif parts.argmax() == 1:
+        elif parts.argmax() == 2:
+            count = _layers(DEPTH, 1.0 / elements, depth_ratio)
+            ratio = depth_ratio if step[:2] @ depth > 0.0 else 1.0 / depth_ratio
+            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", ratio)
+        elif min(ends[0][2], ends[1][2]) < 0.5 * _mm(patch.half_width):
             model.mesh.setTransfiniteCurve(curve, half + 1)
         else:
-            growth = DEPTH_GROWTH if step[:2] @ depth > 0.0 else 1.0 / DEPTH_GROWTH
-            model.mesh.setTransfiniteCurve(curve, max(2, round(LAYERS * elements)) + 1, "Progression", growth)
+            count = _layers(WIDTH - PATCH, side_ratio / elements, side_ratio)
+            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio)
     for face in faces:
         model.mesh.setTransfiniteSurface(face)
     model.mesh.setTransfiniteVolume(block)
@@ -291,8 +319,14 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
     field.setNumbers(distance, "SurfacesList", faces)
     field.setNumber(distance, "Sampling", 20)
     size = field.add("MathEval")
-    field.setString(size, "F", f"{BESIDE * _mm(patch.semi_minor_axis)!r} + {GROWTH!r} * F{distance}")
+    start, growth = free_size(elements)
+    field.setString(size, "F", f"{start * _mm(patch.semi_minor_axis)!r} + {growth!r} * F{distance}")
     return int(size)
+
+
+def _layers(length: float, first: float, growth: float) -> int:
+    """How many elements, each longer than the one before, fill a length."""
+    return max(1, round(log1p(length * (growth - 1.0) / first) / log(growth)))
 
 
 def _read(model: Any) -> BodyMesh:
