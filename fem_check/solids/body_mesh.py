@@ -11,10 +11,11 @@ import os
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, log, log1p, pi, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -25,6 +26,12 @@ PATCH = 1.3
 """Half-sides of the patch that may carry pressure, in semi-axes of the contact that is expected there."""
 WIDTH, DEPTH = 2.7, 2.5
 """Half-width and depth of the block of slender elements below it, in semi-minor axes."""
+FIRST_LAYER = 0.6
+"""Depth of the first layer below the contact, over the length of an element along the minor axis."""
+STRAIGHT = 1e-12
+"""An edge whose middle is no farther than this from its node [m] is straight."""
+GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
+"""Ends of the edges on which gmsh's nodes 4 to 9 of a tetrahedron lie."""
 FAR = 0.25
 """Largest element, in ball radii."""
 
@@ -101,19 +108,34 @@ class RingSection:
 
 @dataclass(frozen=True)
 class BodyMesh:
-    """A mesh of 10-node tetrahedra: vertices first, then edges' mid-nodes in gmsh's order."""
+    """Curved tetrahedra: their vertices, and the nodes of those edges that are not straight."""
 
     points: Array
-    """(3, node) [m]"""
+    """Vertices, (3, vertex) [m]."""
     tetrahedra: Array
-    """(10, element)"""
+    """Vertices of each, (4, element)."""
+    curved_edges: Array
+    """Vertices of each curved edge, (2, edge)."""
+    curved_nodes: Array
+    """The node in its middle, on the true surface, (3, edge) [m]."""
+
+    def shifted(self, by: Array) -> BodyMesh:
+        """The mesh moved as a whole by a vector [m]."""
+        return replace(self, points=self.points + by[:, None], curved_nodes=self.curved_nodes + by[:, None])
 
     def save(self, path: Path) -> None:
         """Write whole or not at all; compressed."""
         handle, temporary = tempfile.mkstemp(suffix=".npz", dir=path.parent)
+        small = np.uint16 if self.points.shape[1] < 2**16 else np.uint32
         try:
             with os.fdopen(handle, "wb") as file:
-                np.savez_compressed(file, points=self.points, tetrahedra=self.tetrahedra.astype(np.int32))
+                np.savez_compressed(
+                    file,
+                    points=self.points,
+                    tetrahedra=self.tetrahedra.astype(small),
+                    curved_edges=self.curved_edges.astype(small),
+                    curved_nodes=self.curved_nodes,
+                )
             Path(temporary).chmod(0o644)
             Path(temporary).replace(path)
         except BaseException:
@@ -122,11 +144,20 @@ class BodyMesh:
 
     @classmethod
     def read(cls, path: Path) -> BodyMesh:
-        """Read what `save` wrote."""
+        """Read what `save` wrote.
+
+        Raises:
+            MeshError: the file is missing or damaged.
+        """
         try:
             with np.load(path) as file:
-                return cls(file["points"], file["tetrahedra"].astype(np.int64))
-        except (OSError, ValueError, KeyError) as problem:
+                return cls(
+                    file["points"],
+                    file["tetrahedra"].astype(np.int64),
+                    file["curved_edges"].astype(np.int64),
+                    file["curved_nodes"],
+                )
+        except (OSError, ValueError, KeyError, BadZipFile) as problem:
             raise MeshError(f"{path} is no mesh of a body ({problem})") from problem
 
 
@@ -303,7 +334,7 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
         if parts.argmax() == 0:
             model.mesh.setTransfiniteCurve(curve, 2 * half + 1)
         elif parts.argmax() == 2:
-            count = _layers(DEPTH, 1.0 / elements, depth_ratio)
+            count = _layers(DEPTH, FIRST_LAYER / elements, depth_ratio)
             ratio = depth_ratio if step[:2] @ depth > 0.0 else 1.0 / depth_ratio
             model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", ratio)
         elif min(ends[0][2], ends[1][2]) < 0.5 * _mm(patch.half_width):
@@ -338,8 +369,18 @@ def _read(model: Any) -> BodyMesh:
     if min(quality) <= 0.0:
         raise MeshError("gmsh made a tetrahedron that is folded over")
     tetrahedra = np.asarray(nodes[0], dtype=np.int64).reshape(-1, 10).T
-    used = np.unique(tetrahedra)
     position = np.empty(int(max(tags)) + 1, dtype=np.int64)
     position[np.asarray(tags, dtype=np.int64)] = np.arange(len(tags))
-    points = np.asarray(coordinates).reshape(-1, 3)[position[used]].T * 1e-3
-    return BodyMesh(points, np.searchsorted(used, tetrahedra))
+    points = np.asarray(coordinates).reshape(-1, 3).T * 1e-3
+    tetrahedra = position[tetrahedra]
+    edges = np.concatenate([tetrahedra[list(ends)] for ends in GMSH_EDGES], axis=1)
+    middles, first = np.unique(np.concatenate(list(tetrahedra[4:])), return_index=True)
+    ends = edges[:, first]
+    curved = np.linalg.norm(points[:, middles] - points[:, ends].mean(axis=1), axis=0) > STRAIGHT
+    vertices = np.unique(tetrahedra[:4])
+    return BodyMesh(
+        points[:, vertices],
+        np.searchsorted(vertices, tetrahedra[:4]),
+        np.searchsorted(vertices, ends[:, curved]),
+        points[:, middles[curved]],
+    )
