@@ -37,6 +37,8 @@ from fem_check.solids.tetrahedral_body import TetrahedralBody
 BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH = 17.63 / 22.225, 17.37 / 22.225, 30.0 / 22.225
 FRICTION_ITERATIONS = 20
 FRICTION_TOLERANCE = 1e-8
+NEAR = 1e-7
+"""How far from a plane or cylinder of the ring a node on it may be [m]."""
 RESIDUAL = 1e-7
 """Largest imbalance left, over the largest force."""
 
@@ -228,13 +230,13 @@ class BearingSector:
             mesh = body_mesh.ring(section, frame.patch, pi / self.bearing.ball_count, self.elements)
         path.parent.mkdir(parents=True, exist_ok=True)
         mesh.save(path)
-        return mesh
+        return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
 
     def _ring(self, mesh: BodyMesh, frame: ContactFrame, support: OuterSupport, *, inner: bool) -> CondensedSolid:
         body = TetrahedralBody(mesh, self.bearing.ring)
         section = self.bearing.section(frame.groove.centre, inner=inner)
         half_pitch = pi / self.bearing.ball_count
-        small = 1e-9
+        small = NEAR
         x, y, z = body.nodes
         fixed = np.zeros((body.space.count, 3), dtype=bool)
         fixed[np.abs(z) < small, 2] = True
@@ -410,6 +412,7 @@ def _mesh_constants() -> list[float]:
         body_mesh.DEPTH,
         body_mesh.WIDTH,
         body_mesh.FIRST_LAYER,
+        body_mesh.ALONG,
         body_mesh.depth_growth(1),
         body_mesh.side_growth(1),
         *body_mesh.free_size(1),

@@ -16,6 +16,8 @@ from fem_check.contact_problem import Array
 from fem_check.linear_solver import factorise
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
+NEAR = 1e-7
+"""How far from the plane of symmetry a node on it may be [m]."""
 RIGHT_HAND_SIDES = 64
 """Solved at a time."""
 
@@ -60,7 +62,7 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     share = np.linalg.solve(rigid.T @ carried, (loads.T @ rigid).T)
     balanced = loads.toarray() - carried @ share
     fixed = np.zeros((body.space.count, 3), dtype=bool)
-    plane = body.on(lambda p: np.abs(p[2]) < 1e-9)
+    plane = body.on(lambda p: np.abs(p[2]) < NEAR)
     fixed[plane, 2] = True
     # Three unknowns that stop the rigid motions; they carry nothing, for every load is balanced.
     far = plane[np.argsort(np.hypot(x[plane], y[plane]))]

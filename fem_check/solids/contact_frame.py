@@ -18,6 +18,7 @@ import scipy.sparse as sp
 
 from fem_check.contact_problem import Array
 from fem_check.pressure_basis import PressureBasis
+from fem_check.solids import body_mesh
 from fem_check.solids.body_mesh import Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
@@ -53,7 +54,7 @@ class ContactFrame:
     patch: Patch
     """Expected extent of the contact."""
     elements: int
-    """Pressure cells per semi-axis."""
+    """Pressure cells per semi-minor axis, as the mesh has elements."""
     ball_share: float
     """The ball's share of both bodies' compliance: by so much of the gap the ball's surface gives way."""
 
@@ -70,9 +71,9 @@ class ContactFrame:
     @cached_property
     def basis(self) -> PressureBasis:
         """Hat functions over half the patch, eta >= 0."""
-        half = max(2, round(self.elements * self.patch.half_width / self.patch.semi_minor_axis))
-        x = np.linspace(-self.patch.half_length, self.patch.half_length, 2 * half + 1)
-        return PressureBasis(x, np.linspace(0.0, self.patch.half_width, half + 1))
+        x, y = self.patch.half_length, self.patch.half_width
+        along, across = body_mesh.cells(body_mesh.ALONG * self.elements), body_mesh.cells(self.elements)
+        return PressureBasis(np.linspace(-x, x, 2 * along + 1), np.linspace(0.0, y, across + 1))
 
     def ball_height(self, xi: Array, eta: Array, ball: Sphere | None = None) -> tuple[Array, Array]:
         """Height zeta of the ball's surface and its outward normals in frame axes, (3, point)."""
