@@ -32,8 +32,8 @@ from fem_check.solids.contact_results import ContactResults
 from fem_check.solids.normal_contact import NormalContact
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
-# Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of B218:
-# what a bearing gets whose ring sections are not known.
+# Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
+# B218: what a bearing gets whose ring sections are not known.
 BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH = 17.63 / 22.225, 17.37 / 22.225, 30.0 / 22.225
 FRICTION_ITERATIONS = 20
 FRICTION_TOLERANCE = 1e-8
@@ -288,7 +288,9 @@ class BearingSector:
             found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
             worst = float(np.abs(state.residual(found.x)).max())
             if not worst < RESIDUAL:
-                raise ContactError(f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})")
+                raise ContactError(
+                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})"
+                )
             start = found.x
             if not load.gyroscopic_moment:
                 break

@@ -7,6 +7,7 @@ which takes a fifth of the elements that equal-sided ones would. From there elem
 
 from __future__ import annotations
 
+import itertools
 import os
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -291,7 +292,7 @@ def _section_face(occ: Any, section: RingSection) -> int:
     back = _mm(section.back_radius)
     corners = [low, (centre[0] - half, low[1]), (centre[0] - half, back), (centre[0] + half, back)]
     points = [occ.addPoint(x, y, 0.0) for x, y in (*corners, (centre[0] + half, high[1]), high)]
-    lines = [occ.addLine(first, second) for first, second in zip(points[:-1], points[1:], strict=True)]
+    lines = [occ.addLine(first, second) for first, second in itertools.pairwise(points)]
     lines.append(occ.addCircleArc(points[-1], occ.addPoint(*centre, 0.0), points[0]))
     return int(occ.addPlaneSurface([occ.addCurveLoop(lines)]))
 
@@ -352,7 +353,9 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
             model.mesh.setTransfiniteCurve(curve, half + 1)
         else:
             count = _layers(WIDTH - PATCH, side_ratio / elements, side_ratio)
-            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio)
+            model.mesh.setTransfiniteCurve(
+                curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio
+            )
     for face in faces:
         model.mesh.setTransfiniteSurface(face)
     model.mesh.setTransfiniteVolume(block)

@@ -56,10 +56,10 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     rigid = np.zeros((body.space.count, 3, 3))
     rigid[:, 0, 0] = rigid[:, 1, 1] = 1.0
     rigid[:, 0, 2], rigid[:, 1, 2] = -y, x
-    rigid = rigid.reshape(-1, 3)
-    carried = body.mass @ rigid
+    motions = rigid.reshape(-1, 3)
+    carried = body.mass @ motions
     # Loads less the body force that balances them: P F, and as P' takes out the mean motion, all stays symmetric.
-    share = np.linalg.solve(rigid.T @ carried, (loads.T @ rigid).T)
+    share = np.linalg.solve(motions.T @ carried, (loads.T @ motions).T)
     balanced = loads.toarray() - carried @ share
     fixed = np.zeros((body.space.count, 3), dtype=bool)
     plane = body.on(lambda p: np.abs(p[2]) < NEAR)
