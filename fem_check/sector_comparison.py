@@ -11,6 +11,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -74,22 +75,25 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     except (OSError, ValueError, KeyError) as problem:
         raise SceneProblemError(f"scene {scene_name}: {problem}") from problem
 
+    def number(value: Any) -> float:
+        return float(np.asarray(value, dtype=float).reshape(()))
+
     def constants(material: qsbearing.Material) -> ElasticConstants:
-        return ElasticConstants(float(material.elastic_modulus), float(material.poisson_ratio))
+        return ElasticConstants(number(material.elastic_modulus), number(material.poisson_ratio))
 
     try:
         return SectorBearing(
-            ball_count=round(float(bearing.ball_count)),
-            ball_diameter=float(bearing.ball_diameter),
-            pitch_diameter=float(bearing.pitch_diameter),
-            inner_groove_radius=float(bearing.inner_groove_radius),
-            outer_groove_radius=float(bearing.outer_groove_radius),
-            free_contact_angle=float(bearing.free_contact_angle),
+            ball_count=round(number(bearing.ball_count)),
+            ball_diameter=number(bearing.ball_diameter),
+            pitch_diameter=number(bearing.pitch_diameter),
+            inner_groove_radius=number(bearing.inner_groove_radius),
+            outer_groove_radius=number(bearing.outer_groove_radius),
+            free_contact_angle=number(bearing.free_contact_angle),
             ball=constants(bearing.ball_material),
             ring=constants(bearing.ring_material),
-            ball_density=float(bearing.ball_material.density),
+            ball_density=number(bearing.ball_material.density),
         )
-    except TypeError as problem:
+    except ValueError as problem:
         raise SceneProblemError(f"scene {scene_name}: the sector needs a single bearing ({problem})") from problem
 
 

@@ -10,7 +10,7 @@ bodies have: nothing here knows a mesh.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -163,10 +163,6 @@ class ContactFrame:
     def weighted_gap(self, ball: Sphere, groove: Torus) -> Array:
         """Integral of each basis function times the gap at a position of the bodies, (basis,)."""
         return self.basis.weighted(lambda x, y: self.gap(x, y, ball, groove))
-
-    def moved(self, ball: Sphere, groove: Torus) -> ContactFrame:
-        """The same frame about bodies at another position."""
-        return replace(self, ball=ball, groove=groove)
 
 
 def _across(direction: Array) -> Array:
