@@ -3,6 +3,7 @@
 from fem_check.checks import (
     ball_in_inner_groove,
     ball_in_outer_groove,
+    bearing_sector,
     body_size,
     conformity,
     convergence_order,
@@ -32,6 +33,7 @@ ALL = {
         solution_contacts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
+        bearing_sector.CHECK,
     )
 }
 """Every check by name, in the order of the report."""

@@ -210,6 +210,43 @@ def conformity(entry: Entry) -> Figure:
     return figure
 
 
+def bearing_sector(entry: Entry) -> Figure:
+    """Deviation from the quasi-static model over the load, with uncertainty."""
+    series = entry["pictures"]["bearing_sector"]
+    names = (
+        ("axial_displacement", "%"),
+        ("inner load", "%"),
+        ("inner angle", "degrees"),
+        ("inner semi_major_axis", "%"),
+        ("inner semi_minor_axis", "%"),
+        ("inner max_pressure", "%"),
+    )
+    figure, grid = plt.subplots(2, 3, figsize=(11.0, 6.0), sharex=True, layout="constrained")
+    for index, (support, states) in enumerate(series.items()):
+        for state, curve in states.items():
+            for axes, (name, unit) in zip(grid.ravel(), names, strict=True):
+                axes.errorbar(
+                    curve["load_N"],
+                    curve[name]["deviation"],
+                    curve[name]["uncertainty"],
+                    color=f"C{index}",
+                    linestyle="-" if state == "at rest" else "--",
+                    marker="o",
+                    markersize=3,
+                    capsize=3,
+                    label=f"{support}, {state}",
+                )
+                axes.set(xscale="log", title=name.replace("_", " "), ylabel=f"elements less model, {unit}")
+    for axes in grid.ravel():
+        axes.axhline(0.0, **HERTZ)
+    loads = sorted({load for states in series.values() for curve in states.values() for load in curve["load_N"]})
+    for axes in grid[1]:
+        load_axis(axes, loads)
+        axes.set_xlabel("axial load, N")
+    grid[0, 0].legend(fontsize=7)
+    return figure
+
+
 DRAWN: dict[str, tuple[Callable[[Entry], Figure], str]] = {
     "contact": (pressure_map, "Pressure over the ellipse, Hertz's outline in white"),
     "contact profiles": (profiles, "Pressure along both axes"),
@@ -220,6 +257,7 @@ DRAWN: dict[str, tuple[Callable[[Entry], Figure], str]] = {
     "convergence": (convergence, "Convergence"),
     "true_geometry": (true_geometry, "True bodies against Hertz"),
     "conformity": (conformity, "Closing grooves"),
+    "bearing_sector": (bearing_sector, "One ball between two elastic rings: deviation from the quasi-static model"),
 }
 
 

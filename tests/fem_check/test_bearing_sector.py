@@ -1,0 +1,82 @@
+"""One ball between both rings, on the shipped meshes."""
+
+import hashlib
+import json
+from math import cos, radians
+
+import numpy as np
+import pytest
+
+import qsbearing
+from fem_check import meshing, sector_comparison
+from fem_check.agreement import Level
+from fem_check.checks import bearing_sector
+from fem_check.scenes import OperatingPoint, SceneProblemError
+from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
+
+POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
+
+
+@pytest.fixture(scope="module")
+def sector():
+    bearing = sector_comparison.sector_bearing("b218")
+    solution = sector_comparison.model("b218", POINT, gyroscopic_moment=False)
+    return BearingSector(bearing, sector_comparison.expected(bearing, solution), 2)
+
+
+def test_shipped_meshes_are_what_the_manifest_says():
+    folder = meshing.committed_folder()
+    entries = json.loads((folder / "sector_manifest.json").read_text())
+    assert set(entries) == {path.name for path in folder.glob("sector-*.npz")}
+    for name, entry in entries.items():
+        assert hashlib.sha256((folder / name).read_bytes()).hexdigest() == entry["sha256"]
+
+
+def test_orbit_under_outer_control_is_the_closed_form():
+    inner, outer, ratio = radians(48.0), radians(34.0), 22.225 / 125.26
+    orbit, rotation, _ = motion(ratio, inner, outer)
+    assert orbit == pytest.approx((1.0 - ratio * cos(inner)) / (1.0 + cos(inner - outer)), rel=1e-12)
+    assert rotation < 0.0
+
+
+def test_ball_and_ring_are_in_equilibrium_and_near_the_model(sector):
+    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    inner, outer = found.inner, found.outer
+    # Statics written down anew: the ball's two equations, and the ring's.
+    axial = inner.load * np.sin(inner.angle) - outer.load * np.sin(outer.angle)
+    radial = inner.load * np.cos(inner.angle) - outer.load * np.cos(outer.angle) + found.centrifugal_force
+    assert abs(axial) < 1e-5 * inner.load and abs(radial) < 1e-5 * inner.load
+    assert 16 * inner.load * np.sin(inner.angle) == pytest.approx(17800.0, rel=1e-5)
+    # Centrifugal force from the orbit that the elements found: m r w^2.
+    orbit = motion(0.5 * 22.225e-3 / found.ball_centre[1], inner.angle, outer.angle)[0] * POINT.speed
+    mass = 7800.0 * np.pi * 22.225e-3**3 / 6.0
+    assert found.centrifugal_force == pytest.approx(mass * found.ball_centre[1] * orbit**2, rel=1e-9)
+    model = sector_comparison.model("b218", POINT, gyroscopic_moment=False)
+    # Two elements per semi-axis, one position of the edge: loads to a per cent, angles to half a degree.
+    assert inner.load == pytest.approx(model.inner.load[0], rel=0.01)
+    assert np.degrees(abs(outer.angle - model.outer.angle[0])) < 0.5
+    assert found.penetration < 1e-9
+
+
+def test_a_moment_without_friction_is_refused(sector):
+    with pytest.raises(ValueError, match="friction"):
+        sector.solve(SectorLoad(17800.0, POINT.speed, gyroscopic_moment=True))
+
+
+def test_an_unknown_scene_is_a_sentence():
+    with pytest.raises(SceneProblemError, match="no_such_scene"):
+        sector_comparison.sector_bearing("no_such_scene")
+
+
+@pytest.mark.heavy
+def test_a_free_outside_diameter_softens_the_bearing():
+    found = sector_comparison.compare("b218", POINT, 2, (OuterSupport.RIGID, OuterSupport.FREE), positions=4)
+    rigid, free = (found[support].found["axial_displacement"] for support in (OuterSupport.RIGID, OuterSupport.FREE))
+    assert 1.2 * rigid < free < 1.5 * rigid
+
+
+@pytest.mark.heavy
+def test_the_quick_level_passes():
+    findings = bearing_sector.run(Level.QUICK, lambda stage, part: None)
+    assert findings.verdict == "pass"
+    assert all(row.uncertainty_percent is not None for row in findings.rows if row.tolerance_percent is None)
