@@ -17,7 +17,7 @@ import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.scenes import OperatingPoint, SceneProblemError
+from fem_check.scenes import SceneProblemError, load_scene
 from fem_check.solids.bearing_sector import (
     BearingSector,
     Expected,
@@ -50,6 +50,38 @@ QUANTITIES = {
 
 
 @dataclass(frozen=True)
+class OperatingPoint:
+    """A pure thrust load at a speed: every ball carries the same."""
+
+    axial_load: float
+    """[N]"""
+    speed: float
+    """Of the inner ring [rad/s]."""
+
+    @property
+    def label(self) -> str:
+        """In the field's units."""
+        speed = f"{self.speed / qsbearing.rpm:.0f} rpm" if self.speed else "at rest"
+        return f"Fa = {self.axial_load:.0f} N, {speed}"
+
+
+def own_point(scene_name: str) -> OperatingPoint:
+    """The thrust and the inner ring's speed of a scene; what else it carries, the sector of one ball cannot.
+
+    Raises:
+        SceneProblemError: the scene has no single, positive axial load.
+    """
+    operation = load_scene(scene_name).operation
+    load, speed = np.asarray(operation.axial_load or 0.0, float), np.asarray(operation.speed or 0.0, float)
+    if load.size != 1 or speed.size != 1 or not float(load.reshape(())) > 0.0:
+        raise SceneProblemError(
+            f"scene {scene_name}: one ball between both rings needs one axial load above 0; a scene with a radial load "
+            "or a moment alone has no ball that stands for all"
+        )
+    return OperatingPoint(float(load.reshape(())), float(speed.reshape(())))
+
+
+@dataclass(frozen=True)
 class Compared:
     """One operating point on one mesh."""
 
@@ -70,10 +102,7 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     Raises:
         SceneProblemError: the scene has no single bearing, or cannot be read.
     """
-    try:
-        bearing = qsbearing.load_scene(scene_name).bearing
-    except (OSError, ValueError, KeyError) as problem:
-        raise SceneProblemError(f"scene {scene_name}: {problem}") from problem
+    bearing = load_scene(scene_name).bearing
 
     def number(value: Any) -> float:
         return float(np.asarray(value, dtype=float).reshape(()))

@@ -79,5 +79,4 @@ def _solved(matrix: sp.csc_matrix, forces: Array) -> CondensedSolid:
     for start in range(0, count, RIGHT_HAND_SIDES):
         some = slice(start, min(start + RIGHT_HAND_SIDES, count))
         flexibility[:, some] = forces.T @ factor.solve(np.ascontiguousarray(forces[:, some]))
-    factor.release()
     return CondensedSolid(0.5 * (flexibility + flexibility.T), matrix.shape[0], factor.solver)

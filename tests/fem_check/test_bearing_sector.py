@@ -11,7 +11,8 @@ import qsbearing
 from fem_check import meshing, sector_comparison
 from fem_check.agreement import Level
 from fem_check.checks import bearing_sector
-from fem_check.scenes import OperatingPoint, SceneProblemError
+from fem_check.scenes import SceneProblemError
+from fem_check.sector_comparison import OperatingPoint
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
 
 POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
