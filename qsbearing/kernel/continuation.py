@@ -39,8 +39,9 @@ LEAST_STEP = 1e-3
 WAY_TOLERANCE = 1e-8
 # A pseudo-time step moves nothing further than this part of a contact line's free length, and there are so many.
 PSEUDO_STEP, MOST_PSEUDO_STEPS = 0.1, 500
-# Newton's method takes over at this residual.
-NEAR_EQUILIBRIUM = 1e-3
+# Newton's method takes over at this residual. Chosen by measurement: heavy loads elsewhere hide the imbalance of a
+# loose ball, and from 1e-3 Newton's method fails in more than twice as many random scenes.
+NEAR_EQUILIBRIUM = 1e-9
 # An imbalance that leads nowhere.
 LOST = 1e30
 

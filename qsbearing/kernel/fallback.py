@@ -1,13 +1,13 @@
 """The fallback for cases that Newton's method from two starts does not solve.
 
-At rest the energy is convex: continuation from heavier loads finds its minimum, or the ring moves without end, which
-shows that nothing supports the load.
+At rest the energy is convex: continuation from heavier loads or, failing that, pseudo-time steps find its minimum, or
+show that nothing supports the load.
 
 At speed two strategies are tried, each ending in Newton's method: continuation from heavier loads, and continuation in
-speed; pseudo-time steps go on where a continuation ends. They are tried for the equations as they stand, in which
-friction carries the gyroscopic moment whatever the load, then with friction bounded by the load and by a tenth of it. A
-ball that reaches the bound slips. From there the bound is released, and where Newton's method then finds an
-equilibrium, it stands.
+speed; pseudo-time steps go on where a continuation ends or Newton's method finds nothing. They are tried for the
+equations as they stand, in which friction carries the gyroscopic moment whatever the load, then with friction bounded
+by the load and by a tenth of it. A ball that reaches the bound slips. From there the bound is released, and where
+Newton's method then finds an equilibrium, it stands.
 
 The first sound equilibrium is taken. Where there is none, the first inadmissible one refuses the case: a contact where
 no groove is, or friction above its load. That another exists somewhere is not excluded.
@@ -33,7 +33,7 @@ from qsbearing.kernel.admissibility import (
 from qsbearing.kernel.ball_inertia import NO_BOUND, is_moving
 from qsbearing.kernel.continuation import follow, heaviest_factor, pseudo_transient
 from qsbearing.kernel.initial_guess import guess_from_rest, guess_ring_at_rest, split_contacts
-from qsbearing.kernel.newton import newton, newton_at_rest
+from qsbearing.kernel.newton import newton
 from qsbearing.kernel.newton_step import is_far
 from qsbearing.kernel.snapshots import ADMISSIBLE, BOUNDED, CONTINUATION, INADMISSIBLE, restore, restore_all, save
 from qsbearing.kernel.solve_case import (
@@ -67,7 +67,8 @@ def solve_rest(case: recarray, work: recarray, balls: ndarray, tolerance: float)
         converged = newton(case, work, balls, tolerance)
     if not converged:
         guess_ring_at_rest(case, work)
-        converged = newton_at_rest(case, work, balls, tolerance)
+        pseudo_transient(case, work, balls)
+        converged = not is_far(work) and newton(case, work, balls, tolerance)
     split_contacts(case, work, balls)
     if not converged:
         return NOTHING
@@ -88,9 +89,10 @@ def try_strategy(case: recarray, work: recarray, balls: ndarray, tolerance: floa
     else:
         reached = follow(case, work, balls, heaviest)
     work.load_factor, work.speed_factor = 1.0, 1.0
-    if reached < 1.0:
+    found = solve_with_controls(case, work, balls, tolerance) if reached == 1.0 else NOTHING
+    if found == NOTHING:
         pseudo_transient(case, work, balls)
-    found = solve_with_controls(case, work, balls, tolerance)
+        found = solve_with_controls(case, work, balls, tolerance)
     if found == NOTHING and strategy == UP_IN_SPEED and 0.0 < reached < 1.0:
         restore(work, balls, CONTINUATION)
         work.speed_factor = reached

@@ -106,6 +106,17 @@ def test_at_rest_light_loads_near_the_limit_of_support(axial: float) -> None:
     assert ring_load(solution) == pytest.approx([axial, 0.0, 0.0, 0.0, 0.1 * axial], abs=1e-9 * axial)
 
 
+@pytest.mark.parametrize("load", [0.01, 1.0, 100.0])
+def test_at_rest_pseudo_time_steps_find_a_ring_between_few_balls(load: float) -> None:
+    """A radial load between two of six balls: the ring slides along until others touch, further than Newton's method
+    and continuation from heavier loads lead it."""
+    bearing = replace(B218, kind=qs.BearingKind.DEEP_GROOVE, ball_count=6)
+    aside, across = load * np.cos(0.2), load * np.sin(0.2)
+    solution = qs.solve(resting(bearing, **free_to_tilt(0.0, aside, across)))
+    assert solution.converged
+    assert ring_load(solution) == pytest.approx([0.0, aside, across, 0.0, 0.0], abs=1e-9 * load)
+
+
 def test_at_rest_nothing_supports_the_load() -> None:
     """A ring on one ball, free to move and to tilt, moves without end: the answer, not a failure to converge."""
     solution = qs.solve(resting(replace(B218, ball_count=1), **free_to_tilt(500.0, 100.0, 0.0)))
@@ -153,16 +164,16 @@ def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rpm", "axial", "moment", "is_refused"),
-    [(1e4, 1e-4, 0.0, True), (0.05, 0.01, -2e-4, False)],
+    ("moment", "is_refused"),
+    [(0.0, True), (-2e-6, False)],
     ids=["balls over the shoulder at rest", "balls that only rounding presses over the shoulder"],
 )
 def test_a_case_for_which_nothing_is_found_is_refused_if_the_bearing_at_rest_is(
-    rpm: float, axial: float, moment: float, is_refused: bool
+    moment: float, is_refused: bool
 ) -> None:
     """Rings turn against each other, so that balls hardly orbit: the equilibrium at rest is unique and the evidence."""
-    loads = {"axial_load": axial, "radial_load_y": axial, "radial_load_z": 0.0, "moment_y": 0.0, "moment_z": moment}
-    solution = qs.solve(turning(rpm, STEEP, outer_rpm=-0.83 * rpm, **CENTRIFUGAL_INNER, **loads))
+    loads = {"axial_load": 1e-4, "radial_load_y": 1e-4, "radial_load_z": 0.0, "moment_y": 0.0, "moment_z": moment}
+    solution = qs.solve(turning(10.0, STEEP, outer_rpm=-8.3, effects=CENTRIFUGAL, control=OUTER, **loads))
     at_rest = qs.solve(resting(STEEP, **loads))
     assert (at_rest.status is qs.Status.NO_EQUILIBRIUM) == is_refused
     if is_refused:
@@ -199,11 +210,10 @@ for scenes in SCENES.values():
     assert max(map(int, lines[1::2])) <= 2 * 25  # direct stage and fallback, each its own
 
 
-@pytest.mark.skipif(not COMPILED, reason="ten thousand iterations of plain Python")
-def test_the_budget_ends_a_case() -> None:
-    """Balls that hardly orbit, between rings that turn against each other, under next to no load: not converged, said
-    so, within the iterations that a case may spend."""
-    scene = turning(40e3, outer_rpm=-32e3, effects=CENTRIFUGAL, control=OUTER, **free_to_tilt(0.01, 0.005, 0.002))
+@pytest.mark.skipif(not COMPILED, reason="thousands of iterations of plain Python")
+def test_what_does_not_converge_says_so() -> None:
+    """Balls that hardly orbit, between rings that turn against each other, under next to no load."""
+    scene = turning(10.0, STEEP, outer_rpm=-8.3, effects=CENTRIFUGAL, control=OUTER, **free_to_tilt(1e-4, 0.3e-4, 0.0))
     solution = qs.solve(scene)
     assert solution.status is qs.Status.NOT_CONVERGED
     assert solution.iterations <= BUDGET + 100
