@@ -1,4 +1,4 @@
-"""Does the finite-element contact of B218's ball and outer groove, as half-spaces, agree with Hertz at real loads?"""
+"""Does the finite-element contact of a ball and its outer groove, as half-spaces, agree with Hertz at real loads?"""
 
 from functools import partial
 
@@ -7,7 +7,7 @@ from fem_check.checks import groove_contacts
 
 CHECK = Check(
     name="ball_in_outer_groove",
-    question="B218, outer raceway, half-spaces: do finite elements give Hertz's contact at real loads?",
+    question="Outer raceway, half-spaces: do finite elements give Hertz's contact at real loads?",
     kind=Kind.VERIFICATION,
     reference="Hertz in closed form, exact for this idealised problem",
     tolerance="quick 0.3 %; release 0.02 % approach, 0.05 % semi-axes, pressure and shear",

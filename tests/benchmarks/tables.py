@@ -117,8 +117,8 @@ def contacts() -> str:
             for quantity in QUANTITIES
         }
         rows.append([name, entry["level"], entry["verdict"], *(f"{value:.2g}" for value in worst.values())])
-    contacts = entries[HALF_SPACE_CHECKS[1]]
-    rows.append(["tolerance", contacts["level"], "", *(f"{_tolerance(contacts, name):g}" for name in QUANTITIES)])
+    gated = entries[HALF_SPACE_CHECKS[1]]
+    rows.append(["tolerance", gated["level"], "", *(f"{_tolerance(gated, name):g}" for name in QUANTITIES)])
     return markdown(["check", "level", "verdict", *QUANTITIES.values()], rows)
 
 
