@@ -1,0 +1,88 @@
+"""A body condensed onto its contacts: flexibility under the pressure basis functions.
+
+Two ways to hold it: nodes fixed, as a ring in its seat; or free, as a ball, where a body force like gravity balances
+every load (inertia relief) and displacements count from the body's mean translation and rotation. Once the loads of a
+free body add up to a given force, that body force is the force's uniform counterpart, as is the centrifugal force.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+
+from fem_check.contact_problem import Array
+from fem_check.linear_solver import factorise
+from fem_check.solids.tetrahedral_body import TetrahedralBody
+
+RIGHT_HAND_SIDES = 64
+"""Solved at a time."""
+
+
+@dataclass(frozen=True)
+class CondensedSolid:
+    """Response of a body to each of its loads; its mesh and factor are no longer needed."""
+
+    flexibility: Array
+    """Work of load i along the displacement under load j, shape (load, load); symmetrised."""
+    asymmetry: float
+    """Largest difference of the flexibility and its transpose over its largest entry."""
+    dofs: int
+    solver: str
+
+
+def condense_supported(
+    body: TetrahedralBody, loads: sp.csr_matrix, fixed: Array, turn: sp.csr_matrix | None = None
+) -> CondensedSolid:
+    """Condense a body some of whose displacements are zero.
+
+    Args:
+        loads: nodal forces, shape (dof, load).
+        fixed: of each unknown, whether it is zero, shape (node, 3).
+        turn: rotation of the unknowns from the directions in which `fixed` counts into x, y, z; None: the same.
+    """
+    matrix, forces = body.stiffness, loads
+    if turn is not None:
+        matrix, forces = sp.csr_matrix(turn.T @ matrix @ turn), sp.csr_matrix(turn.T @ loads)
+    free = np.flatnonzero(~fixed.ravel())
+    return _solved(sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(forces[free]))
+
+
+def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid:
+    """Condense a body that is free in its plane of symmetry z = 0, under self-balancing body forces."""
+    x, y = body.nodes[:2] - body.nodes[:2].mean(axis=1, keepdims=True)
+    # Rigid motions that keep the plane of symmetry: along x, along y, about z.
+    rigid = np.zeros((body.space.count, 3, 3))
+    rigid[:, 0, 0] = rigid[:, 1, 1] = 1.0
+    rigid[:, 0, 2], rigid[:, 1, 2] = -y, x
+    rigid = rigid.reshape(-1, 3)
+    carried = body.mass @ rigid
+    # Loads less the body force that balances them: P F, and as P' takes out the mean motion, all stays symmetric.
+    share = np.linalg.solve(rigid.T @ carried, (loads.T @ rigid).T)
+    balanced = loads.toarray() - carried @ share
+    fixed = np.zeros((body.space.count, 3), dtype=bool)
+    plane = body.on(lambda p: np.abs(p[2]) < 1e-9)
+    fixed[plane, 2] = True
+    # Three unknowns that stop the rigid motions; they carry nothing, for every load is balanced.
+    far = plane[np.argsort(np.hypot(x[plane], y[plane]))]
+    fixed[far[0], :2] = True
+    fixed[far[-1], 1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0] = True
+    free = np.flatnonzero(~fixed.ravel())
+    return _solved(sp.csc_matrix(body.stiffness[free][:, free]), sp.csr_matrix(balanced[free]))
+
+
+def _solved(matrix: sp.csc_matrix, forces: sp.csr_matrix) -> CondensedSolid:
+    factor = factorise(matrix)
+    count = forces.shape[1]
+    flexibility = np.empty((count, count))
+    for start in range(0, count, RIGHT_HAND_SIDES):
+        some = slice(start, min(start + RIGHT_HAND_SIDES, count))
+        flexibility[:, some] = forces.T @ factor.solve(forces[:, some].toarray())
+    factor.release()
+    return CondensedSolid(
+        flexibility=0.5 * (flexibility + flexibility.T),
+        asymmetry=float(np.abs(flexibility - flexibility.T).max() / np.abs(flexibility).max()),
+        dofs=matrix.shape[0],
+        solver=factor.solver,
+    )
