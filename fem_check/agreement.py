@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, field, replace
 from enum import StrEnum
-from typing import Any
+from typing import Any, Protocol
+
+EXAMPLE = "b218"
+"""The scene that the checks run on unless another is named."""
 
 
 class Level(StrEnum):
@@ -36,7 +39,8 @@ class Row:
     reference_source: str
     found: float
     uncertainty_percent: float | None
-    """Discretisation uncertainty of the value found, in per cent of the reference (absolute where that is 0)."""
+    """Discretisation uncertainty of the comparison, in per cent of the reference (absolute where that is 0); None where
+    nothing is discretised."""
     tolerance_percent: float | None
     """None: reported as a finding, without pass or fail."""
     why_tolerance: str
@@ -48,12 +52,16 @@ class Row:
         return 100.0 * (self.found - self.reference) / scale
 
     @property
+    def reach_percent(self) -> float:
+        """How far the truth may be from the reference: |deviation| + uncertainty."""
+        return abs(self.deviation_percent) + (self.uncertainty_percent or 0.0)
+
+    @property
     def verdict(self) -> str:
         """pass, fail, or finding."""
         if self.tolerance_percent is None:
             return "finding" if math.isfinite(self.found) else "fail"
-        deviation = self.deviation_percent
-        return "pass" if abs(deviation) <= self.tolerance_percent else "fail"  # NaN fails too
+        return "pass" if abs(self.deviation_percent) <= self.tolerance_percent else "fail"  # NaN fails too
 
     def as_dict(self) -> dict[str, Any]:
         """As the record keeps it."""
@@ -86,7 +94,25 @@ class Findings:
         return "fail" if any(row.verdict == "fail" for row in self.rows) else "pass"
 
 
+def collapsed(rows: Iterable[Row], case: str) -> list[Row]:
+    """One row per quantity in place of many similar ones: the worst, under a case that names all that it stands for."""
+    worst: dict[str, Row] = {}
+    for row in rows:
+        known = worst.get(row.quantity)
+        # A reach that is no number counts as the worst.
+        if known is None or not row.reach_percent <= known.reach_percent:
+            worst[row.quantity] = row
+    return [replace(row, case=f"{case}; worst: {row.case}") for row in worst.values()]
+
+
 Progress = Callable[[str, float], None]
+
+
+class Run(Protocol):
+    """The function that runs a check."""
+
+    def __call__(self, level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+        """Run it on a scene: a file, or a name of the catalogue; checks that concern no bearing ignore it."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +124,6 @@ class Check:
     kind: Kind
     reference: str
     tolerance: str
-    run: Callable[[Level, Progress], Findings]
+    run: Run
     largest_dofs: Callable[[Level], int]
     """Unknowns of the largest linear system at a level, for the estimate of memory."""

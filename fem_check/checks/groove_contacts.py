@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from fem_check import half_space_contact, meshing, references
-from fem_check.agreement import Findings, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Findings, Level, Progress, Row
 from fem_check.contact_problem import ContactProblem
 from fem_check.half_space_contact import MeshStudy
 from fem_check.pictures import contact_pictures
 from fem_check.scenes import groove_contact, operating_loads
 
-SCENE = "b218"
 
-
-def run(race: str, level: Level, progress: Progress) -> Findings:
+def run(race: str, level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Every operating point: one set of meshes, since contacts of one shape are similar at every load."""
-    contact = groove_contact(SCENE, race)
+    contact = groove_contact(scene, race)
     rows = []
-    loads = operating_loads(SCENE, race)
+    loads = operating_loads(scene, race)
     found: MeshStudy | None = None
     for label, load in loads:
         found = half_space_contact.mesh_study(contact.problem(load), level, progress)

@@ -6,7 +6,7 @@ import numpy as np
 
 import qsbearing
 from fem_check import half_space_contact, references
-from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
 from fem_check.checks.other_contacts import slender_problem
 from fem_check.contact_problem import QUANTITIES, ContactProblem
@@ -40,7 +40,7 @@ def of_qsbearing(problem: ContactProblem) -> dict[str, float]:
     }
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Closed form against closed form from the circle to k = 50; then against the finite elements for B218."""
     rows = []
     for shape in SHAPES:
@@ -69,7 +69,7 @@ def run(level: Level, progress: Progress) -> Findings:
             )
     study = None
     for race in RACES:
-        problem = groove_contact(groove_contacts.SCENE, race).problem(1000.0)
+        problem = groove_contact(scene, race).problem(1000.0)
         study = half_space_contact.mesh_study(problem, level, progress)
         predicted = of_qsbearing(problem)
         for name, unit in QUANTITIES.items():

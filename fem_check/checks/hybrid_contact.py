@@ -8,7 +8,7 @@ import numpy as np
 
 import qsbearing
 from fem_check import references
-from fem_check.agreement import Check, Findings, Kind, Level, Progress
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress
 from fem_check.checks import groove_contacts
 from fem_check.contact_problem import ElasticConstants
 from fem_check.scenes import groove_contact
@@ -16,11 +16,11 @@ from fem_check.scenes import groove_contact
 LOAD = 1000.0
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """B218's inner groove with a ball of silicon nitride: two bodies, each with its own Poisson's ratio."""
     ceramic = qsbearing.SILICON_NITRIDE
     ball = ElasticConstants(float(np.asarray(ceramic.elastic_modulus)), float(np.asarray(ceramic.poisson_ratio)))
-    problem = replace(groove_contact(groove_contacts.SCENE, "inner"), ball=ball).problem(LOAD)
+    problem = replace(groove_contact(scene, "inner"), ball=ball).problem(LOAD)
     case = f"silicon nitride ball, inner groove: Q = {LOAD:.0f} N"
     rows, found = groove_contacts.single(case, problem, level, progress, references.HERTZ_SOURCE)
     return Findings(rows, groove_contacts.mesh_entry(found), found.bodies.race.solver)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from fem_check import contact, elastic_body, measuring, meshing, references
-from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
-from fem_check.checks import groove_contacts
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact_problem import QUANTITIES
 from fem_check.elastic_body import CondensedBody, Support
 from fem_check.half_space_contact import soundness_rows, stretched
@@ -44,9 +43,9 @@ def _body(
     return elastic_body.condense(mesh, basis, poisson_ratio, Support.HALF_SPACE, progress=progress), basis
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """B218's inner groove: one factorisation for all loads, each contact at its own size in the mesh."""
-    groove = groove_contact(groove_contacts.SCENE, "inner")
+    groove = groove_contact(scene, "inner")
     problem = groove.problem(LOADS[0])
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     body, basis = _body(level, ellipticity, problem.race.poisson_ratio, progress)

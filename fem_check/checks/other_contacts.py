@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fem_check import references
-from fem_check.agreement import Check, Findings, Kind, Level, Progress
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress
 from fem_check.checks import groove_contacts
 from fem_check.contact_problem import ContactProblem, ElasticConstants
 from fem_check.scenes import groove_contact
@@ -19,7 +19,7 @@ def slender_problem(ellipticity: float, load: float = 1000.0) -> ContactProblem:
     return ContactProblem(f"k = {ellipticity:g}", ratio / 10e-3, 1.0 / 10e-3, STEEL, STEEL, load)
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Another bearing's outer groove, and an ellipse twenty times as long as wide."""
     other = groove_contact(OTHER_BEARING, "outer").problem(OTHER_LOAD)
     rows, found = groove_contacts.single(

@@ -6,7 +6,7 @@ import numpy as np
 from skfem import MeshHex
 
 from fem_check import meshing
-from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact_problem import Array
 from fem_check.elastic_body import DisplacementSpace, lame, stiffness
 from fem_check.linear_solver import factorise
@@ -21,7 +21,7 @@ def _sheared(points: Array) -> Array:
     return np.array([[1.0, 0.2, -0.1], [0.1, 0.8, 0.15], [-0.05, 0.1, 1.3]]) @ points
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Prescribe an affine displacement on the boundary, solve for the inside; then move the body rigidly."""
     recipe = meshing.half_space(4)
     brick = meshing.load(recipe)

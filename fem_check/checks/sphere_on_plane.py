@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
-from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
 from fem_check.contact_problem import QUANTITIES, ContactProblem, ElasticConstants
 from fem_check.half_space_contact import TOLERANCES, WHY
@@ -14,7 +14,7 @@ RADIUS = 10e-3
 LOAD = 100.0
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """A steel ball of 20 mm on a steel plane under 100 N."""
     problem = ContactProblem("sphere on plane", 1.0 / RADIUS, 1.0 / RADIUS, STEEL, STEEL, LOAD)
     source = "Johnson 1985, eqs 4.22 to 4.24: a = (3QR/4E*)^(1/3), delta = a^2/R, p0 = 3Q/(2 pi a^2)"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from fem_check import boundary_element, contact, half_space_contact, measuring, meshing, true_bodies
-from fem_check.agreement import Check, Findings, Kind, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
 from fem_check.checks.conformity import over_hertz
 from fem_check.contact_problem import QUANTITIES
@@ -75,13 +75,13 @@ def finite_part(
     return found
 
 
-def run(level: Level, progress: Progress) -> Findings:
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both raceways of B218 over the loads."""
     rows: list[Row] = []
     series = {}
     dofs = 0
     for race in RACES:
-        groove = groove_contact(groove_contacts.SCENE, race)
+        groove = groove_contact(scene, race)
         shape, finite, turned = [], [], []
         for load in LOADS[level]:
             case = f"B218 {race}, Q = {load:.0f} N"
@@ -161,7 +161,7 @@ def run(level: Level, progress: Progress) -> Findings:
         "file": meshing.finite_body(ELEMENTS[level]).file_name,
     }
     solver = half_space_contact.condensed_bodies(
-        groove_contact(groove_contacts.SCENE, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-1]
+        groove_contact(scene, "inner").problem(1000.0), half_space_contact.SEQUENCES[level][-1]
     ).race.solver
     return Findings(rows, entry, solver, {"true_geometry": series}, notes)
 

@@ -50,7 +50,7 @@ def test_a_row_out_of_tolerance_is_exit_1(tmp_path, monkeypatch):
 def _replaced(findings):
     from dataclasses import replace
 
-    return replace(ALL["patch_test"], run=lambda level, progress: findings)
+    return replace(ALL["patch_test"], run=lambda level, progress, scene="": findings)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_an_interrupted_run_leaves_the_earlier_records(tmp_path, monkeypatch):
 def _interrupting():
     from dataclasses import replace
 
-    def stop(level, progress):
+    def stop(level, progress, scene=""):
         raise KeyboardInterrupt
 
     return replace(ALL["patch_test"], name="stopped", run=stop)
