@@ -281,7 +281,9 @@ class BearingSector:
             found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
             worst = float(np.abs(state.residual(found.x)).max())
             if not worst < RESIDUAL:
-                raise ContactError(f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})")
+                raise ContactError(
+                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})"
+                )
             start = found.x
             if not load.gyroscopic_moment:
                 break

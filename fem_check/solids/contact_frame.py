@@ -18,7 +18,7 @@ import scipy.sparse as sp
 
 from fem_check.contact_problem import Array
 from fem_check.pressure_basis import PressureBasis
-from fem_check.solids.body_mesh import Patch
+from fem_check.solids.body_mesh import PATCH, Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 
@@ -70,7 +70,8 @@ class ContactFrame:
     @cached_property
     def basis(self) -> PressureBasis:
         """Hat functions over half the patch, eta >= 0."""
-        half = max(2, round(self.elements * self.patch.half_width / self.patch.semi_minor_axis))
+        # As many cells as the mesh has there: `body_mesh` rounds the same product.
+        half = max(2, round(PATCH * self.elements))
         x = np.linspace(-self.patch.half_length, self.patch.half_length, 2 * half + 1)
         return PressureBasis(x, np.linspace(0.0, self.patch.half_width, half + 1))
 
@@ -118,7 +119,8 @@ class ContactFrame:
         Args:
             body: the ball or the ring; its nodes in (axial, radial, tangential), the ball's centre in its place.
             on_ball: which of the two it is.
-            along: "normal", or "tangent": the same force across the groove, towards growing xi on the ball.
+            along: "normal" of the surface; "axis": of the tangent plane, as half-spaces have it; "tangent": the same
+                force as along the normal, but across the groove, towards growing xi on the ball.
         """
         height = self.ball_height if on_ball else self.groove_height
 
@@ -135,6 +137,8 @@ class ContactFrame:
         weights = sp.diags(projected) @ self.basis.values(xi, eta)
         if along == "normal":
             direction = self.in_space(self.force_direction(xi, eta))
+        elif along == "axis":
+            direction = self.in_space(np.stack([np.zeros_like(xi), np.zeros_like(xi), np.ones_like(xi)]))
         else:
             direction = -self.in_space(_across(self.force_direction(xi, eta)))
         sign = -1.0 if on_ball else 1.0

@@ -114,7 +114,9 @@ def _scikit_fem_mesh(mesh: BodyMesh) -> MeshTet2:
     """
     vertices = np.unique(mesh.tetrahedra[:4])
     corners = np.searchsorted(vertices, mesh.tetrahedra[:4])
-    straight = MeshTet2.from_mesh(MeshTet(np.ascontiguousarray(mesh.points[:, vertices]), np.ascontiguousarray(corners)))
+    straight = MeshTet2.from_mesh(
+        MeshTet(np.ascontiguousarray(mesh.points[:, vertices]), np.ascontiguousarray(corners))
+    )
     positions = straight.doflocs.copy()
     for middle, (first, second) in zip(mesh.tetrahedra[4:], GMSH_EDGES, strict=True):
         positions[:, _edge_nodes(straight, corners[first], corners[second])] = mesh.points[:, middle]
