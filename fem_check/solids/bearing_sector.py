@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from functools import cached_property
@@ -143,11 +143,9 @@ class SectorResults:
     gyroscopic_moment: float
     """Magnitude [N m]."""
     imbalance: float
-    """Of ball and inner ring, over the largest contact load."""
+    """Of ball and inner ring, over the largest of load per ball and centrifugal force."""
     penetration: float
     """See `NormalContact`."""
-    ball_couple: float
-    """Moment of the contact pressures on the ball about its centre, over load times radius: none in theory."""
 
 
 class BearingSector:
@@ -158,14 +156,17 @@ class BearingSector:
         bearing: SectorBearing,
         expected: Expected,
         elements: int,
-        support: OuterSupport = OuterSupport.RIGID,
+        supports: Sequence[OuterSupport] = (OuterSupport.RIGID,),
         friction: bool = False,
         meshes: Callable[[str], BodyMesh] | None = None,
     ) -> None:
         """Mesh and condense.
 
         Args:
+            bearing: the bearing.
+            expected: where the bodies are meshed.
             elements: per semi-axis of each contact.
+            supports: how the outer ring may be held.
             friction: also condense the outer contact's friction, for the gyroscopic moment.
             meshes: gives the mesh of "ball", "inner", "outer"; None: made by gmsh, or read where they were kept.
         """
@@ -175,13 +176,13 @@ class BearingSector:
         self.friction = friction
         inner, outer = self.frames
         source = meshes or self.made_mesh
-        ball = TetrahedralBody(_shifted(source("ball"), np.array(expected.ball_centre)), bearing.ball)
+        ball = TetrahedralBody(source("ball").shifted(np.array([*expected.ball_centre, 0.0])), bearing.ball)
         loads = [frame.loads(ball, on_ball=True) for frame in self.frames]
         if friction:
             loads.append(outer.loads(ball, on_ball=True, along="tangent"))
         self.ball = condense_free(ball, sp.csr_matrix(sp.hstack(loads)))
         self.inner_ring = self._ring(source("inner"), inner, OuterSupport.RIGID, inner=True)
-        self.outer_ring = self._ring(source("outer"), outer, support, inner=False)
+        self.outer_rings = {support: self._ring(source("outer"), outer, support, inner=False) for support in supports}
         self.counts = (len(inner.basis.forces), len(outer.basis.forces))
 
     @cached_property
@@ -214,9 +215,11 @@ class BearingSector:
         inner, outer = self.frames
         recipe = [name, asdict(self.bearing), asdict(self.expected), self.elements, _mesh_constants()]
         digest = hashlib.sha256(json.dumps(recipe, sort_keys=True, default=str).encode()).hexdigest()[:12]
-        path = meshing.cache_folder() / f"sector-{name}-{digest}.npz"
-        if path.is_file():
-            return BodyMesh.read(path)
+        file = f"sector-{name}-{digest}.npz"
+        for folder in (meshing.committed_folder(), meshing.cache_folder()):
+            if (folder / file).is_file():
+                return BodyMesh.read(folder / file)
+        path = meshing.cache_folder() / file
         if name == "ball":
             mesh = body_mesh.ball(self.bearing.ball_radius, [inner.patch, outer.patch], self.elements)
         else:
@@ -254,16 +257,20 @@ class BearingSector:
             loads.append(frame.loads(body, on_ball=False, along="tangent"))
         return condense_supported(body, sp.csr_matrix(sp.hstack(loads)), fixed, sp.csr_matrix(turn))
 
-    @cached_property
-    def flexibility(self) -> Array:
+    @property
+    def dofs(self) -> int:
+        """Unknowns of all three bodies."""
+        return self.ball.dofs + self.inner_ring.dofs + next(iter(self.outer_rings.values())).dofs
+
+    def flexibility(self, support: OuterSupport) -> Array:
         """Of all bodies together: inner normal, outer normal (, outer friction)."""
         total = self.ball.flexibility.copy()
         first = self.counts[0]
         total[:first, :first] += self.inner_ring.flexibility
-        total[first:, first:] += self.outer_ring.flexibility
+        total[first:, first:] += self.outer_rings[support].flexibility
         return total
 
-    def solve(self, load: SectorLoad) -> SectorResults:
+    def solve(self, load: SectorLoad, support: OuterSupport = OuterSupport.RIGID) -> SectorResults:
         """Positions and pressures in equilibrium.
 
         Raises:
@@ -271,13 +278,11 @@ class BearingSector:
         """
         if load.gyroscopic_moment and not self.friction:
             raise ValueError("a gyroscopic moment needs the sector condensed with friction=True")
-        count = sum(self.counts)
         friction = np.zeros(self.counts[1])
-        previous = friction
-        state = _State(self, load, friction)
+        flexibility = self.flexibility(support)
         start = np.zeros(3)
         for _ in range(FRICTION_ITERATIONS):
-            state = _State(self, load, friction)
+            state = _State(self, load, flexibility, friction)
             found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
             worst = float(np.abs(state.residual(found.x)).max())
             if not worst < RESIDUAL:
@@ -288,7 +293,7 @@ class BearingSector:
             if not load.gyroscopic_moment:
                 break
             previous, friction = friction, state.friction_pressures()
-            if np.abs(friction - previous).max() < FRICTION_TOLERANCE * np.abs(state.contact.pressures[:count]).max():
+            if np.abs(friction - previous).max() < FRICTION_TOLERANCE * friction.max():
                 break
         return state.results(worst)
 
@@ -296,9 +301,10 @@ class BearingSector:
 class _State:
     """Bodies at a trial position, under given friction."""
 
-    def __init__(self, sector: BearingSector, load: SectorLoad, friction: Array) -> None:
+    def __init__(self, sector: BearingSector, load: SectorLoad, flexibility: Array, friction: Array) -> None:
         self.sector = sector
         self.load = load
+        self.flexibility = flexibility
         self.friction = friction
         self.contact: NormalContact | None = None
         self.unit = 1e-6
@@ -317,9 +323,9 @@ class _State:
                 for frame, inner in zip(sector.frames, (True, False), strict=True)
             ]
         )
-        gaps = gaps + sector.flexibility[:count, count:] @ self.friction[: sector.flexibility.shape[0] - count]
+        gaps = gaps + self.flexibility[:count, count:] @ self.friction[: self.flexibility.shape[0] - count]
         start = self.contact.active if self.contact is not None else None
-        self.contact = normal_contact.solve(sector.flexibility[:count, :count], gaps, np.zeros((count, 0)), start)
+        self.contact = normal_contact.solve(self.flexibility[:count, :count], gaps, start)
         inner, outer = self.forces()
         per_ball = self.load.axial_load / bearing.ball_count
         self.centrifugal, self.gyroscopic = self.inertia(inner, outer)
@@ -379,7 +385,6 @@ class _State:
             self.gyroscopic,
             imbalance,
             self.contact.penetration,
-            0.0,
         )
 
 
@@ -405,16 +410,13 @@ def _mesh_constants() -> list[float]:
     return [
         body_mesh.PATCH,
         body_mesh.DEPTH,
-        body_mesh.DEPTH_GROWTH,
-        body_mesh.LAYERS,
-        body_mesh.BESIDE,
-        body_mesh.GROWTH,
+        body_mesh.WIDTH,
+        body_mesh.FIRST_LAYER,
+        body_mesh.depth_growth(1),
+        body_mesh.side_growth(1),
+        *body_mesh.free_size(1),
         body_mesh.FAR,
         BORE_BELOW_PITCH,
         OUTSIDE_ABOVE_PITCH,
         WIDTH,
     ]
-
-
-def _shifted(mesh: BodyMesh, centre: Array) -> BodyMesh:
-    return BodyMesh(mesh.points + np.array([*centre, 0.0])[:, None], mesh.tetrahedra)

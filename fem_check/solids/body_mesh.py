@@ -11,10 +11,11 @@ import os
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from math import cos, pi, radians, sin
+from dataclasses import dataclass, replace
+from math import cos, log, log1p, pi, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -22,18 +23,34 @@ from fem_check.contact_problem import Array
 from fem_check.meshing import MeshError, gmsh_problem
 
 PATCH = 1.3
-"""Half-sides of the block under a contact, in semi-axes of the contact that is expected there."""
-DEPTH = 1.5
-"""Its depth, in semi-minor axes."""
-DEPTH_GROWTH = 1.25
-"""Of the block's layers; their number is this part of the elements per semi-axis:"""
-LAYERS = 0.8
-BESIDE = 0.8
-"""Element size beside the block, in semi-minor axes,"""
-GROWTH = 0.5
-"""and what it gains per length of distance."""
+"""Half-sides of the patch that may carry pressure, in semi-axes of the contact that is expected there."""
+WIDTH, DEPTH = 2.7, 2.5
+"""Half-width and depth of the block of slender elements below it, in semi-minor axes."""
+FIRST_LAYER = 0.6
+"""Depth of the first layer below the contact, over the length of an element along the minor axis."""
+STRAIGHT = 1e-12
+"""An edge whose middle is no farther than this from its node [m] is straight."""
+GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
+"""Ends of the edges on which gmsh's nodes 4 to 9 of a tetrahedron lie."""
 FAR = 0.25
 """Largest element, in ball radii."""
+
+
+def depth_growth(elements: int) -> float:
+    """Length of each layer below the contact over the one above."""
+    return 1.0 + 2.0 / elements
+
+
+def side_growth(elements: int) -> float:
+    """Length of each element beside the patch over the one before."""
+    return 1.0 + 2.4 / elements
+
+
+def free_size(elements: int) -> tuple[float, float]:
+    """Size of the equal-sided elements at the block, in semi-minor axes, and its growth per distance."""
+    return 1.8 / sqrt(elements), 0.8 / sqrt(elements)
+
+
 HIGH_SHOULDER, LOW_SHOULDER = radians(70.0), radians(20.0)
 """The groove's arc ends here, on the loaded and on the other side of the radial plane."""
 
@@ -56,8 +73,13 @@ class Patch:
 
     @property
     def half_width(self) -> float:
-        """Of the block along the minor axis [m]."""
+        """Of the patch along the minor axis [m]."""
         return PATCH * self.semi_minor_axis
+
+    @property
+    def block_half_width(self) -> float:
+        """Of the block [m]."""
+        return WIDTH * self.semi_minor_axis
 
 
 @dataclass(frozen=True)
@@ -86,19 +108,38 @@ class RingSection:
 
 @dataclass(frozen=True)
 class BodyMesh:
-    """A mesh of 10-node tetrahedra: vertices first, then edges' mid-nodes in gmsh's order."""
+    """Curved tetrahedra: their vertices, and the nodes of those edges that are not straight."""
 
     points: Array
-    """(3, node) [m]"""
+    """Vertices, (3, vertex) [m]."""
     tetrahedra: Array
-    """(10, element)"""
+    """Vertices of each, (4, element)."""
+    curved_edges: Array
+    """Vertices of each curved edge, (2, edge)."""
+    curved_nodes: Array
+    """The node in its middle, on the true surface, (3, edge) [m]."""
+
+    def shifted(self, by: Array) -> BodyMesh:
+        """The mesh moved as a whole by a vector [m]."""
+        return replace(self, points=self.points + by[:, None], curved_nodes=self.curved_nodes + by[:, None])
+
+    def turned(self, axes: Array) -> BodyMesh:
+        """The mesh in other axes: those of its own are the columns of `axes`, shape (3, 3)."""
+        return replace(self, points=axes @ self.points, curved_nodes=axes @ self.curved_nodes)
 
     def save(self, path: Path) -> None:
         """Write whole or not at all; compressed."""
         handle, temporary = tempfile.mkstemp(suffix=".npz", dir=path.parent)
+        small = np.uint16 if self.points.shape[1] < 2**16 else np.uint32
         try:
             with os.fdopen(handle, "wb") as file:
-                np.savez_compressed(file, points=self.points, tetrahedra=self.tetrahedra.astype(np.int32))
+                np.savez_compressed(
+                    file,
+                    points=self.points,
+                    tetrahedra=self.tetrahedra.astype(small),
+                    curved_edges=self.curved_edges.astype(small),
+                    curved_nodes=self.curved_nodes,
+                )
             Path(temporary).chmod(0o644)
             Path(temporary).replace(path)
         except BaseException:
@@ -107,11 +148,20 @@ class BodyMesh:
 
     @classmethod
     def read(cls, path: Path) -> BodyMesh:
-        """Read what `save` wrote."""
+        """Read what `save` wrote.
+
+        Raises:
+            MeshError: the file is missing or damaged.
+        """
         try:
             with np.load(path) as file:
-                return cls(file["points"], file["tetrahedra"].astype(np.int64))
-        except (OSError, ValueError, KeyError) as problem:
+                return cls(
+                    file["points"],
+                    file["tetrahedra"].astype(np.int64),
+                    file["curved_edges"].astype(np.int64),
+                    file["curved_nodes"],
+                )
+        except (OSError, ValueError, KeyError, BadZipFile) as problem:
             raise MeshError(f"{path} is no mesh of a body ({problem})") from problem
 
 
@@ -158,7 +208,7 @@ def _with_blocks(gmsh: Any, solid: int, radius: float, patches: Sequence[Patch],
         face = _block_face(occ, np.zeros(2), patch, _mm(radius), inward=True)
         # About the contact's tangent (x') through the centre, from the plane of symmetry towards z > 0.
         axis = np.cross([*patch.normal, 0.0], [0.0, 0.0, 1.0])
-        blocks += _revolved(occ, face, axis, patch.half_width / radius)
+        blocks += _block(occ, face, axis, patch, radius)
     occ.fragment([(3, solid)], [(3, block) for block in blocks])
     occ.synchronize()
     positions = [_mm(radius) * patch.normal for patch in patches]
@@ -190,7 +240,7 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
         centre, radius = _mm(section.groove_centre), _mm(section.groove_radius)
         position = centre + radius * patch.normal
         face = _block_face(occ, centre, patch, radius, inward=False)
-        block = _revolved(occ, face, np.array([1.0, 0.0, 0.0]), _mm(patch.half_width) / position[1])
+        block = _block(occ, face, np.array([1.0, 0.0, 0.0]), patch, 1e-3 * position[1])
         occ.fragment([(3, tag) for tag in solid], [(3, tag) for tag in block])
         occ.synchronize()
         return _meshed(gmsh, [patch], [position], [1.0], elements, FAR * radius)
@@ -241,6 +291,14 @@ def _block_face(occ: Any, centre: Array, patch: Patch, radius: float, *, inward:
     return int(occ.addPlaneSurface([occ.addCurveLoop(loop)]))
 
 
+def _block(occ: Any, face: int, axis: Array, patch: Patch, radius: float) -> list[int]:
+    """The patch's part of the block and the part beside it."""
+    patch_angle, angle = patch.half_width / radius, patch.block_half_width / radius
+    beside = occ.copy([(2, face)])
+    occ.rotate(beside, 0, 0, 0, *axis, patch_angle)
+    return _revolved(occ, face, axis, patch_angle) + _revolved(occ, beside[0][1], axis, angle - patch_angle)
+
+
 def _section_face(occ: Any, section: RingSection) -> int:
     centre, radius = _mm(section.groove_centre), _mm(section.groove_radius)
     high, low = (centre + radius * section.direction(angle) for angle in (HIGH_SHOULDER, -LOW_SHOULDER))
@@ -266,10 +324,10 @@ def _meshed(
     """Mesh the model; `inward` is the sign of each patch's normal that points into the body."""
     model = gmsh.model
     solids = sorted((tag for _, tag in model.getEntities(3)), key=lambda tag: model.occ.getMass(3, tag))
-    if len(solids) != len(patches) + 1:
-        raise MeshError(f"the body fell into {len(solids)} solids, not into {len(patches)} blocks and a rest")
+    if len(solids) != 2 * len(patches) + 1:
+        raise MeshError(f"the body fell into {len(solids)} solids, not into {2 * len(patches)} blocks and a rest")
     sizes = []
-    for block in solids[: len(patches)]:
+    for block in solids[:-1]:
         centre = np.array(model.occ.getCenterOfMass(3, block))[:2]
         index = int(np.argmin([np.linalg.norm(centre - position) for position in positions]))
         sizes.append(_cut_block(model, block, patches[index], inward[index], elements))
@@ -294,17 +352,22 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
     if len(faces) != 6 or len(curves) != 12:
         raise MeshError(f"the block under the contact has {len(faces)} faces and {len(curves)} edges, not 6 and 12")
     half = max(2, round(PATCH * elements))
+    depth_ratio, side_ratio = depth_growth(elements), side_growth(elements)
     for curve in curves:
         ends = [np.array(model.getValue(0, tag, [])) for _, tag in model.getBoundary([(1, curve)], oriented=True)]
         step = ends[1] - ends[0]
         parts = np.abs([step[:2] @ along, step[2], step[:2] @ depth])
         if parts.argmax() == 0:
             model.mesh.setTransfiniteCurve(curve, 2 * half + 1)
-        elif parts.argmax() == 1:
+        elif parts.argmax() == 2:
+            count = _layers(DEPTH, FIRST_LAYER / elements, depth_ratio)
+            ratio = depth_ratio if step[:2] @ depth > 0.0 else 1.0 / depth_ratio
+            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", ratio)
+        elif min(ends[0][2], ends[1][2]) < 0.5 * _mm(patch.half_width):
             model.mesh.setTransfiniteCurve(curve, half + 1)
         else:
-            growth = DEPTH_GROWTH if step[:2] @ depth > 0.0 else 1.0 / DEPTH_GROWTH
-            model.mesh.setTransfiniteCurve(curve, max(2, round(LAYERS * elements)) + 1, "Progression", growth)
+            count = _layers(WIDTH - PATCH, side_ratio / elements, side_ratio)
+            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio)
     for face in faces:
         model.mesh.setTransfiniteSurface(face)
     model.mesh.setTransfiniteVolume(block)
@@ -313,8 +376,14 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
     field.setNumbers(distance, "SurfacesList", faces)
     field.setNumber(distance, "Sampling", 20)
     size = field.add("MathEval")
-    field.setString(size, "F", f"{BESIDE * _mm(patch.semi_minor_axis)!r} + {GROWTH!r} * F{distance}")
+    start, growth = free_size(elements)
+    field.setString(size, "F", f"{start * _mm(patch.semi_minor_axis)!r} + {growth!r} * F{distance}")
     return int(size)
+
+
+def _layers(length: float, first: float, growth: float) -> int:
+    """How many elements, each longer than the one before, fill a length."""
+    return max(1, round(log1p(length * (growth - 1.0) / first) / log(growth)))
 
 
 def _read(model: Any) -> BodyMesh:
@@ -326,8 +395,18 @@ def _read(model: Any) -> BodyMesh:
     if min(quality) <= 0.0:
         raise MeshError("gmsh made a tetrahedron that is folded over")
     tetrahedra = np.asarray(nodes[0], dtype=np.int64).reshape(-1, 10).T
-    used = np.unique(tetrahedra)
     position = np.empty(int(max(tags)) + 1, dtype=np.int64)
     position[np.asarray(tags, dtype=np.int64)] = np.arange(len(tags))
-    points = np.asarray(coordinates).reshape(-1, 3)[position[used]].T * 1e-3
-    return BodyMesh(points, np.searchsorted(used, tetrahedra))
+    points = np.asarray(coordinates).reshape(-1, 3).T * 1e-3
+    tetrahedra = position[tetrahedra]
+    edges = np.concatenate([tetrahedra[list(ends)] for ends in GMSH_EDGES], axis=1)
+    middles, first = np.unique(np.concatenate(list(tetrahedra[4:])), return_index=True)
+    ends = edges[:, first]
+    curved = np.linalg.norm(points[:, middles] - points[:, ends].mean(axis=1), axis=0) > STRAIGHT
+    vertices = np.unique(tetrahedra[:4])
+    return BodyMesh(
+        points[:, vertices],
+        np.searchsorted(vertices, tetrahedra[:4]),
+        np.searchsorted(vertices, ends[:, curved]),
+        points[:, middles[curved]],
+    )

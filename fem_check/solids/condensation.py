@@ -26,8 +26,6 @@ class CondensedSolid:
 
     flexibility: Array
     """Work of load i along the displacement under load j, shape (load, load); symmetrised."""
-    asymmetry: float
-    """Largest difference of the flexibility and its transpose over its largest entry."""
     dofs: int
     solver: str
 
@@ -46,7 +44,7 @@ def condense_supported(
     if turn is not None:
         matrix, forces = sp.csr_matrix(turn.T @ matrix @ turn), sp.csr_matrix(turn.T @ loads)
     free = np.flatnonzero(~fixed.ravel())
-    return _solved(sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(forces[free]))
+    return _solved(sp.csc_matrix(matrix[free][:, free]), forces[free].toarray())
 
 
 def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid:
@@ -69,20 +67,15 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     fixed[far[0], :2] = True
     fixed[far[-1], 1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0] = True
     free = np.flatnonzero(~fixed.ravel())
-    return _solved(sp.csc_matrix(body.stiffness[free][:, free]), sp.csr_matrix(balanced[free]))
+    return _solved(sp.csc_matrix(body.stiffness[free][:, free]), balanced[free])
 
 
-def _solved(matrix: sp.csc_matrix, forces: sp.csr_matrix) -> CondensedSolid:
+def _solved(matrix: sp.csc_matrix, forces: Array) -> CondensedSolid:
     factor = factorise(matrix)
     count = forces.shape[1]
     flexibility = np.empty((count, count))
     for start in range(0, count, RIGHT_HAND_SIDES):
         some = slice(start, min(start + RIGHT_HAND_SIDES, count))
-        flexibility[:, some] = forces.T @ factor.solve(forces[:, some].toarray())
+        flexibility[:, some] = forces.T @ factor.solve(np.ascontiguousarray(forces[:, some]))
     factor.release()
-    return CondensedSolid(
-        flexibility=0.5 * (flexibility + flexibility.T),
-        asymmetry=float(np.abs(flexibility - flexibility.T).max() / np.abs(flexibility).max()),
-        dofs=matrix.shape[0],
-        solver=factor.solver,
-    )
+    return CondensedSolid(0.5 * (flexibility + flexibility.T), matrix.shape[0], factor.solver)

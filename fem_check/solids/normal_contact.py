@@ -20,25 +20,22 @@ MAX_CHANGES = 200
 
 @dataclass(frozen=True)
 class NormalContact:
-    """Pressures of a position, and how they change with it."""
+    """Pressures of a position."""
 
     pressures: Array
     """Coefficients of the basis functions [Pa]."""
-    sensitivity: Array
-    """Change of the pressures per change of each gap parameter, (basis, parameter)."""
     active: Array
     """Which basis functions carry pressure."""
     penetration: float
     """Deepest weighted gap below zero, over the largest undeformed overlap."""
 
 
-def solve(flexibility: Array, gaps: Array, gap_slopes: Array, start: Array | None = None) -> NormalContact:
+def solve(flexibility: Array, gaps: Array, start: Array | None = None) -> NormalContact:
     """Solve for the pressures.
 
     Args:
         flexibility: F, of all bodies together, (basis, basis).
         gaps: g, the undeformed gap weighted with each basis function, (basis,).
-        gap_slopes: change of `gaps` with each parameter of position, (basis, parameter).
         start: initial active set.
 
     Raises:
@@ -47,7 +44,7 @@ def solve(flexibility: Array, gaps: Array, gap_slopes: Array, start: Array | Non
     active = gaps < 0.0 if start is None else start.copy()
     scale = float(-gaps.min())
     if scale <= 0.0:
-        return NormalContact(np.zeros_like(gaps), np.zeros_like(gap_slopes), np.zeros(len(gaps), dtype=bool), 0.0)
+        return NormalContact(np.zeros_like(gaps), np.zeros(len(gaps), dtype=bool), 0.0)
     if not active.any():
         active = gaps < 0.0
     seen: set[bytes] = set()
@@ -61,10 +58,7 @@ def solve(flexibility: Array, gaps: Array, gap_slopes: Array, start: Array | Non
         drop = active & (pressure < 0.0)
         add = ~active & (left < -1e-12 * scale)
         if not drop.any() and not add.any():
-            sensitivity = np.zeros_like(gap_slopes)
-            sensitivity[inside] = -cho_solve(factor, gap_slopes[inside])
-            deepest = max(0.0, -float(left.min()))
-            return NormalContact(pressure, sensitivity, active, deepest / scale)
+            return NormalContact(pressure, active, max(0.0, -float(left.min())) / scale)
         if single:
             # One basis function at a time cannot cycle: each change lowers the energy.
             worst = np.where(drop, pressure / np.abs(pressure).max(), np.where(add, left / np.abs(left).max(), 0.0))

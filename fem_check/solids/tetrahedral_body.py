@@ -22,9 +22,6 @@ from fem_check.solids.body_mesh import BodyMesh
 CURVED_TETRAHEDRA = ElementFamily("tet10_curved", "10-node tetrahedra, curved", ElementTetP2, 3, is_tetrahedral=True)
 SURFACE_ORDER = 9
 """Quadrature on the contact's facets: they do not match the cells of the pressure basis, whose kinks fall inside."""
-GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
-"""Ends of the edges on which gmsh's nodes 4 to 9 of a tetrahedron lie."""
-
 
 @dataclass(frozen=True)
 class Facets:
@@ -51,7 +48,7 @@ class TetrahedralBody:
         """Positions (3, node) [m]."""
         return self.space.nodes
 
-    @cached_property
+    @property
     def stiffness(self) -> sp.csr_matrix:
         """[N/m], shape (dof, dof)."""
         return self.material.elastic_modulus * elastic_body.stiffness(self.space, self.material.poisson_ratio)
@@ -112,14 +109,9 @@ def _scikit_fem_mesh(mesh: BodyMesh) -> MeshTet2:
 
     Its reader for 10-node tetrahedra sorts the vertices but not the mid-nodes with them, which folds the elements.
     """
-    vertices = np.unique(mesh.tetrahedra[:4])
-    corners = np.searchsorted(vertices, mesh.tetrahedra[:4])
-    straight = MeshTet2.from_mesh(
-        MeshTet(np.ascontiguousarray(mesh.points[:, vertices]), np.ascontiguousarray(corners))
-    )
+    straight = MeshTet2.from_mesh(MeshTet(np.ascontiguousarray(mesh.points), np.ascontiguousarray(mesh.tetrahedra)))
     positions = straight.doflocs.copy()
-    for middle, (first, second) in zip(mesh.tetrahedra[4:], GMSH_EDGES, strict=True):
-        positions[:, _edge_nodes(straight, corners[first], corners[second])] = mesh.points[:, middle]
+    positions[:, _edge_nodes(straight, *mesh.curved_edges)] = mesh.curved_nodes
     return replace(straight, doflocs=positions)
 
 

@@ -41,9 +41,6 @@ POSITIONS = 8
 """Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh."""
 SMALL = 1e-9
 """Nodes nearer than this to a plane or cylinder lie on it [m]."""
-MESH_CONSTANTS = tuple(
-    getattr(body_mesh, name) for name in ("PATCH", "DEPTH", "DEPTH_GROWTH", "LAYERS", "BESIDE", "GROWTH", "FAR")
-)
 READ = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 
 
@@ -108,7 +105,7 @@ class TrueContact:
     def mesh(self, body: str) -> BodyMesh:
         """Of "ball" (about its centre, contact towards +y) or "ring": kept in the repository, in the cache, or made."""
         patch = self.frame.patch
-        recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, self.elements, *MESH_CONSTANTS]
+        recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements)]
         recipe += [f"{self.groove.ball_radius:.9g}"]
         if body == "ring":
             section = self.section
@@ -138,18 +135,11 @@ class TrueContact:
         frame, groove = self.frame, self.groove
         count = len(frame.basis.forces)
         progress("ball", 0.0)
-        mesh = self.mesh("ball")
-        across, towards = frame.tangent, frame.normal
-        # From contact towards +y into place.
-        turned = np.stack(
-            [
-                -across[0] * mesh.points[0] + towards[0] * mesh.points[1],
-                -across[1] * mesh.points[0] + towards[1] * mesh.points[1],
-                mesh.points[2],
-            ]
-        )
-        turned[:2] += frame.ball.centre[:, None]
-        ball = TetrahedralBody(replace(mesh, points=turned), groove.ball)
+        across = frame.tangent
+        axes = np.zeros((3, 3))
+        axes[:2, 0], axes[:2, 1], axes[2, 2] = -across, frame.normal, 1.0
+        mesh = self.mesh("ball").turned(axes).shifted(np.append(frame.ball.centre, 0.0))
+        ball = TetrahedralBody(mesh, groove.ball)
         poles = [_nearest(ball, frame.ball.centre + side * groove.ball_radius * across) for side in (1.0, -1.0)]
         spread = np.zeros((3 * ball.space.count, 1))
         for node, side in zip(poles, (0.5, -0.5), strict=True):
@@ -196,6 +186,13 @@ class TrueContact:
         turned = sp.csr_matrix(np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]]))
         turn = sp.kron(sp.diags(cut.astype(float)), turned) + sp.kron(sp.diags(1.0 - cut), sp.identity(3))
         return fixed, sp.csr_matrix(turn)
+
+
+def _mesh_choices(elements: int) -> list[float]:
+    """What `body_mesh` settles: a mesh made under another choice is another file."""
+    choices = [body_mesh.PATCH, body_mesh.WIDTH, body_mesh.DEPTH, body_mesh.FIRST_LAYER, body_mesh.FAR]
+    choices += [body_mesh.depth_growth(elements), body_mesh.side_growth(elements), *body_mesh.free_size(elements)]
+    return [elements, *choices]
 
 
 def _nearest(body: TetrahedralBody, point: Array) -> int:
