@@ -117,7 +117,13 @@ def run_checks(names: tuple[str, ...], level: str, as_json: bool, records: Path 
 @click.option(
     "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
 )
-@click.option("--geometry", type=click.Choice(["parabolic", "true"]), default="parabolic", show_default=True)
+@click.option(
+    "--geometry",
+    type=click.Choice(["parabolic", "true"]),
+    default="parabolic",
+    show_default=True,
+    help="Half-spaces and Hertz's gap, or ball and ring as they are.",
+)
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
 def contact(
     scene: str,
@@ -143,8 +149,11 @@ def contact(
         refuse(f"--accuracy {accuracy:g}: a relative error, above 0 and below 1 (1e-3 is a tenth of a per cent)")
     if accuracy is not None and elements is not None:
         refuse("--accuracy and --elements: an accuracy chooses the elements; name one of the two")
-    if elements is not None and elements < single_contact.LEAST_ELEMENTS:
-        refuse(f"--elements {elements}: at least {single_contact.LEAST_ELEMENTS} per semi-axis")
+    if accuracy is not None and geometry == "true":
+        refuse("--accuracy and --geometry true: the meshes of true bodies are chosen by --elements")
+    least = single_contact.LEAST_ELEMENTS if geometry == "parabolic" else single_contact.LEAST_TRUE_ELEMENTS
+    if elements is not None and elements < least:
+        refuse(f"--elements {elements}: at least {least} per semi-axis")
     console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
@@ -163,6 +172,7 @@ def contact(
                 console.print(advice.choice_message(choice, expected))
         with progress_bar(as_json) as reporter:
             findings = single_contact.run(
+                scene,
                 groove,
                 load,
                 sequence,

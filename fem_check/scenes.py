@@ -82,6 +82,11 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
     )
 
 
+def ball_count(scene: str) -> int:
+    """Number of balls of a scene's bearing."""
+    return int(np.asarray(qsbearing.load_scene(scene).bearing.ball_count).ravel()[0])
+
+
 @lru_cache(maxsize=8)
 def operating_loads(scene_name: str, race: str) -> tuple[tuple[str, float], ...]:
     """Label and contact load [N] at every operating point, from the quasi-static model with both ball effects."""

@@ -367,7 +367,9 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
             model.mesh.setTransfiniteCurve(curve, half + 1)
         else:
             count = _layers(WIDTH - PATCH, side_ratio / elements, side_ratio)
-            model.mesh.setTransfiniteCurve(curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio)
+            model.mesh.setTransfiniteCurve(
+                curve, count + 1, "Progression", side_ratio if step[2] > 0.0 else 1.0 / side_ratio
+            )
     for face in faces:
         model.mesh.setTransfiniteSurface(face)
     model.mesh.setTransfiniteVolume(block)

@@ -23,6 +23,7 @@ CURVED_TETRAHEDRA = ElementFamily("tet10_curved", "10-node tetrahedra, curved", 
 SURFACE_ORDER = 9
 """Quadrature on the contact's facets: they do not match the cells of the pressure basis, whose kinks fall inside."""
 
+
 @dataclass(frozen=True)
 class Facets:
     """Quadrature points on boundary facets."""

@@ -102,8 +102,8 @@ class TrueContact:
             is_inner,
         )
 
-    def mesh(self, body: str) -> BodyMesh:
-        """Of "ball" (about its centre, contact towards +y) or "ring": kept in the repository, in the cache, or made."""
+    def mesh_file(self, body: str) -> str:
+        """Name of the file of a body's mesh, with a digest of all that it is made from."""
         patch = self.frame.patch
         recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements)]
         recipe += [f"{self.groove.ball_radius:.9g}"]
@@ -112,10 +112,15 @@ class TrueContact:
             lengths = (*section.groove_centre, section.groove_radius, section.back_radius, section.width)
             recipe += [self.groove.race_name, self.ball_count, *(f"{length:.6g}" for length in lengths)]
         digest = hashlib.sha256(json.dumps(recipe).encode()).hexdigest()[:12]
-        name = f"true_{body}_{self.elements:02d}-{digest}.npz"
+        return f"true_{body}_{self.elements:02d}-{digest}.npz"
+
+    def mesh(self, body: str) -> BodyMesh:
+        """Of "ball" (about its centre, contact towards +y) or "ring": kept in the repository, in the cache, or made."""
+        name = self.mesh_file(body)
         kept, path = meshing.committed_folder() / name, meshing.cache_folder() / name
         if kept.is_file() or path.is_file():
             return BodyMesh.read(kept if kept.is_file() else path)
+        patch = self.frame.patch
         if body == "ball":
             towards_y = replace(patch, normal=np.array([0.0, 1.0]))
             made = body_mesh.quarter_ball(self.groove.ball_radius, towards_y, self.elements)
@@ -124,6 +129,11 @@ class TrueContact:
         path.parent.mkdir(parents=True, exist_ok=True)
         made.save(path)
         return made
+
+    @property
+    def cells(self) -> float:
+        """Cells of the mesh per semi-axis of the contact it is made for; a whole number of them fills the patch."""
+        return (len(self.frame.basis.lines_y) - 1) * self.frame.patch.semi_minor_axis / self.frame.patch.half_width
 
     @property
     def half_pitch(self) -> float:
@@ -156,7 +166,6 @@ class TrueContact:
                 False: half.flexibility[axis, axis] + segment.flexibility[axis, axis],
             },
             half.flexibility[-1, surface],
-            max(half.asymmetry, segment.asymmetry),
             half.dofs + segment.dofs,
             half.solver,
         )
@@ -213,7 +222,6 @@ class CondensedContact:
     """Of both bodies, with the pressure along the surfaces' normal (True) or the contact's axis (False)."""
     bulge: Array
     """By how much each basis function pushes the ball's equator out, across the groove [m/Pa]."""
-    asymmetry: float
     dofs: int
     solver: str
 
@@ -226,7 +234,7 @@ class CondensedContact:
             parabola: Hertz's parabola in place of the exact gap.
         """
         size = (load / self.contact.load) ** (1.0 / 3.0)
-        cells = self.contact.elements * size
+        cells = size * self.contact.cells
         found = []
         start: Array | None = None
         for position in range(POSITIONS):
