@@ -118,8 +118,8 @@ def gap_rows(solved: Solved) -> list[Row]:
         of_both = 100.0 * uncertainty / reference.ratio[name] + reference.uncertainty_percent[name]
         rows.append(
             Row(
-                f"{solved.case}: true bodies, pressure along the contact's axis",
-                f"{name}, exact gap over parabola",
+                f"{solved.case}: exact gap over parabola, true bodies",
+                f"{name} over Hertz",
                 "1",
                 reference.ratio[name],
                 boundary_element.SOURCE,
@@ -134,7 +134,7 @@ def gap_rows(solved: Solved) -> list[Row]:
     rows.append(
         Row(
             f"{solved.case}: ball pressed at two opposite points",
-            "its equator moves out across the groove",
+            "equator moves out",
             "m",
             exact,
             "elastic sphere in a series of Legendre polynomials (Lur'e 1964, section 6.4)",

@@ -10,5 +10,6 @@ How one contact, or several, are solved; SI units throughout, the plane of symme
     pressure = normal_contact.solve(flexibility, gaps)                  # p >= 0, gap >= 0, for a given position
     contact_results.read(contact, pressure)                             # Q, angle, a, b, largest pressure
 
+`true_contact` puts half a ball and one ring segment together this way, under a load along the contact angle;
 `bearing_sector` puts ball and both rings together this way and finds their positions by Newton's method.
 """
