@@ -131,7 +131,13 @@ def _kept(finished: list[str], out: Path) -> str:
 @click.option(
     "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
 )
-@click.option("--geometry", type=click.Choice(["parabolic", "true"]), default="parabolic", show_default=True)
+@click.option(
+    "--geometry",
+    type=click.Choice(["parabolic", "true"]),
+    default="parabolic",
+    show_default=True,
+    help="Half-spaces and Hertz's gap, or ball and ring as they are.",
+)
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
 def contact(
     scene: str,
@@ -157,8 +163,11 @@ def contact(
         refuse(f"--accuracy {accuracy:g}: a relative error, above 0 and below 1 (1e-3 is a tenth of a per cent)")
     if accuracy is not None and elements is not None:
         refuse("--accuracy and --elements: an accuracy chooses the elements; name one of the two")
-    if elements is not None and elements < single_contact.LEAST_ELEMENTS:
-        refuse(f"--elements {elements}: at least {single_contact.LEAST_ELEMENTS} per semi-axis")
+    if accuracy is not None and geometry == "true":
+        refuse("--accuracy and --geometry true: the meshes of true bodies are chosen by --elements")
+    least = single_contact.LEAST_ELEMENTS if geometry == "parabolic" else single_contact.LEAST_TRUE_ELEMENTS
+    if elements is not None and elements < least:
+        refuse(f"--elements {elements}: at least {least} per semi-axis")
     console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
@@ -173,9 +182,11 @@ def contact(
                 console.print(choice.message)
             runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"{sequence[-1]} elements per semi-axis")
             with progress_bar(as_json) as reporter:
-                findings = single_contact.run(groove, load, sequence, geometry, reporter("contact"), accuracy)
+                findings = single_contact.run(scene, groove, load, sequence, geometry, reporter("contact"), accuracy)
+            if accuracy is None:
+                break
             reached, quantity = mesh_choice.reached(findings.rows)
-            if accuracy is None or reached <= accuracy:
+            if reached <= accuracy:
                 break
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
     except (

@@ -99,7 +99,8 @@ def solve(
             # are saved.
             height = undeformed(x, y)
             start = height < 0.3 * height.max()
-        pressure, approach, left = _active_set(length * flexibility, gaps, basis.forces, force, start)
+        pressure, moved, left = active_set(length * flexibility, gaps, basis.forces[:, None], np.array([force]), start)
+        approach = float(moved[0])
         start = pressure > 0.0
         pressures[:, position] = pressure
         approaches[position] = approach
@@ -115,26 +116,39 @@ def solve(
     )
 
 
-def _active_set(
-    flexibility: Array, gaps: Array, areas: Array, force: float, start: Array
-) -> tuple[Array, float, Array]:
-    """Pressures, approach and remaining weighted gaps of the dense contact problem."""
+def active_set(
+    flexibility: Array, gaps: Array, motions: Array, forces: Array, start: Array
+) -> tuple[Array, Array, Array]:
+    """Pressures, approaches and remaining weighted gaps of the dense contact problem.
+
+    Args:
+        flexibility: shape (basis, basis).
+        gaps: weighted with each basis function, shape (basis,).
+        motions: by how much each rigid motion closes each weighted gap, shape (basis, motion); the first is the
+            approach, and so the area.
+        forces: that the pressures exert along each motion.
+        start: initial active set.
+
+    Raises:
+        ContactError: the active set does not settle.
+    """
     active = start.copy()
+    areas = motions[:, 0]
     seen: set[bytes] = set()
     single = False
     for _ in range(MAX_CHANGES):
         inside = np.flatnonzero(active)
         factor = cho_factor(flexibility[np.ix_(inside, inside)], check_finite=False)
-        per_approach, from_gap = cho_solve(factor, np.column_stack([areas[inside], gaps[inside]])).T
-        approach = (force + areas[inside] @ from_gap) / (areas[inside] @ per_approach)
+        per_motion, from_gap = np.split(cho_solve(factor, np.column_stack([motions[inside], gaps[inside]])), [-1], 1)
+        moved = np.linalg.solve(motions[inside].T @ per_motion, forces + motions[inside].T @ from_gap[:, 0])
         pressure = np.zeros_like(areas)
-        pressure[inside] = approach * per_approach - from_gap
-        left = flexibility[:, inside] @ pressure[inside] + gaps - approach * areas
-        tolerance = 1e-12 * approach * areas
+        pressure[inside] = per_motion @ moved - from_gap[:, 0]
+        left = flexibility[:, inside] @ pressure[inside] + gaps - motions @ moved
+        tolerance = 1e-12 * moved[0] * areas
         drop = active & (pressure < 0.0)
         add = ~active & (left < -tolerance)
         if not drop.any() and not add.any():
-            return pressure, float(approach), np.where(active, 0.0, left)
+            return pressure, moved, np.where(active, 0.0, left)
         if single:
             # One basis function at a time cannot cycle: each change lowers the energy.
             worst = np.where(drop, pressure / np.abs(pressure).max(), np.where(add, left / np.abs(left).max(), 0.0))

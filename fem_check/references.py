@@ -18,9 +18,9 @@ from math import exp, pi
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
-from scipy.special import elliprd, elliprf
+from scipy.special import elliprd, elliprf, eval_legendre
 
-from fem_check.contact_problem import ContactProblem, ContactQuantities
+from fem_check.contact_problem import Array, ContactProblem, ContactQuantities, ElasticConstants
 
 HERTZ_SOURCE = "Hertz 1881; Johnson 1985, section 4.2, in Carlson's integrals RF and RD"
 SHEAR_SOURCE = "Boussinesq's point load (Johnson 1985, eqs 3.19) integrated over Hertz's pressure"
@@ -91,3 +91,31 @@ def largest_shear(ellipticity: float, poisson_ratio: float) -> tuple[float, floa
 def curvature_ratio(ratio: float) -> float:
     """curvature_x/curvature_y that gives an ellipse of the given b/a: the inverse of `axis_ratio`."""
     return float(elliprd(0.0, ratio * ratio, 1.0) / elliprd(0.0, 1.0, ratio * ratio))
+
+
+def pressed_sphere(cosines: Array, forces: Array, radius: float, material: ElasticConstants) -> float:
+    """Outward displacement [m] of a point on a sphere under radial forces, each with its mirror image at the antipode.
+
+    A. I. Lur'e, Three-Dimensional Problems of the Theory of Elasticity, 1964, section 6.4: the normal traction P_n goes
+    with the displacement A(n+1)(n-2+4nu) + Bn, where A(n^2+2n-1+2nu) + B(n-1) = 0 leaves no shear. Odd terms cancel.
+    Forces spread over a patch, of which each part is a tenth or less, and a point a right angle or so away from it.
+
+    Args:
+        cosines: of the angle between the point and each force, shape (force,).
+        forces: towards the centre [N], shape (force,).
+        radius: [m].
+        material: of the sphere.
+    """
+    nu = material.poisson_ratio
+    # Of a patch the terms fade once a wave is shorter than it; soon after, the single forces would begin to show.
+    spread = np.sqrt(forces @ (cosines - forces @ cosines / forces.sum()) ** 2 / forces.sum())
+    n = np.arange(2.0, 8.0 / spread, 2.0)
+    b = -(n * n + 2.0 * n - 1.0 + 2.0 * nu) / (n - 1.0)
+    traction = (n + 1.0) * (n * n - n - 2.0 - 2.0 * nu) + b * n * (n - 1.0)
+    displacement = np.concatenate(
+        [[(2.0 - 4.0 * nu) / (2.0 + 2.0 * nu)], ((n + 1.0) * (n - 2.0 + 4.0 * nu) + b * n) / traction]
+    )
+    n = np.concatenate([[0.0], n])
+    parts = eval_legendre(n[:, None], cosines) @ forces
+    twice_shear_modulus = material.elastic_modulus / (1.0 + nu)
+    return -float(np.sum(2.0 * (2.0 * n + 1.0) * displacement * parts)) / (4.0 * pi * radius * twice_shear_modulus)

@@ -112,6 +112,11 @@ def operating_points(source: str) -> dict[str, qsbearing.Scene]:
     }
 
 
+def ball_count(scene: str) -> int:
+    """Number of balls of a scene's bearing."""
+    return int(np.asarray(qsbearing.load_scene(scene).bearing.ball_count).ravel()[0])
+
+
 @lru_cache(maxsize=8)
 def solved(source: str) -> tuple[Solved, ...]:
     """A scene, solved at its operating points.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fem_check import contact, convergence, half_space_contact, measuring, meshing, references
 from fem_check.agreement import Findings, Level, Row
+from fem_check.checks import true_geometry
 from fem_check.contact_problem import QUANTITIES
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import SEQUENCES
@@ -14,6 +15,8 @@ from fem_check.references import hertz
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5
 """The sequence of three needs two coarser meshes, and two elements per semi-axis are too few for a contact."""
+LEAST_TRUE_ELEMENTS = 6
+"""Of true bodies, whose meshes lie farther apart."""
 
 
 def level_of(elements: int) -> Level:
@@ -31,6 +34,7 @@ def sequence_of(elements: int) -> tuple[int, ...]:
 
 
 def run(
+    scene: str,
     groove: BallInGroove,
     load: float,
     sequence: tuple[int, ...],
@@ -41,30 +45,33 @@ def run(
     """Solve one contact on a sequence of meshes.
 
     Args:
+        scene: the bearing, of which true bodies need more than the contact.
         groove: ball and raceway.
         load: normal load [N].
         sequence: elements per semi-axis, coarse to fine; the last gives the result, all of them its uncertainty.
-        geometry: "parabolic", where Hertz is exact, or "true".
+        geometry: "parabolic", half-spaces where Hertz is exact, or "true": ball and ring segment at the loaded contact
+            angle.
         progress: progress callback.
         accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
+    if geometry == "true":
+        return true_geometry.single(scene, groove.race_name, load, sequence[-1], progress)
     problem = groove.problem(load)
     exact = hertz(problem)
-    gap = groove.gap if geometry == "true" else None
     elements = sequence[-1]
     sizes, measured = [], []
     for count in sequence:
         bodies = half_space_contact.condensed_bodies(problem, count, progress=progress)
         unit = contact.edge_positions(exact.semi_minor_axis, bodies.edge_element)
         flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
-        solution = contact.solve(problem, bodies.basis, flexibility, unit, gap)
+        solution = contact.solve(problem, bodies.basis, flexibility, unit)
         measured.append(measuring.measure(solution, bodies.ball, bodies.race))
         sizes.append(bodies.edge_element)
-    case = f"{problem.name}, Q = {load:g} N, {geometry} gap"
+    case = f"{problem.name}, Q = {load:g} N, parabolic gap"
     level = level_of(elements)
     tolerances, why = half_space_contact.TOLERANCES[level], half_space_contact.WHY[level]
-    if geometry != "parabolic" or (accuracy is None and elements < half_space_contact.SEQUENCES[Level.QUICK][-1]):
-        tolerances, why = {}, "a finding: true gap, or too coarse a mesh for a tolerance"
+    if accuracy is None and elements < half_space_contact.SEQUENCES[Level.QUICK][-1]:
+        tolerances, why = {}, "a finding: too coarse a mesh for a tolerance"
     elif accuracy is not None:
         tolerances, why = dict.fromkeys(JUDGED, 100.0 * accuracy), "the accuracy asked for"
     rows = []

@@ -173,22 +173,32 @@ def convergence(entry: Entry) -> Figure:
 
 
 def true_geometry(entry: Entry) -> Figure:
-    """Deviation of the true bodies from Hertz, split."""
+    """The true contact and the gap's shape alone, over Hertz, against the load."""
     series = entry["pictures"]["true_geometry"]
     figure, grid = plt.subplots(2, 2, figsize=(8.4, 6.0), sharex=True, layout="constrained")
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
     for axes, name in zip(grid.ravel(), names, strict=True):
-        for race, style in (("inner", "-"), ("outer", "--")):
-            part = series[race]
-            shape = np.asarray(part["gap_shape_percent"][name])
-            bodies = np.asarray(part["finite_bodies_percent"][name])
-            axes.semilogx(part["load_N"], shape, f"o{style}", color="#4c72b0", markersize=3, label=f"gap shape, {race}")
-            axes.semilogx(part["load_N"], bodies, f"s{style}", color="#c44e52", markersize=3, label=f"bodies, {race}")
+        for race, part in series.items():
+            style = "-" if race == "inner" else "--"
+            for key, colour, label in (
+                ("gap_shape", "#4c72b0", "exact gap"),
+                ("true_contact", "#c44e52", "exact gap, pressure along the surface"),
+            ):
+                values, spread = part[f"{key}_percent"][name], part[f"{key}_uncertainty"][name]
+                axes.errorbar(
+                    part["load_N"], values, spread, fmt=f"o{style}", color=colour, markersize=3, capsize=3,
+                    label=f"{label}, {race}",
+                )  # fmt: skip
+            values = part["boundary_elements_percent"][name]
+            axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
+        axes.set_xscale("log")
         axes.axhline(0.0, **HERTZ)
         axes.set(title=name.replace("_", " "), ylabel="deviation from Hertz, %")
     for axes in grid[1]:
-        load_axis(axes, series["inner"]["load_N"])
-    grid[0, 0].legend(fontsize=8)
+        load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=8)
+    figure.suptitle("On true bodies; their own compliance, which moves the approach alone, left out", fontsize=10)
     return figure
 
 

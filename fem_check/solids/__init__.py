@@ -10,5 +10,6 @@ How one contact, or several, are solved; SI units throughout, the plane of symme
     contact = normal_contact.solve(flexibility, frame.weighted_gap(ball, groove))   # both bodies' flexibility, added
     contact_results.read(frame, contact.pressures)                     # Q, angle, a, b, largest pressure
 
+`true_contact` puts half a ball and one ring segment together this way, under a load along the contact angle;
 `bearing_sector` puts ball and both rings together this way and finds their positions by Newton's method.
 """

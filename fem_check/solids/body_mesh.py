@@ -132,6 +132,10 @@ class BodyMesh:
         """The mesh moved as a whole by a vector [m]."""
         return replace(self, points=self.points + by[:, None], curved_nodes=self.curved_nodes + by[:, None])
 
+    def turned(self, axes: Array) -> BodyMesh:
+        """The mesh in other axes: those of its own are the columns of `axes`, shape (3, 3)."""
+        return replace(self, points=axes @ self.points, curved_nodes=axes @ self.curved_nodes)
+
     def save(self, path: Path) -> None:
         """Write whole or not at all; compressed, in single precision: 1e-9 m, where elements are 1e-5 m and more.
 
@@ -189,16 +193,38 @@ def ball(radius: float, patches: Sequence[Patch], elements: int) -> BodyMesh:
         normals = np.array([patch.normal for patch in patches])
         pole = np.linalg.eigh(normals.T @ normals)[1][:, 0]
         occ.rotate([(3, solid)], 0, 0, 0, 0, 0, 1, float(np.arctan2(-pole[0], pole[1])))
-        blocks = []
-        for patch in patches:
-            face = _block_face(occ, np.zeros(2), patch, _mm(radius), inward=True)
-            # About the contact's tangent (x') through the centre, from the plane of symmetry towards z > 0.
-            axis = np.cross([*patch.normal, 0.0], [0.0, 0.0, 1.0])
-            blocks += _block(occ, face, axis, patch, radius)
-        occ.fragment([(3, solid)], [(3, block) for block in blocks])
-        occ.synchronize()
-        positions = [_mm(radius) * patch.normal for patch in patches]
-        return _meshed(gmsh, patches, positions, [-1.0] * len(patches), elements, FAR * _mm(radius))
+        return _with_blocks(gmsh, solid, radius, patches, elements)
+
+
+def quarter_ball(radius: float, patch: Patch, elements: int) -> BodyMesh:
+    """Half of `ball` that is left of its equator, the plane through its centre normal to the contact.
+
+    Args:
+        radius: [m].
+        patch: its contact.
+        elements: per semi-axis of the contact.
+    """
+    with _model() as gmsh:
+        occ = gmsh.model.occ
+        solid = occ.addSphere(0, 0, 0, _mm(radius), -1, -0.5 * pi, 0.5 * pi, 0.5 * pi)
+        # From a quarter round the z axis to one round the contact's tangent: no pole comes near the contact.
+        occ.rotate([(3, solid)], 0, 0, 0, 1, 0, 0, 0.5 * pi)
+        occ.rotate([(3, solid)], 0, 0, 0, 0, 0, 1, float(np.arctan2(patch.normal[1], patch.normal[0])))
+        return _with_blocks(gmsh, solid, radius, [patch], elements)
+
+
+def _with_blocks(gmsh: Any, solid: int, radius: float, patches: Sequence[Patch], elements: int) -> BodyMesh:
+    occ = gmsh.model.occ
+    blocks = []
+    for patch in patches:
+        face = _block_face(occ, np.zeros(2), patch, _mm(radius), inward=True)
+        # About the contact's tangent (x') through the centre, from the plane of symmetry towards z > 0.
+        axis = np.cross([*patch.normal, 0.0], [0.0, 0.0, 1.0])
+        blocks += _block(occ, face, axis, patch, radius)
+    occ.fragment([(3, solid)], [(3, block) for block in blocks])
+    occ.synchronize()
+    positions = [_mm(radius) * patch.normal for patch in patches]
+    return _meshed(gmsh, patches, positions, [-1.0] * len(patches), elements, FAR * _mm(radius))
 
 
 def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -> BodyMesh:

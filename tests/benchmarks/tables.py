@@ -131,7 +131,7 @@ def true_geometry() -> str:
     """Deviation of B218's true bodies from Hertz."""
     table: dict[str, dict[str, float]] = {}
     for row in records_store.read_all()["true_geometry"]["rows"]:
-        case = row["case"].removesuffix(": true bodies")
+        case = row["case"].removesuffix(": true contact")
         if case != row["case"]:
             table.setdefault(case, {})[row["quantity"]] = row["deviation_percent"]
     names = [name for name in QUANTITIES if name != "max_shear_stress"]

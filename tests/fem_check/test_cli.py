@@ -63,6 +63,38 @@ def _replaced(findings):
         (["contact", "--scene", "no_such", "--race", "inner", "--load-N", "10"], "no_such"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "2"], "at least 5"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "400"], "MB are free"),
+        (
+            [
+                "contact",
+                "--scene",
+                "b218",
+                "--race",
+                "inner",
+                "--load-N",
+                "10",
+                "--geometry",
+                "true",
+                "--elements",
+                "5",
+            ],
+            "at least 6",
+        ),
+        (
+            [
+                "contact",
+                "--scene",
+                "b218",
+                "--race",
+                "inner",
+                "--load-N",
+                "9",
+                "--geometry",
+                "true",
+                "--accuracy",
+                "0.1",
+            ],
+            "chosen by --elements",
+        ),
     ],
 )
 def test_bad_input_is_exit_2_with_a_sentence(arguments, said):

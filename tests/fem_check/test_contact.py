@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fem_check import agreement, contact, elastic_body, half_space_contact, measuring, true_bodies
+from fem_check import agreement, contact, elastic_body, half_space_contact, measuring
 from fem_check.checks import ALL
 from fem_check.contact_problem import ContactProblem, ElasticConstants
 from fem_check.elastic_body import Support
@@ -67,17 +67,6 @@ def test_a_patch_too_small_is_said(inner):
     flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
     with pytest.raises(contact.ContactError, match="fills the whole patch"):
         contact.solve(problem, bodies.basis, flexibility, np.array([0.5 * hertz(problem).semi_minor_axis]))
-
-
-def test_inflated_cube_is_a_ball():
-    grid = np.linspace(0.0, 1.0, 6)
-    x, y = (part.ravel() for part in np.meshgrid(grid, grid, indexing="ij"))
-    one = np.ones_like(x)
-    for face in ((x, y, one), (one, x, y), (x, one, y)):
-        u, v, depth = true_bodies.inflated(*face)
-        np.testing.assert_allclose(u**2 + v**2 + (1.0 - depth) ** 2, 1.0, atol=1e-12)
-    u, v, depth = true_bodies.inflated(x, y, np.zeros_like(x))
-    np.testing.assert_allclose(depth, 1.0)
 
 
 # --- planted errors: each must turn the verdict -----------------------------------------------------------------------

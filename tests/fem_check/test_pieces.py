@@ -50,7 +50,7 @@ def test_active_set_is_the_constrained_minimum():
     root = generator.normal(size=(count, count))
     flexibility = root @ root.T + count * np.eye(count)
     gaps, areas = generator.uniform(0, 3, count), generator.uniform(0.5, 1.5, count)
-    pressure, approach, left = contact._active_set(flexibility, gaps, areas, 0.2, gaps < 1.0)
+    pressure, (approach,), left = contact.active_set(flexibility, gaps, areas[:, None], np.array([0.2]), gaps < 1.0)
     # At its approach the pressure minimises the energy over p >= 0: another route to it, by least squares.
     factor = np.linalg.cholesky(flexibility)
     other, _ = nnls(factor.T, np.linalg.solve(factor, approach * areas - gaps))

@@ -1,1 +1,0 @@
-"""Reference values of a boundary-element half-space with the exact gap, and the script that made them."""

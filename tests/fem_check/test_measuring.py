@@ -1,0 +1,65 @@
+"""How the largest pressure is read: from the pressure, exactly for Hertz's."""
+
+import numpy as np
+import pytest
+
+from fem_check import boundary_element, contact, half_space_contact, measuring
+from fem_check.pressure_basis import PressureBasis
+from fem_check.references import hertz
+from fem_check.scenes import groove_contact
+
+
+def grid(points):
+    index = (np.arange(points) - points // 2) / (points // 2.4)
+    return tuple(part.ravel() for part in np.meshgrid(index, index, indexing="ij"))
+
+
+def test_hertz_pressure_is_read_exactly():
+    x, y = grid(41)
+    pressure = 3.0 * np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0))
+    assert measuring.central_pressure(x, y, np.ones_like(x), pressure) == pytest.approx(3.0, rel=1e-13)
+
+
+@pytest.mark.parametrize("elements", [6, 12])
+def test_hertz_pressure_sampled_on_the_mesh(elements):
+    # Straight lines between the nodes cut the rounded top: h^2/12 of its curvature, which is 1 at the centre and twice
+    # that at the edge of the fit, in each of two directions.
+    lines = np.arange(0.0, 1.25, 1.0 / elements)
+    basis = PressureBasis(lines, lines)
+    (x, y), area = basis.samples
+    nodal = np.sqrt(np.maximum(1.0 - (basis.points**2).sum(axis=0), 0.0))
+    found = measuring.central_pressure(x, y, area, basis.values(x, y) @ nodal)
+    assert abs(found - 1.0) < 2.0 * 2.0 / (12.0 * elements**2)
+
+
+def test_a_close_groove_is_read_within_the_gate():
+    # Sampled finely, so that only the form of the fit is in question; 8000 N: 1.7 % off Hertz.
+    groove = groove_contact("b218", "inner")
+    problem = groove.problem(8000.0)
+    exact = hertz(problem)
+    a, b = exact.semi_major_axis, exact.semi_minor_axis
+    points = 65
+    index = (np.arange(points) - points // 2) * 2.3 / points
+    x, y = np.meshgrid(index, index, indexing="ij")
+    compliance = problem.ball.compliance + problem.race.compliance
+    spacing = 2.3 / points
+    pressure, _ = boundary_element.solve(
+        groove.gap(a * x, b * y) / b, problem.load * compliance / b**2, (a / b * spacing, spacing)
+    )
+    read = measuring.central_pressure(x.ravel(), y.ravel(), np.ones(x.size), pressure.ravel())
+    assert read == pytest.approx(pressure.max(), rel=1e-4)
+
+
+def test_largest_pressure_is_not_load_over_ellipse():
+    groove = groove_contact("b218", "inner")
+    problem = groove.problem(5000.0)
+    bodies = half_space_contact.condensed_bodies(problem, 6)
+    unit = contact.edge_positions(hertz(problem).semi_minor_axis, bodies.edge_element)
+    flexibility = contact.total_flexibility(problem, bodies.ball, bodies.race)
+    read = []
+    for gap in (groove.gap, None):
+        solution = contact.solve(problem, bodies.basis, flexibility, unit, gap)
+        read.append(measuring.measure(solution, bodies.ball, bodies.race).mean.max_pressure)
+    reference = boundary_element.over_hertz(groove, 5000.0)
+    # 0.05 points is the gate; 3Q/(2 pi a b) is 0.57 points too high.
+    assert 100.0 * (read[0] / read[1] - reference.ratio["max_pressure"]) == pytest.approx(0.0, abs=0.05)

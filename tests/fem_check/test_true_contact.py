@@ -1,0 +1,138 @@
+"""One contact as true bodies, on its coarsest mesh, and planted errors that must not pass."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import qsbearing
+from fem_check import boundary_element, references
+from fem_check.checks import true_geometry
+from fem_check.contact import ContactError
+from fem_check.contact_problem import ElasticConstants
+from fem_check.groove import BallInGroove
+from fem_check.scenes import groove_contact
+from fem_check.solids import true_contact
+from fem_check.solids.true_contact import TrueContact, loaded_angle
+
+STEEL = ElasticConstants(208e9, 0.3)
+LOAD = 2000.0
+
+
+@pytest.fixture(scope="module")
+def contact() -> TrueContact:
+    return true_geometry.contacts("b218", "inner", LOAD, (3,))[0]
+
+
+@pytest.fixture(scope="module")
+def condensed(contact):
+    return contact.condensed()
+
+
+def gap_misses(condensed) -> list[str]:
+    """Quantities whose ratio to the parabola's is farther from the boundary elements' than the check allows."""
+    reference = boundary_element.over_hertz(condensed.contact.groove, LOAD).ratio
+    exact = condensed.over_hertz(LOAD, follows_surface=False)
+    parabola = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
+    return [
+        name
+        for name, tolerance in true_geometry.GAP_TOLERANCES.items()
+        if not 100.0 * abs(exact[name] / parabola[name] / reference[name] - 1.0) <= tolerance
+    ]
+
+
+def test_gap_of_the_true_bodies_is_the_boundary_elements(condensed):
+    assert gap_misses(condensed) == []
+
+
+def test_ball_moves_out_at_its_equator_like_an_elastic_sphere(condensed):
+    found, exact = condensed.bulges(LOAD)
+    assert found == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
+
+
+def test_angle_is_that_of_the_model_at_rest():
+    scene = replace(qsbearing.load_scene("b218"), operation=qsbearing.Operation(speed=0.0, axial_load=20_000.0))
+    inner = qsbearing.solve(scene).inner
+    load, angle = float(inner.load.ravel()[0]), float(inner.angle.ravel()[0])
+    # Rounded to 1e-6 rad; the rest is rounding.
+    assert loaded_angle(*(groove_contact("b218", race) for race in ("inner", "outer")), load) == pytest.approx(
+        angle, abs=1e-6
+    )
+
+
+def test_sphere_under_pressure_all_round():
+    # Each force stands for two: p = 2F/(4 pi R^2), and the sphere shrinks by (1 - 2 nu) p R/E.
+    cosines, forces = np.linspace(-0.9999, 0.9999, 10_000), np.full(10_000, 0.5)
+    pressure = 2.0 * forces.sum() / (4.0 * np.pi * 0.01**2)
+    found = references.pressed_sphere(cosines, forces, 0.01, STEEL)
+    assert found == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
+
+
+def test_normals_that_follow_the_surface_matter(condensed):
+    surface = condensed.over_hertz(LOAD, follows_surface=True)
+    axis = condensed.over_hertz(LOAD, follows_surface=False)
+    # A slope of a/R = 0.2 at the edge: of the order of its square over ten, and towards a shorter, wider contact.
+    assert 1.001 < surface["semi_minor_axis"] / axis["semi_minor_axis"] < 1.005
+    assert 0.995 < surface["semi_major_axis"] / axis["semi_major_axis"] < 0.999
+
+
+def test_load_beyond_the_mesh_is_said(condensed):
+    with pytest.raises(ContactError, match="fills the patch"):
+        condensed.over_hertz(3.0 * LOAD, follows_surface=True)
+
+
+# --- planted errors ---------------------------------------------------------------------------------------------------
+
+
+def test_planted_parabola(condensed):
+    planted = replace(condensed, contact=_with_gap(condensed.contact))
+    assert "semi_major_axis" in gap_misses(planted)
+
+
+def _with_gap(contact):
+    planted = replace(contact)
+    parabola = contact.groove.problem(LOAD).parabolic_gap
+
+    class Frame(type(contact.frame)):
+        def gap(self, xi, eta, ball=None, groove=None):
+            return parabola(xi, eta)
+
+    frame = contact.frame
+    vars(planted)["frame"] = Frame(**{name: getattr(frame, name) for name in frame.__dataclass_fields__})
+    return planted
+
+
+def test_planted_groove_without_the_contact_angle(condensed, monkeypatch):
+    def without(self):
+        reach = self.ball_diameter / self.pitch_diameter
+        return self.ball_radius * (1.0 + self._sign * reach) / reach
+
+    boundary_element.over_hertz.cache_clear()
+    monkeypatch.setattr(BallInGroove, "rolling_radius", property(without))
+    try:
+        assert gap_misses(condensed)
+    finally:
+        boundary_element.over_hertz.cache_clear()
+
+
+def test_planted_largest_pressure_from_the_formula(condensed, monkeypatch):
+    def formula(x, y, area, pressure):
+        # x/a and y/b come in: the area is over a b too.
+        scale = area.sum() / ((x.max() - x.min()) * (y.max() - y.min()))
+        return 1.5 * float(pressure @ area) / scale / (0.5 * np.pi)
+
+    monkeypatch.setattr(true_contact, "central_pressure", formula)
+    assert gap_misses(condensed) == ["max_pressure"]
+
+
+def test_planted_ball_clamped_at_its_equator(contact, monkeypatch):
+    right = TrueContact._equator
+
+    def clamped(self, ball):
+        fixed, axes = right(self, ball)
+        fixed[fixed[:, 0]] = True
+        return fixed, axes
+
+    monkeypatch.setattr(TrueContact, "_equator", clamped)
+    found, exact = contact.condensed().bulges(LOAD)
+    assert abs(found / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
