@@ -165,6 +165,7 @@ class TrueContact:
                 True: half.flexibility[surface, surface] + segment.flexibility[surface, surface],
                 False: half.flexibility[axis, axis] + segment.flexibility[axis, axis],
             },
+            (half.flexibility[axis, axis], segment.flexibility[axis, axis]),
             half.flexibility[-1, surface],
             half.dofs + segment.dofs,
             half.solver,
@@ -220,6 +221,8 @@ class CondensedContact:
     contact: TrueContact
     flexibility: dict[bool, Array]
     """Of both bodies, with the pressure along the surfaces' normal (True) or the contact's axis (False)."""
+    bodies: tuple[Array, Array]
+    """Ball's and ring's alone, along the axis."""
     bulge: Array
     """By how much each basis function pushes the ball's equator out, across the groove [m/Pa]."""
     dofs: int
@@ -281,6 +284,22 @@ class CondensedContact:
         x = x - share @ x
         a, b = float(np.sqrt(5.0 * (share @ x**2))), float(np.sqrt(5.0 * (share @ y**2)))
         return a, b, central_pressure(x / a, y / b, area, at)
+
+    def added_compliances(self, load: float) -> tuple[float, float]:
+        """What ball and ring each add to the approach of a half-space under the same pressure, over the load [m/N]."""
+        groove = self.contact.groove
+        problem = groove.problem(load)
+        pressure, _ = self._pressure(load, follows_surface=False, parabola=True)
+        exact = hertz(problem)
+        # Mean displacement under Hertz's pressure, of which <x^2> = a^2/5; each half-space has its compliance's share.
+        lower = (
+            0.1 * problem.curvature_x * exact.semi_major_axis**2 + 0.1 * problem.curvature_y * exact.semi_minor_axis**2
+        )
+        share = self.contact.frame.ball_share
+        force = float(self.contact.frame.basis.forces @ pressure)
+        ball, ring = (float(pressure @ body @ pressure) / force for body in self.bodies)
+        mean = exact.approach - lower
+        return (ball - share * mean) / load, (ring - (1.0 - share) * mean) / load
 
     def bulges(self, load: float) -> tuple[float, float]:
         """By how much the ball's equator moves out, across the groove: finite elements, exact sphere [m]."""
