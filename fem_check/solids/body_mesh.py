@@ -74,6 +74,8 @@ class Patch:
     """[m]"""
     semi_minor_axis: float
     """[m]"""
+    along: float = ALONG
+    """Elements per semi-major axis over those per semi-minor axis."""
 
     @property
     def half_length(self) -> float:
@@ -370,7 +372,7 @@ def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: in
         step = ends[1] - ends[0]
         parts = np.abs([step[:2] @ along, step[2], step[:2] @ depth])
         if parts.argmax() == 0:
-            model.mesh.setTransfiniteCurve(curve, 2 * cells(ALONG * elements) + 1)
+            model.mesh.setTransfiniteCurve(curve, 2 * cells(patch.along * elements) + 1)
         elif parts.argmax() == 2:
             count = _layers(DEPTH, FIRST_LAYER / elements, depth_ratio)
             ratio = depth_ratio if step[:2] @ depth > 0.0 else 1.0 / depth_ratio

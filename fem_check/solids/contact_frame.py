@@ -72,7 +72,7 @@ class ContactFrame:
     def basis(self) -> PressureBasis:
         """Hat functions over half the patch, eta >= 0."""
         x, y = self.patch.half_length, self.patch.half_width
-        along, across = body_mesh.cells(body_mesh.ALONG * self.elements), body_mesh.cells(self.elements)
+        along, across = body_mesh.cells(self.patch.along * self.elements), body_mesh.cells(self.elements)
         return PressureBasis(np.linspace(-x, x, 2 * along + 1), np.linspace(0.0, y, across + 1))
 
     def ball_height(self, xi: Array, eta: Array, ball: Sphere | None = None) -> tuple[Array, Array]:
@@ -119,7 +119,8 @@ class ContactFrame:
         Args:
             body: the ball or the ring; its nodes in (axial, radial, tangential), the ball's centre in its place.
             on_ball: which of the two it is.
-            along: "normal", or "tangent": the same force across the groove, towards growing xi on the ball.
+            along: "normal" of the surface; "axis": of the tangent plane, as half-spaces have it; "tangent": the same
+                force as along the normal, but across the groove, towards growing xi on the ball.
         """
         height = self.ball_height if on_ball else self.groove_height
 
@@ -136,6 +137,8 @@ class ContactFrame:
         weights = sp.diags(projected) @ self.basis.values(xi, eta)
         if along == "normal":
             direction = self.in_space(self.force_direction(xi, eta))
+        elif along == "axis":
+            direction = self.in_space(np.stack([np.zeros_like(xi), np.zeros_like(xi), np.ones_like(xi)]))
         else:
             direction = -self.in_space(_across(self.force_direction(xi, eta)))
         sign = -1.0 if on_ball else 1.0

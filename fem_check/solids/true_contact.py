@@ -77,7 +77,8 @@ class TrueContact:
         centre = np.array([0.0, 0.5 * groove.pitch_diameter])
         # Rounded: the same mesh on every machine. Its size is a choice, not part of the problem.
         exact = hertz(groove.problem(self.load))
-        patch = Patch(normal, float(f"{exact.semi_major_axis:.4g}"), float(f"{exact.semi_minor_axis:.4g}"))
+        a, b = (float(f"{axis:.4g}") for axis in (exact.semi_major_axis, exact.semi_minor_axis))
+        patch = Patch(normal, a, b, along=1.0)
         compliances = groove.ball.compliance, groove.race.compliance
         return ContactFrame(
             Sphere(centre, groove.ball_radius),
