@@ -24,7 +24,7 @@ ELEMENTS = {Level.QUICK: 6, Level.RELEASE: 7}
 TOLERANCE = 0.2
 EXPONENT_TOLERANCE = 0.1
 SHOWN_ONLY = ("max_pressure", "max_shear_depth")
-"""Read at a point, where the coarse ends of a mesh for two decades tell most; their gates stand in the groove checks."""
+"""Read at a point, where the coarse ends of a mesh for two decades tell most; gated in the groove checks."""
 WHY = "a tolerance set beforehand, for one mesh over two decades; what is read at a point is shown only"
 EXPONENTS = {
     "approach": 2.0 / 3.0,
