@@ -231,7 +231,12 @@ def bearing_sector(entry: Entry) -> Figure:
         ("inner semi_minor_axis", "%"),
         ("inner max_pressure", "%"),
     )
-    figure, grid = plt.subplots(2, 3, figsize=(11.0, 6.0), sharex=True, layout="constrained")
+    loads = sorted({load for states in series.values() for curve in states.values() for load in curve["load_N"]})
+    figure, grid = plt.subplots(2, 3, figsize=(11.0, 6.0), layout="constrained")
+    for axes in grid.ravel():  # limits first: a single load has no range of its own
+        axes.set(xscale="log", xlim=(0.7 * loads[0], 1.4 * loads[-1]))
+        load_axis(axes, loads)
+        axes.set_xlabel("axial load, N")
     for index, (support, states) in enumerate(series.items()):
         for state, curve in states.items():
             for axes, (name, unit) in zip(grid.ravel(), names, strict=True):
@@ -246,13 +251,9 @@ def bearing_sector(entry: Entry) -> Figure:
                     capsize=3,
                     label=f"{support}, {state}",
                 )
-                axes.set(xscale="log", title=name.replace("_", " "), ylabel=f"elements less model, {unit}")
+                axes.set(title=name.replace("_", " "), ylabel=f"elements less model, {unit}")
     for axes in grid.ravel():
         axes.axhline(0.0, **HERTZ)
-    loads = sorted({load for states in series.values() for curve in states.values() for load in curve["load_N"]})
-    for axes in grid[1]:
-        load_axis(axes, loads)
-        axes.set_xlabel("axial load, N")
     grid[0, 0].legend(fontsize=7)
     return figure
 
