@@ -196,7 +196,7 @@ def test_the_cheapest_that_will_do_comes_first(kept):
         assert first.accuracy <= accuracy
         assert all(choice.seconds >= first.seconds for choice in every if choice.accuracy <= accuracy)
         assert all(other.seconds >= first.seconds for other in others)
-    with pytest.raises(mesh_choice.AccuracyError, match=r"best attainable is .*, with 16 elements per semi-axis"):
+    with pytest.raises(mesh_choice.AccuracyError, match=r"best attainable is .*, with \d+ elements per semi-axis"):
         mesh_choice.proposals(1e-9, kept)
     with pytest.raises(mesh_choice.AccuracyError, match="no cost record"):
         mesh_choice.proposals(1e-2, None)
