@@ -16,6 +16,7 @@ lengths, evenly over one element, and the result is the mean. No mesh line is ev
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +34,22 @@ MAX_CHANGES = 200
 
 class ContactError(Exception):
     """The contact could not be solved; the message says why."""
+
+
+Factor = tuple[Array, bool]
+"""As `scipy.linalg.cho_factor` gives it."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What an active set leads to."""
+
+    pressure: Array
+    """Zero outside the set."""
+    left: Array
+    """The weighted gaps."""
+    tolerance: Array | float
+    """Penetration, weighted, that counts as none."""
 
 
 @dataclass(frozen=True)
@@ -132,23 +149,48 @@ def active_set(
     Raises:
         ContactError: the active set does not settle.
     """
-    active = start.copy()
     areas = motions[:, 0]
-    seen: set[bytes] = set()
-    single = False
-    for _ in range(MAX_CHANGES):
-        inside = np.flatnonzero(active)
-        factor = cho_factor(flexibility[np.ix_(inside, inside)], check_finite=False)
+
+    def given(inside: Array, factor: Factor) -> tuple[Trial, Array]:
         per_motion, from_gap = np.split(cho_solve(factor, np.column_stack([motions[inside], gaps[inside]])), [-1], 1)
         moved = np.linalg.solve(motions[inside].T @ per_motion, forces + motions[inside].T @ from_gap[:, 0])
         pressure = np.zeros_like(areas)
         pressure[inside] = per_motion @ moved - from_gap[:, 0]
         left = flexibility[:, inside] @ pressure[inside] + gaps - motions @ moved
-        tolerance = 1e-12 * moved[0] * areas
+        return Trial(pressure, left, 1e-12 * moved[0] * areas), moved
+
+    active, found, moved = settle(flexibility, start, given)
+    return found.pressure, moved, np.where(active, 0.0, found.left)
+
+
+def settle(
+    flexibility: Array, start: Array, given: Callable[[Array, Factor], tuple[Trial, Array]]
+) -> tuple[Array, Trial, Array]:
+    """Change the active set until no pressure on it is tensile and nothing penetrates outside it.
+
+    Args:
+        flexibility: shape (basis, basis).
+        start: initial active set.
+        given: what an active set leads to, from its indices and the Cholesky factor of the flexibility on it; and the
+            rigid motions that go with it.
+
+    Returns:
+        the active set, what it leads to, and the motions.
+
+    Raises:
+        ContactError: the active set does not settle.
+    """
+    active = start.copy()
+    seen: set[bytes] = set()
+    single = False
+    for _ in range(MAX_CHANGES):
+        inside = np.flatnonzero(active)
+        trial, moved = given(inside, cho_factor(flexibility[np.ix_(inside, inside)], check_finite=False))
+        pressure, left = trial.pressure, trial.left
         drop = active & (pressure < 0.0)
-        add = ~active & (left < -tolerance)
+        add = ~active & (left < -trial.tolerance)
         if not drop.any() and not add.any():
-            return pressure, moved, np.where(active, 0.0, left)
+            return active, trial, moved
         if single:
             # One basis function at a time cannot cycle: each change lowers the energy.
             worst = np.where(drop, pressure / np.abs(pressure).max(), np.where(add, left / np.abs(left).max(), 0.0))

@@ -48,8 +48,6 @@ class Support(StrEnum):
     """Its far faces move as those of a half-space under the contact's own pressure (Boussinesq)."""
     CLAMPED = "clamped"
     """Its far faces are fixed: a finite box."""
-    SYMMETRY_PLANE = "symmetry_plane"
-    """Its deepest face is a plane of symmetry, the sides are free: half a ball between two opposite contacts."""
 
 
 class DisplacementSpace:
@@ -111,9 +109,6 @@ def stiffness(space: DisplacementSpace, poisson_ratio: float, progress: Progress
     return total
 
 
-Slope = Callable[[Array, Array], tuple[Array, Array]]
-
-
 @dataclass(frozen=True)
 class CondensedBody:
     """A body's response to each pressure basis function; its mesh and factor are no longer needed."""
@@ -140,10 +135,7 @@ def condense(
     basis: PressureBasis,
     poisson_ratio: float,
     support: Support,
-    shape: Callable[[Array], Array] | None = None,
-    slope: Slope | None = None,
     progress: Progress = silent,
-    surface_order: int = SURFACE_ORDER,
     family: ElementFamily = SERENDIPITY,
 ) -> CondensedBody:
     """Condense the body onto its contact.
@@ -153,31 +145,19 @@ def condense(
         basis: the pressure, on the tangent plane.
         poisson_ratio: of the body.
         support: boundary condition on the other faces.
-        shape: maps the brick's points (3, point) into the body; None leaves it a brick.
-        slope: the contact surface's slopes dz/dx, dz/dy at (x, y), z into the body; None: flat.
         progress: progress callback.
-        surface_order: quadrature order of the contact's facets.
         family: the elements that the brick is filled with.
     """
-    straight = family.body(brick)
-    reference = DisplacementSpace(straight, family).nodes
-    body = straight
-    if shape is not None:
-        body = type(straight)(shape(straight.p), straight.t, _boundaries=straight.boundaries, sort_t=False)
-    space = DisplacementSpace(body, family)
+    space = DisplacementSpace(family.body(brick), family)
     matrix = stiffness(space, poisson_ratio, progress)
 
-    high = reference.max(axis=1)
+    high = space.nodes.max(axis=1)
     small = 1e-9 * high
     fixed = np.zeros((space.count, 3), dtype=bool)
-    prescribed = np.zeros(space.count, dtype=bool)
-    fixed[reference[0] < small[0], 0] = True
-    fixed[reference[1] < small[1], 1] = True
-    if support is Support.SYMMETRY_PLANE:
-        fixed[reference[2] > high[2] - small[2], 2] = True
-    else:
-        prescribed = np.any(reference > (high - small)[:, None], axis=0)
-        fixed[prescribed] = True
+    fixed[space.nodes[0] < small[0], 0] = True
+    fixed[space.nodes[1] < small[1], 1] = True
+    prescribed = np.any(space.nodes > (high - small)[:, None], axis=0)
+    fixed[prescribed] = True
     free = np.flatnonzero(~fixed.ravel())
     prescribed_dofs = (3 * np.flatnonzero(prescribed)[:, None] + np.arange(3)).ravel()
 
@@ -190,13 +170,12 @@ def condense(
     else:
         prescribed_displacement = np.zeros((len(prescribed_dofs), count))
 
-    loads = _contact_loads(space, basis, slope, surface_order)
+    loads = _contact_loads(space, basis)
     rows = matrix[free]
     coupling = sp.csr_matrix(rows[:, prescribed_dofs])
-    supported = fixed[:, 2] if support is Support.SYMMETRY_PLANE else prescribed
+    supported = 3 * np.flatnonzero(prescribed) + 2
     summing = sp.csr_matrix(
-        (np.ones(int(supported.sum())), (np.zeros(int(supported.sum()), dtype=int), 3 * np.flatnonzero(supported) + 2)),
-        shape=(1, matrix.shape[0]),
+        (np.ones(supported.size), (np.zeros(supported.size, dtype=int), supported)), shape=(1, matrix.shape[0])
     )
     reaction_row = sp.csr_matrix(summing @ matrix)
     progress("factorising", 0.0)
@@ -265,46 +244,25 @@ class _StressPoints:
         return np.concatenate([normal, second * sheared[None]]).reshape(4, -1, displacement.shape[1])
 
 
-def _contact_loads(
-    space: DisplacementSpace, basis: PressureBasis, slope: Slope | None, surface_order: int
-) -> sp.csr_matrix:
-    """Nodal forces of each basis function of unit pressure, shape (dof, basis).
-
-    Pressure acts along the inward normal: on the piece of surface over dx dy that is p (-dz/dx, -dz/dy, 1) dx dy.
-    """
+def _contact_loads(space: DisplacementSpace, basis: PressureBasis) -> sp.csr_matrix:
+    """Nodal forces of each basis function of unit pressure, along z into the body; shape (dof, basis)."""
     facets = space.mesh.boundaries["contact"]
-    facet_basis = FacetBasis(space.mesh, space.family.element(), facets=facets, intorder=surface_order)
+    facet_basis = FacetBasis(space.mesh, space.family.element(), facets=facets, intorder=SURFACE_ORDER)
     positions = np.asarray(facet_basis.global_coordinates())
-    # scikit-fem's facet measure is of the facet itself; its projection on the tangent plane carries the pressure.
-    projected = np.abs(np.asarray(facet_basis.normals)[2]) * facet_basis.dx
     x, y = positions[0].ravel(), positions[1].ravel()
-    basis_values = basis.values(x, y)
-    directions: list[Array | float] = [0.0, 0.0, 1.0]
-    if slope is not None:
-        slope_x, slope_y = slope(x, y)
-        directions = [-slope_x, -slope_y, 1.0]
     points = facet_basis.dx.shape[1]
     column = np.arange(x.size)
     rows, columns, values = [], [], []
     for i in range(facet_basis.Nbfun):
-        value = (np.asarray(facet_basis.basis[i][0]) * projected).ravel()
+        value = (np.asarray(facet_basis.basis[i][0]) * facet_basis.dx).ravel()
         rows.append(np.repeat(facet_basis.element_dofs[i], points))
         columns.append(column)
         values.append(value)
     row, col, val = np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
     relevant = np.abs(val) > 0.0
     shapes = sp.csr_matrix((val[relevant], (row[relevant], col[relevant])), shape=(space.count, x.size))
-    total = sp.csr_matrix((3 * space.count, basis_values.shape[1]))
-    for axis, direction in enumerate(directions):
-        if isinstance(direction, float):
-            if direction == 0.0:
-                continue
-            part = shapes @ basis_values
-        else:
-            part = shapes @ sp.diags(direction) @ basis_values
-        part = sp.coo_matrix(part)
-        total = total + sp.csr_matrix((part.data, (3 * part.row + axis, part.col)), shape=total.shape)
-    return sp.csr_matrix(total)
+    part = sp.coo_matrix(shapes @ basis.values(x, y))
+    return sp.csr_matrix((part.data, (3 * part.row + 2, part.col)), shape=(3 * space.count, part.shape[1]))
 
 
 def pressure_basis_of(brick: MeshHex, samples_per_cell: int = 3) -> PressureBasis:

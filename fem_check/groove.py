@@ -66,27 +66,12 @@ class BallInGroove:
         r2 = x * x + y * y
         return -r2 / (self.ball_radius + np.sqrt(self.ball_radius**2 - r2))
 
-    def ball_slope(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """dz/dx and dz/dy of the ball's surface; kept constant near its rim, where no contact reaches."""
-        height = np.sqrt(np.maximum(self.ball_radius**2 - x * x - y * y, 0.01 * self.ball_radius**2))
-        return -x / height, -y / height
-
     def race_height(self, x: Array, y: Array) -> Array:
         """z of the raceway's surface [m]: the groove rises at its flanks (z < 0), an outer ring along y too."""
         rise = x * x / (self.groove_radius + np.sqrt(self.groove_radius**2 - x * x))
         profile = self.rolling_radius - self._sign * rise  # distance from the bearing axis
         drop = y * y / (profile + np.sqrt(profile**2 - y * y))
         return -rise - self._sign * drop
-
-    def race_slope(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """dz/dx and dz/dy of the raceway's surface; beyond 0.95 groove radii, where no contact reaches, a constant."""
-        inside = np.clip(x, -0.95 * self.groove_radius, 0.95 * self.groove_radius)
-        height = np.sqrt(self.groove_radius**2 - inside**2)
-        rise = inside**2 / (self.groove_radius + height)
-        profile = self.rolling_radius - self._sign * rise
-        root = np.sqrt(profile**2 - y * y)
-        rise_slope = inside / height
-        return -rise_slope * profile / root, -self._sign * y / root
 
     def gap(self, x: Array, y: Array) -> Array:
         """The exact gap along the contact normal [m]."""

@@ -71,12 +71,6 @@ class Recipe:
         return 3 * (vertices + edges)
 
     @property
-    def contact_extent(self) -> tuple[float, float]:
-        """Length and width of the contact face."""
-        last = self.contact_segments
-        return sum(s.length for s in self.x[:last]), sum(s.length for s in self.y[:last])
-
-    @property
     def digest(self) -> str:
         """Short fingerprint of the recipe."""
         return hashlib.sha256(json.dumps(asdict(self), sort_keys=True).encode()).hexdigest()[:12]

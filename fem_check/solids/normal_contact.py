@@ -9,13 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import cho_solve
 
-from fem_check.contact import ContactError
+from fem_check.contact import Factor, Trial, settle
 from fem_check.contact_problem import Array
-
-MAX_CHANGES = 200
-"""Iterations of the active set; ten are usual."""
 
 
 @dataclass(frozen=True)
@@ -41,32 +38,16 @@ def solve(flexibility: Array, gaps: Array, start: Array | None = None) -> Normal
     Raises:
         ContactError: the active set does not settle.
     """
-    active = gaps < 0.0 if start is None else start.copy()
     scale = float(-gaps.min())
     if scale <= 0.0:
         return NormalContact(np.zeros_like(gaps), np.zeros(len(gaps), dtype=bool), 0.0)
-    if not active.any():
-        active = gaps < 0.0
-    seen: set[bytes] = set()
-    single = False
-    for _ in range(MAX_CHANGES):
-        inside = np.flatnonzero(active)
-        factor = cho_factor(flexibility[np.ix_(inside, inside)], check_finite=False)
+    if start is None or not start.any():
+        start = gaps < 0.0
+
+    def given(inside: Array, factor: Factor) -> tuple[Trial, Array]:
         pressure = np.zeros_like(gaps)
         pressure[inside] = -cho_solve(factor, gaps[inside])
-        left = flexibility[:, inside] @ pressure[inside] + gaps
-        drop = active & (pressure < 0.0)
-        add = ~active & (left < -1e-12 * scale)
-        if not drop.any() and not add.any():
-            return NormalContact(pressure, active, max(0.0, -float(left.min())) / scale)
-        if single:
-            # One basis function at a time cannot cycle: each change lowers the energy.
-            worst = np.where(drop, pressure / np.abs(pressure).max(), np.where(add, left / np.abs(left).max(), 0.0))
-            change = int(np.argmin(worst))
-            active[change] = ~active[change]
-            continue
-        active = (active & ~drop) | add
-        key = active.tobytes()
-        single = key in seen
-        seen.add(key)
-    raise ContactError(f"the active set did not converge in {MAX_CHANGES} iterations")
+        return Trial(pressure, flexibility[:, inside] @ pressure[inside] + gaps, 1e-12 * scale), np.zeros(0)
+
+    active, found, _ = settle(flexibility, start, given)
+    return NormalContact(found.pressure, active, max(0.0, -float(found.left.min())) / scale)

@@ -100,7 +100,7 @@ PLANTED = {
     ),
     "free symmetry plane": (
         "fem_check/elastic_body.py",
-        "fixed[reference[0] < small[0], 0] = True",
+        "fixed[space.nodes[0] < small[0], 0] = True",
         "pass",
         GROOVE,
     ),
