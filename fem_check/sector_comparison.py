@@ -9,28 +9,27 @@ model, smooth in the load, is fitted linearly in log k and read at k = 1.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 import qsbearing
-from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.scenes import SceneProblemError, load_scene
-from fem_check.solids.bearing_sector import (
-    BearingSector,
-    Expected,
-    OuterSupport,
-    SectorBearing,
-    SectorLoad,
-    SectorResults,
-)
+from fem_check.contact_problem import Array
+from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene
+from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
+from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
 
 POSITIONS = 16
 """Loads about each operating point."""
 ROUNDING = 7
 """Decimals of a metre to which the expected position is rounded, so that every machine takes the same mesh."""
+COARSE = 3
+"""Elements per semi-minor axis of the mesh that finds where a free outer ring puts the contacts."""
+ROOM = {OuterSupport.RIGID: 1.05, OuterSupport.FREE: 1.15}
+"""Semi-axes that the meshes are made for, over those expected: loads about the point need more room than its own, the
+more so where an outer ring that grows with them moves the contact."""
 
 QUANTITIES = {
     "axial_displacement": "m",
@@ -102,28 +101,7 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     Raises:
         SceneProblemError: the scene has no single bearing, or cannot be read.
     """
-    bearing = load_scene(scene_name).bearing
-
-    def number(value: Any) -> float:
-        return float(np.asarray(value, dtype=float).reshape(()))
-
-    def constants(material: qsbearing.Material) -> ElasticConstants:
-        return ElasticConstants(number(material.elastic_modulus), number(material.poisson_ratio))
-
-    try:
-        return SectorBearing(
-            ball_count=round(number(bearing.ball_count)),
-            ball_diameter=number(bearing.ball_diameter),
-            pitch_diameter=number(bearing.pitch_diameter),
-            inner_groove_radius=number(bearing.inner_groove_radius),
-            outer_groove_radius=number(bearing.outer_groove_radius),
-            free_contact_angle=number(bearing.free_contact_angle),
-            ball=constants(bearing.ball_material),
-            ring=constants(bearing.ring_material),
-            ball_density=number(bearing.ball_material.density),
-        )
-    except ValueError as problem:
-        raise SceneProblemError(f"scene {scene_name}: the sector needs a single bearing ({problem})") from problem
+    return SectorBearing(drawing_of(load_scene(scene_name), scene_name), ball_count(scene_name))
 
 
 def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> qsbearing.Solution:
@@ -154,60 +132,74 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
 def expected(bearing: SectorBearing, solution: qsbearing.Solution) -> Expected:
     """Where the model puts the bodies; the finite elements mesh them there."""
     angle = float(solution.outer.angle[0])
-    reach = bearing.outer_groove_radius - bearing.ball_radius + float(solution.outer.approach[0])
+    reach = bearing.groove_radius(inner=False) - bearing.ball_radius + float(solution.outer.approach[0])
     centre = bearing.groove_centre(inner=False) + reach * np.array([np.sin(angle), np.cos(angle)])
-    axes = [
-        (round(float(c.semi_major_axis[0]), ROUNDING), round(float(c.semi_minor_axis[0]), ROUNDING))
-        for c in (solution.inner, solution.outer)
-    ]
+    contacts = (solution.inner, solution.outer)
+    return _rounded(float(solution.displacement[0]), centre, contacts, ROOM[OuterSupport.RIGID])
+
+
+def _rounded(axial_displacement: float, ball_centre: Array, contacts: Iterable[Any], room: float) -> Expected:
+    def rounded(value: Any) -> float:
+        return round(float(np.ravel(value)[0]), ROUNDING)
+
     return Expected(
-        round(float(solution.displacement[0]), ROUNDING),
-        (round(float(centre[0]), ROUNDING), round(float(centre[1]), ROUNDING)),
-        *axes,
+        rounded(axial_displacement),
+        (rounded(ball_centre[0]), rounded(ball_centre[1])),
+        *[(rounded(room * c.semi_major_axis), rounded(room * c.semi_minor_axis)) for c in contacts],
     )
+
+
+def place(scene_name: str, point: OperatingPoint, support: OuterSupport) -> Expected:
+    """Where the bodies are meshed: the model's position; with a support that it knows nothing of, where a coarse mesh
+    there finds them."""
+    bearing = sector_bearing(scene_name)
+    near = expected(bearing, model(scene_name, point, gyroscopic_moment=False))
+    if support is OuterSupport.RIGID:
+        return near
+    found = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
+        SectorLoad(point.axial_load, point.speed)
+    )
+    return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), ROOM[support])
 
 
 def compare(
     scene_name: str,
     point: OperatingPoint,
     elements: int,
-    supports: Sequence[OuterSupport],
+    support: OuterSupport,
+    where: Expected,
     *,
     gyroscopic_moment: bool = False,
     positions: int = POSITIONS,
-) -> dict[OuterSupport, Compared]:
-    """Solve one operating point on one mesh, with each support of the outer ring."""
-    bearing = sector_bearing(scene_name)
-    nominal = model(scene_name, point, gyroscopic_moment=gyroscopic_moment)
-    sector = BearingSector(bearing, expected(bearing, nominal), elements, supports, friction=gyroscopic_moment)
+) -> Compared:
+    """Solve one operating point on one mesh."""
+    sector = BearingSector(
+        SectorGeometry(sector_bearing(scene_name), where, elements), support, friction=gyroscopic_moment
+    )
     factors = 1.0 + ((np.arange(positions) + 0.5) / positions - 0.5) / elements
-    deviations: dict[OuterSupport, list[Array]] = {support: [] for support in supports}
+    deviations: list[Array] = []
     worst = 0.0
     for factor in factors:
         near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
         reference = _of_model(model(scene_name, near, gyroscopic_moment=gyroscopic_moment))
-        for support in supports:
-            results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment), support)
-            worst = max(worst, results.imbalance)
-            deviations[support].append(_deviation(_of_elements(results), reference))
-    reference = _of_model(nominal)
+        results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
+        worst = max(worst, results.imbalance)
+        deviations.append(_deviation(_of_elements(sector, results), reference))
+    reference = _of_model(model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
     values = np.array(list(reference.values()))
     table = np.column_stack([np.ones(positions), np.log(factors)])
-    compared = {}
-    for support in supports:
-        found = np.array(deviations[support])
-        fit = np.linalg.lstsq(table, found, rcond=None)[0]
-        error = 2.0 * (found - table @ fit).std(axis=0, ddof=2) / np.sqrt(positions)
-        scale = np.where(_relative(), values, 1.0)
-        compared[support] = Compared(
-            reference,
-            dict(zip(QUANTITIES, values + fit[0] * scale, strict=True)),
-            dict(zip(QUANTITIES, np.abs(error * scale), strict=True)),
-            sector.dofs,
-            sector.ball.solver,
-            worst,
-        )
-    return compared
+    found = np.array(deviations)
+    fit = np.linalg.lstsq(table, found, rcond=None)[0]
+    error = 2.0 * (found - table @ fit).std(axis=0, ddof=2) / np.sqrt(positions)
+    scale = np.where(_relative(), values, 1.0)
+    return Compared(
+        reference,
+        dict(zip(QUANTITIES, values + fit[0] * scale, strict=True)),
+        dict(zip(QUANTITIES, np.abs(error * scale), strict=True)),
+        sector.dofs,
+        sector.ball.solver,
+        worst,
+    )
 
 
 def _relative() -> Array:
@@ -233,8 +225,10 @@ def _of_model(solution: qsbearing.Solution) -> dict[str, float]:
     return dict(zip(QUANTITIES, values, strict=True))
 
 
-def _of_elements(results: SectorResults) -> dict[str, float]:
+def _of_elements(sector: BearingSector, results: SectorResults) -> dict[str, float]:
+    """Everything found; of ellipse and pressure less what the same mesh makes of a contact where Hertz is exact."""
     values = [results.axial_displacement]
-    for c in (results.inner, results.outer):
-        values += [c.load, float(np.degrees(c.angle)), c.semi_major_axis, c.semi_minor_axis, c.max_pressure]
+    for race, c in (("inner", results.inner), ("outer", results.outer)):
+        mesh = sector.parabola_over_hertz(race, c)
+        values += [c.load, float(np.degrees(c.angle)), *(getattr(c, name) / ratio for name, ratio in mesh.items())]
     return dict(zip(QUANTITIES, values, strict=True))

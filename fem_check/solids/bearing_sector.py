@@ -9,10 +9,8 @@ rigid, the outer ring is held as `OuterSupport` says; both cut planes of the seg
 
 from __future__ import annotations
 
-import hashlib
-import json
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from math import atan, cos, hypot, pi, sin, tan
@@ -21,20 +19,17 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.optimize import root
 
-from fem_check import meshing
-from fem_check.contact import ContactError
-from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.solids import body_mesh, contact_results, normal_contact
-from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
+from fem_check.contact import ContactError, active_set
+from fem_check.contact_problem import Array
+from fem_check.references import hertz
+from fem_check.solids import contact_results, normal_contact
 from fem_check.solids.condensation import CondensedSolid, condense_free, condense_supported
-from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
+from fem_check.solids.contact_frame import ContactFrame, Sphere
 from fem_check.solids.contact_results import ContactResults
 from fem_check.solids.normal_contact import NormalContact
+from fem_check.solids.sector_geometry import SectorGeometry
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
-# Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
-# B218: what a bearing gets whose ring sections are not known.
-BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH = 17.63 / 22.225, 17.37 / 22.225, 30.0 / 22.225
 FRICTION_ITERATIONS = 20
 FRICTION_TOLERANCE = 1e-8
 NEAR = 1e-7
@@ -51,71 +46,6 @@ class OuterSupport(StrEnum):
     FREE = "free"
     """Its outside diameter is free, as in a loose housing; the face that the axial load presses on a shoulder is held
     axially."""
-
-
-@dataclass(frozen=True)
-class SectorBearing:
-    """What the sector needs to know of a bearing; SI units, radians."""
-
-    ball_count: int
-    ball_diameter: float
-    pitch_diameter: float
-    inner_groove_radius: float
-    outer_groove_radius: float
-    free_contact_angle: float
-    ball: ElasticConstants
-    ring: ElasticConstants
-    ball_density: float
-
-    @property
-    def ball_radius(self) -> float:
-        """[m]"""
-        return 0.5 * self.ball_diameter
-
-    @property
-    def ball_mass(self) -> float:
-        """[kg]"""
-        return self.ball_density * pi * self.ball_diameter**3 / 6.0
-
-    @property
-    def free_direction(self) -> Array:
-        """(axial, radial), along the unloaded contact line."""
-        return np.array([sin(self.free_contact_angle), cos(self.free_contact_angle)])
-
-    @property
-    def free_ball_centre(self) -> Array:
-        """Where the free contact angle is just reached."""
-        return np.array([0.0, 0.5 * self.pitch_diameter])
-
-    def groove_centre(self, *, inner: bool) -> Array:
-        """Centre of a groove's profile, in the same position."""
-        if inner:
-            return self.free_ball_centre + (self.inner_groove_radius - self.ball_radius) * self.free_direction
-        return self.free_ball_centre - (self.outer_groove_radius - self.ball_radius) * self.free_direction
-
-    def section(self, groove_centre: Array, *, inner: bool) -> RingSection:
-        """A ring's section by the proportions of the 218 series."""
-        offset = -BORE_BELOW_PITCH if inner else OUTSIDE_ABOVE_PITCH
-        return RingSection(
-            groove_centre,
-            self.inner_groove_radius if inner else self.outer_groove_radius,
-            0.5 * self.pitch_diameter + offset * self.ball_diameter,
-            WIDTH * self.ball_diameter,
-            inner,
-        )
-
-
-@dataclass(frozen=True)
-class Expected:
-    """Where the bodies are meshed: positions and sizes near the solution, of which they are not part."""
-
-    axial_displacement: float
-    """Of the inner ring, from where the free contact angle is just reached [m]."""
-    ball_centre: tuple[float, float]
-    """(axial, radial) [m]"""
-    inner_axes: tuple[float, float]
-    """Semi-axes of the ellipse [m]."""
-    outer_axes: tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -148,94 +78,41 @@ class SectorResults:
     """Of ball and inner ring, over the largest of load per ball and centrifugal force."""
     penetration: float
     """See `NormalContact`."""
+    pressures: tuple[Array, Array]
+    """Coefficients of each contact's basis functions [Pa]."""
+    gaps: tuple[Array, Array]
+    """Mean gap over each basis function, of the deformed bodies [m]."""
 
 
 class BearingSector:
     """The three bodies, condensed onto their contacts; then any load near the expected one takes milliseconds."""
 
     def __init__(
-        self,
-        bearing: SectorBearing,
-        expected: Expected,
-        elements: int,
-        supports: Sequence[OuterSupport] = (OuterSupport.RIGID,),
-        friction: bool = False,
-        meshes: Callable[[str], BodyMesh] | None = None,
+        self, geometry: SectorGeometry, support: OuterSupport = OuterSupport.RIGID, friction: bool = False
     ) -> None:
         """Mesh and condense.
 
         Args:
-            bearing: the bearing.
-            expected: where the bodies are meshed.
-            elements: per semi-axis of each contact.
-            supports: how the outer ring may be held.
+            geometry: the bodies, and where they are meshed.
+            support: how the outer ring is held.
             friction: also condense the outer contact's friction, for the gyroscopic moment.
-            meshes: gives the mesh of "ball", "inner", "outer"; None: made by gmsh, or read where they were kept.
         """
-        self.bearing = bearing
-        self.expected = expected
-        self.elements = elements
+        self.geometry = geometry
         self.friction = friction
-        inner, outer = self.frames
-        source = meshes or self.made_mesh
-        ball = TetrahedralBody(source("ball").shifted(np.array([*expected.ball_centre, 0.0])), bearing.ball)
-        loads = [frame.loads(ball, on_ball=True) for frame in self.frames]
-        if friction:
-            loads.append(outer.loads(ball, on_ball=True, along="tangent"))
-        self.ball = condense_free(ball, sp.csr_matrix(sp.hstack(loads)))
-        self.inner_ring = self._ring(source("inner"), inner, OuterSupport.RIGID, inner=True)
-        self.outer_rings = {support: self._ring(source("outer"), outer, support, inner=False) for support in supports}
+        inner, outer = geometry.frames
+        ball = TetrahedralBody(geometry.mesh("ball"), geometry.bearing.drawing.ball)
+        kinds = ("normal", "tangent") if friction else ("normal",)
+        on_ball = [(inner, "normal"), *((outer, kind) for kind in kinds), (inner, "axis"), (outer, "axis")]
+        self.ball = condense_free(ball, _loads(ball, on_ball))
+        self.inner_ring = self._ring("inner", [(inner, "normal"), (inner, "axis")], OuterSupport.RIGID)
+        self.outer_ring = self._ring("outer", [(outer, kind) for kind in (*kinds, "axis")], support)
         self.counts = (len(inner.basis.forces), len(outer.basis.forces))
 
-    @cached_property
-    def frames(self) -> tuple[ContactFrame, ContactFrame]:
-        """Inner and outer contact at the expected position."""
-        bearing = self.bearing
-        centre = np.array(self.expected.ball_centre)
-        share = bearing.ball.compliance / (bearing.ball.compliance + bearing.ring.compliance)
-        frames = []
-        for inner, (a, b) in ((True, self.expected.inner_axes), (False, self.expected.outer_axes)):
-            groove = self._groove(self.expected.axial_displacement, inner=inner)
-            line = centre - groove.centre
-            normal = line / hypot(*line)
-            frames.append(
-                ContactFrame(
-                    Sphere(centre, bearing.ball_radius), groove, normal, Patch(normal, a, b), self.elements, share
-                )
-            )
-        return frames[0], frames[1]
-
-    def _groove(self, axial_displacement: float, *, inner: bool) -> Torus:
-        bearing = self.bearing
-        centre = bearing.groove_centre(inner=inner)
-        if inner:
-            return Torus(centre + np.array([axial_displacement, 0.0]), bearing.inner_groove_radius)
-        return Torus(centre, bearing.outer_groove_radius)
-
-    def made_mesh(self, name: str) -> BodyMesh:
-        """A body's mesh: from the cache, or made now and kept there; the ball's about its own centre."""
-        inner, outer = self.frames
-        recipe = [name, asdict(self.bearing), asdict(self.expected), self.elements, _mesh_constants()]
-        digest = hashlib.sha256(json.dumps(recipe, sort_keys=True, default=str).encode()).hexdigest()[:12]
-        file = f"sector-{name}-{digest}.npz"
-        for folder in (meshing.committed_folder(), meshing.cache_folder()):
-            if (folder / file).is_file():
-                return BodyMesh.read(folder / file)
-        path = meshing.cache_folder() / file
-        if name == "ball":
-            mesh = body_mesh.ball(self.bearing.ball_radius, [inner.patch, outer.patch], self.elements)
-        else:
-            frame = inner if name == "inner" else outer
-            section = self.bearing.section(frame.groove.centre, inner=name == "inner")
-            mesh = body_mesh.ring(section, frame.patch, pi / self.bearing.ball_count, self.elements)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        mesh.save(path)
-        return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
-
-    def _ring(self, mesh: BodyMesh, frame: ContactFrame, support: OuterSupport, *, inner: bool) -> CondensedSolid:
-        body = TetrahedralBody(mesh, self.bearing.ring)
-        section = self.bearing.section(frame.groove.centre, inner=inner)
-        half_pitch = pi / self.bearing.ball_count
+    def _ring(self, name: str, loads: Sequence[tuple[ContactFrame, str]], support: OuterSupport) -> CondensedSolid:
+        bearing = self.geometry.bearing
+        body = TetrahedralBody(self.geometry.mesh(name), bearing.drawing.ring)
+        section = bearing.section(loads[0][0].groove.centre, inner=name == "inner")
+        half_pitch = pi / bearing.ball_count
         small = NEAR
         x, y, z = body.nodes
         fixed = np.zeros((body.space.count, 3), dtype=bool)
@@ -254,25 +131,48 @@ class BearingSector:
         turn[3 * turned + 2, 3 * turned + 2] = c
         turn[3 * turned + 2, 3 * turned + 1] = s
         turn[3 * turned + 1, 3 * turned + 2] = -s
-        loads = [frame.loads(body, on_ball=False)]
-        if self.friction and not inner:
-            loads.append(frame.loads(body, on_ball=False, along="tangent"))
-        return condense_supported(body, sp.csr_matrix(sp.hstack(loads)), fixed, sp.csr_matrix(turn))
+        return condense_supported(body, _loads(body, loads), fixed, sp.csr_matrix(turn))
 
     @property
     def dofs(self) -> int:
         """Unknowns of all three bodies."""
-        return self.ball.dofs + self.inner_ring.dofs + next(iter(self.outer_rings.values())).dofs
+        return self.ball.dofs + self.inner_ring.dofs + self.outer_ring.dofs
 
-    def flexibility(self, support: OuterSupport) -> Array:
+    @cached_property
+    def flexibility(self) -> Array:
         """Of all bodies together: inner normal, outer normal (, outer friction)."""
-        total = self.ball.flexibility.copy()
-        first = self.counts[0]
-        total[:first, :first] += self.inner_ring.flexibility
-        total[first:, first:] += self.outer_rings[support].flexibility
+        first, second = self.counts
+        count = first + second * (2 if self.friction else 1)
+        total = self.ball.flexibility[:count, :count].copy()
+        total[:first, :first] += self.inner_ring.flexibility[:first, :first]
+        total[first:, first:] += self.outer_ring.flexibility[: count - first, : count - first]
         return total
 
-    def solve(self, load: SectorLoad, support: OuterSupport = OuterSupport.RIGID) -> SectorResults:
+    def parabola_over_hertz(self, race: str, results: ContactResults) -> dict[str, float]:
+        """A contact's ellipse and pressure over Hertz's where Hertz is exact but for the bodies' size and the mesh.
+
+        The same bodies under the same load at the same place, with Hertz's parabola for a gap and the pressure along
+        the contact's axis: what differs from 1 is the mesh, for the bodies' size moves the approach alone.
+        """
+        inner, frames = race == "inner", self.geometry.frames
+        frame, ring = (frames[0], self.inner_ring) if inner else (frames[1], self.outer_ring)
+        first, second = self.counts
+        on_ball = slice(-first - second, -second) if inner else slice(-second, None)
+        on_ring = slice(-(first if inner else second), None)
+        flexibility = self.ball.flexibility[on_ball, on_ball] + ring.flexibility[on_ring, on_ring]
+        problem = self.geometry.bearing.drawing.groove(race, results.angle).problem(results.load)
+        exact = hertz(problem)
+        basis = frame.basis
+        gaps = basis.weighted(lambda x, y: problem.parabolic_gap(x - results.centre, y))
+        x, y = basis.points
+        start = np.hypot((x - results.centre) / exact.semi_major_axis, y / exact.semi_minor_axis) < 1.0
+        along = basis.weighted(lambda x, y: x - results.centre)
+        motions = np.column_stack([basis.forces, along * np.abs(basis.forces).max() / np.abs(along).max()])
+        pressure, _, _ = active_set(flexibility, gaps, motions, np.array([0.5 * results.load, 0.0]), start)
+        found = contact_results.ellipse(frame, pressure)
+        return {name: value / getattr(exact, name) for name, value in found.items()}
+
+    def solve(self, load: SectorLoad) -> SectorResults:
         """Positions and pressures in equilibrium.
 
         Raises:
@@ -281,10 +181,9 @@ class BearingSector:
         if load.gyroscopic_moment and not self.friction:
             raise ValueError("a gyroscopic moment needs the sector condensed with friction=True")
         friction = np.zeros(self.counts[1])
-        flexibility = self.flexibility(support)
         start = np.zeros(3)
         for _ in range(FRICTION_ITERATIONS):
-            state = _State(self, load, flexibility, friction)
+            state = _State(self, load, friction)
             found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
             worst = float(np.abs(state.residual(found.x)).max())
             if not worst < RESIDUAL:
@@ -303,10 +202,10 @@ class BearingSector:
 class _State:
     """Bodies at a trial position, under given friction."""
 
-    def __init__(self, sector: BearingSector, load: SectorLoad, flexibility: Array, friction: Array) -> None:
+    def __init__(self, sector: BearingSector, load: SectorLoad, friction: Array) -> None:
         self.sector = sector
+        self.geometry = sector.geometry
         self.load = load
-        self.flexibility = flexibility
         self.friction = friction
         self.contact: NormalContact | None = None
         self.unit = 1e-6
@@ -314,24 +213,24 @@ class _State:
 
     def residual(self, position: Array) -> Array:
         """Imbalance of ball (axial, radial) and inner ring (axial), over the load per ball."""
-        sector, bearing = self.sector, self.sector.bearing
-        self.displacement = sector.expected.axial_displacement + self.unit * position[0]
-        ball = Sphere(np.array(sector.expected.ball_centre) + self.unit * position[1:], bearing.ball_radius)
+        sector, geometry, bearing = self.sector, self.geometry, self.geometry.bearing
+        self.displacement = geometry.expected.axial_displacement + self.unit * position[0]
+        ball = Sphere(np.array(geometry.expected.ball_centre) + self.unit * position[1:], bearing.ball_radius)
         self.ball = ball
-        count = sum(sector.counts)
+        count, flexibility = sum(sector.counts), sector.flexibility
         gaps = np.concatenate(
             [
-                frame.weighted_gap(ball, sector._groove(self.displacement, inner=inner))
-                for frame, inner in zip(sector.frames, (True, False), strict=True)
+                frame.weighted_gap(ball, geometry.groove(self.displacement, inner=inner))
+                for frame, inner in zip(geometry.frames, (True, False), strict=True)
             ]
         )
-        gaps = gaps + self.flexibility[:count, count:] @ self.friction[: self.flexibility.shape[0] - count]
+        gaps = gaps + flexibility[:count, count:] @ self.friction[: flexibility.shape[0] - count]
         start = self.contact.active if self.contact is not None else None
-        self.contact = normal_contact.solve(self.flexibility[:count, :count], gaps, start)
+        self.contact = normal_contact.solve(flexibility[:count, :count], gaps, start)
         inner, outer = self.forces()
         per_ball = self.load.axial_load / bearing.ball_count
         self.centrifugal, self.gyroscopic = self.inertia(inner, outer)
-        rubbing = sector.frames[1].friction_resultants @ self.friction
+        rubbing = geometry.frames[1].friction_resultants @ self.friction
         on_ball = rubbing - inner - outer + np.array([0.0, self.centrifugal])
         scale = max(per_ball, self.centrifugal)
         return np.array([*on_ball, inner[0] + per_ball]) / scale
@@ -345,7 +244,7 @@ class _State:
     def forces(self) -> tuple[Array, Array]:
         """Of the normal pressure on the inner and on the outer raceway (axial, radial)."""
         first, second = (
-            frame.resultants @ pressure for frame, pressure in zip(self.sector.frames, self.pressures(), strict=True)
+            frame.resultants @ pressure for frame, pressure in zip(self.geometry.frames, self.pressures(), strict=True)
         )
         return first, second
 
@@ -353,30 +252,29 @@ class _State:
         """Centrifugal force and size of the gyroscopic moment, from this state's orbit radius and angles."""
         if not self.load.speed:
             return 0.0, 0.0
-        bearing = self.sector.bearing
+        bearing = self.geometry.bearing
         radius = float(self.ball.centre[1])
         orbit, rotation, attitude = motion(
             bearing.ball_radius / radius, np.arctan2(-inner[0], -inner[1]), np.arctan2(outer[0], outer[1])
         )
         speed = self.load.speed
-        inertia = 0.1 * bearing.ball_mass * bearing.ball_diameter**2
         return (
-            bearing.ball_mass * radius * (orbit * speed) ** 2,
-            inertia * abs(orbit * rotation * sin(attitude)) * speed**2,
+            bearing.drawing.ball_mass * radius * (orbit * speed) ** 2,
+            bearing.drawing.ball_inertia * abs(orbit * rotation * sin(attitude)) * speed**2,
         )
 
     def friction_pressures(self) -> Array:
         """Friction that gives the gyroscopic moment, everywhere the same part of the pressure."""
         _, outer = self.pressures()
-        share = 2.0 * self.gyroscopic / self.sector.bearing.ball_diameter / hypot(*self.forces()[1])
+        share = 2.0 * self.gyroscopic / self.geometry.bearing.drawing.ball_diameter / hypot(*self.forces()[1])
         return share * outer
 
     def results(self, imbalance: float) -> SectorResults:
         """Everything read."""
         assert self.contact is not None
+        frames, first = self.geometry.frames, self.sector.counts[0]
         inner, outer = (
-            contact_results.read(frame, pressure)
-            for frame, pressure in zip(self.sector.frames, self.pressures(), strict=True)
+            contact_results.read(frame, pressure) for frame, pressure in zip(frames, self.pressures(), strict=True)
         )
         return SectorResults(
             self.displacement,
@@ -387,6 +285,8 @@ class _State:
             self.gyroscopic,
             imbalance,
             self.contact.penetration,
+            self.pressures(),
+            (self.contact.left[:first] / frames[0].basis.forces, self.contact.left[first:] / frames[1].basis.forces),
         )
 
 
@@ -408,18 +308,7 @@ def motion(ratio: float, inner_angle: float, outer_angle: float) -> tuple[float,
     return 1.0 / (1.0 + inner / outer), -1.0 / ((outer + inner) * ratio * cos(attitude)), attitude
 
 
-def _mesh_constants() -> list[float]:
-    return [
-        body_mesh.PATCH,
-        body_mesh.DEPTH,
-        body_mesh.WIDTH,
-        body_mesh.FIRST_LAYER,
-        body_mesh.ALONG,
-        body_mesh.depth_growth(1),
-        body_mesh.side_growth(1),
-        *body_mesh.free_size(1),
-        body_mesh.FAR,
-        BORE_BELOW_PITCH,
-        OUTSIDE_ABOVE_PITCH,
-        WIDTH,
-    ]
+def _loads(body: TetrahedralBody, loads: Sequence[tuple[ContactFrame, str]]) -> sp.csr_matrix:
+    """Nodal forces of the pressures of these contacts, each along its direction; the ball is the body between both."""
+    on_ball = len({id(frame) for frame, _ in loads}) > 1
+    return sp.csr_matrix(sp.hstack([frame.loads(body, on_ball=on_ball, along=along) for frame, along in loads]))

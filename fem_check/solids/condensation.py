@@ -46,7 +46,7 @@ def condense_supported(
     if turn is not None:
         matrix, forces = sp.csr_matrix(turn.T @ matrix @ turn), sp.csr_matrix(turn.T @ loads)
     free = np.flatnonzero(~fixed.ravel())
-    return _solved(sp.csc_matrix(matrix[free][:, free]), forces[free].toarray())
+    return _solved(sp.csc_matrix(matrix[free][:, free]), sp.csc_matrix(forces[free]))
 
 
 def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid:
@@ -60,7 +60,6 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     carried = body.mass @ motions
     # Loads less the body force that balances them: P F, and as P' takes out the mean motion, all stays symmetric.
     share = np.linalg.solve(motions.T @ carried, (loads.T @ motions).T)
-    balanced = loads.toarray() - carried @ share
     fixed = np.zeros((body.space.count, 3), dtype=bool)
     plane = body.on(lambda p: np.abs(p[2]) < NEAR)
     fixed[plane, 2] = True
@@ -69,14 +68,24 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     fixed[far[0], :2] = True
     fixed[far[-1], 1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0] = True
     free = np.flatnonzero(~fixed.ravel())
-    return _solved(sp.csc_matrix(body.stiffness[free][:, free]), balanced[free])
+    matrix = sp.csc_matrix(body.stiffness[free][:, free])
+    return _solved(matrix, sp.csc_matrix(loads[free]), carried[free], share)
 
 
-def _solved(matrix: sp.csc_matrix, forces: Array) -> CondensedSolid:
+def _solved(
+    matrix: sp.csc_matrix, loads: sp.csc_matrix, carried: Array | None = None, share: Array | None = None
+) -> CondensedSolid:
+    """Solve under each load, less `carried @ share` where given; some at a time, for all are large."""
     factor = factorise(matrix)
-    count = forces.shape[1]
+    count = loads.shape[1]
     flexibility = np.empty((count, count))
     for start in range(0, count, RIGHT_HAND_SIDES):
         some = slice(start, min(start + RIGHT_HAND_SIDES, count))
-        flexibility[:, some] = forces.T @ factor.solve(np.ascontiguousarray(forces[:, some]))
+        forces = loads[:, some].toarray()
+        if carried is not None and share is not None:
+            forces -= carried @ share[:, some]
+        moved = factor.solve(forces)
+        flexibility[:, some] = loads.T @ moved
+        if carried is not None and share is not None:
+            flexibility[:, some] -= share.T @ (carried.T @ moved)
     return CondensedSolid(0.5 * (flexibility + flexibility.T), matrix.shape[0], factor.solver)

@@ -30,6 +30,8 @@ class ContactResults:
     """sqrt(5 <eta^2>) [m]."""
     max_pressure: float
     """Of the pressure itself, by a smooth fit round its centre [Pa]."""
+    centre: float
+    """Of the pressure, from the frame's origin across the groove [m]."""
 
 
 def read(frame: ContactFrame, pressure: Array) -> ContactResults:
@@ -39,10 +41,28 @@ def read(frame: ContactFrame, pressure: Array) -> ContactResults:
         ContactError: the contact is unloaded, or reaches the edge of its patch.
     """
     force = frame.resultants @ pressure
+    if not (pressure > 0.0).any():
+        raise ContactError("a contact of the ball is not loaded")
+    side = 1.0 if frame.normal[1] > 0.0 else -1.0
+    return ContactResults(
+        load=float(np.hypot(*force)), angle=atan2(side * force[0], side * force[1]), **_read(frame, pressure)
+    )
+
+
+def ellipse(frame: ContactFrame, pressure: Array) -> dict[str, float]:
+    """Semi-axes and largest pressure of a loaded contact, by their names in `ContactResults`.
+
+    Raises:
+        ContactError: it reaches the edge of its patch.
+    """
+    found = _read(frame, pressure)
+    del found["centre"]
+    return found
+
+
+def _read(frame: ContactFrame, pressure: Array) -> dict[str, float]:
     basis = frame.basis
     total = float(basis.forces @ pressure)
-    if not total > 0.0:
-        raise ContactError("a contact of the ball is not loaded")
     x, y = basis.points
     edge = (np.abs(x) >= basis.lines_x[-1] * (1.0 - 1e-9)) | (y >= basis.lines_y[-1] * (1.0 - 1e-9))
     if (pressure[edge] > 0.0).any():
@@ -50,14 +70,12 @@ def read(frame: ContactFrame, pressure: Array) -> ContactResults:
     centre = float(basis.weighted(lambda x, y: x) @ pressure) / total
     a = np.sqrt(5.0 * (basis.weighted(lambda x, y: (x - centre) ** 2) @ pressure) / total)
     b = np.sqrt(5.0 * (basis.weighted(lambda x, y: y**2) @ pressure) / total)
-    side = 1.0 if frame.normal[1] > 0.0 else -1.0
-    return ContactResults(
-        load=float(np.hypot(*force)),
-        angle=atan2(side * force[0], side * force[1]),
-        semi_major_axis=float(a),
-        semi_minor_axis=float(b),
-        max_pressure=_largest(frame, pressure, centre, float(a), float(b)),
-    )
+    return {
+        "centre": centre,
+        "semi_major_axis": float(a),
+        "semi_minor_axis": float(b),
+        "max_pressure": _largest(frame, pressure, centre, float(a), float(b)),
+    }
 
 
 def _largest(frame: ContactFrame, pressure: Array, centre: float, a: float, b: float) -> float:

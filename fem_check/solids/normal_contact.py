@@ -23,6 +23,8 @@ class NormalContact:
     """Coefficients of the basis functions [Pa]."""
     active: Array
     """Which basis functions carry pressure."""
+    left: Array
+    """Weighted gaps that are left."""
     penetration: float
     """Deepest weighted gap below zero, over the largest undeformed overlap."""
 
@@ -40,7 +42,7 @@ def solve(flexibility: Array, gaps: Array, start: Array | None = None) -> Normal
     """
     scale = float(-gaps.min())
     if scale <= 0.0:
-        return NormalContact(np.zeros_like(gaps), np.zeros(len(gaps), dtype=bool), 0.0)
+        return NormalContact(np.zeros_like(gaps), np.zeros(len(gaps), dtype=bool), gaps, 0.0)
     if start is None or not start.any():
         start = gaps < 0.0
 
@@ -50,4 +52,4 @@ def solve(flexibility: Array, gaps: Array, start: Array | None = None) -> Normal
         return Trial(pressure, flexibility[:, inside] @ pressure[inside] + gaps, 1e-12 * scale), np.zeros(0)
 
     active, found, _ = settle(flexibility, start, given)
-    return NormalContact(found.pressure, active, max(0.0, -float(found.left.min())) / scale)
+    return NormalContact(found.pressure, active, found.left, max(0.0, -float(found.left.min())) / scale)

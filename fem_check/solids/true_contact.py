@@ -31,10 +31,10 @@ from fem_check.groove import BallInGroove
 from fem_check.measuring import central_pressure
 from fem_check.references import hertz
 from fem_check.solids import body_mesh
-from fem_check.solids.bearing_sector import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH
 from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
 from fem_check.solids.condensation import condense_supported
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
+from fem_check.solids.sector_geometry import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 POSITIONS = 8

@@ -4,16 +4,19 @@ import hashlib
 import json
 from math import cos, radians
 
+import matplotlib.pyplot
 import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import meshing, sector_comparison
+from fem_check import meshing, sector_comparison, sector_pictures
 from fem_check.agreement import Level
 from fem_check.checks import bearing_sector
+from fem_check.report import figures
 from fem_check.scenes import SceneProblemError
 from fem_check.sector_comparison import OperatingPoint
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
+from fem_check.solids.sector_geometry import SectorGeometry
 
 POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
 
@@ -22,7 +25,7 @@ POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
 def sector():
     bearing = sector_comparison.sector_bearing("b218")
     solution = sector_comparison.model("b218", POINT, gyroscopic_moment=False)
-    return BearingSector(bearing, sector_comparison.expected(bearing, solution), 2)
+    return BearingSector(SectorGeometry(bearing, sector_comparison.expected(bearing, solution), 2))
 
 
 def test_shipped_meshes_are_what_the_manifest_says():
@@ -59,6 +62,33 @@ def test_ball_and_ring_are_in_equilibrium_and_near_the_model(sector):
     assert found.penetration < 1e-9
 
 
+def test_what_the_mesh_does_to_an_ellipse_is_known_from_a_parabola(sector):
+    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    for race in ("inner", "outer"):
+        mesh = sector.parabola_over_hertz(race, getattr(found, race))
+        # Two elements per semi-axis at one position of the edge: each quantity off by per cents, not by tens of them.
+        assert set(mesh) == {"semi_major_axis", "semi_minor_axis", "max_pressure"}
+        assert all(0.001 < abs(ratio - 1.0) < 0.1 for ratio in mesh.values())
+
+
+def test_the_pictures_show_the_bodies_and_their_contacts(sector):
+    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    drawn = sector_pictures.of_sector(sector, found, POINT.label)
+    for name, body in drawn["bodies"].items():
+        corners = np.sort(np.asarray(body["triangles"]), axis=1)
+        edges = np.concatenate([corners[:, [0, 1]], corners[:, [0, 2]], corners[:, [1, 2]]])
+        # A closed surface: each edge belongs to two triangles.
+        assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()
+        assert max(body["pressure"]) > 500.0, name
+    for contact in drawn["contacts"].values():
+        p, gap = np.asarray(contact["p"]), np.asarray(contact["gap"])
+        assert (gap[p > 0.0] < 1e-3).all() and gap.max() > 0.1
+    assert figures.sector_bodies({"pictures": {"sector": drawn}}) and figures.sector_contacts(
+        {"pictures": {"sector": drawn}}
+    )
+    matplotlib.pyplot.close("all")
+
+
 def test_a_moment_without_friction_is_refused(sector):
     with pytest.raises(ValueError, match="friction"):
         sector.solve(SectorLoad(17800.0, POINT.speed, gyroscopic_moment=True))
@@ -71,8 +101,12 @@ def test_an_unknown_scene_is_a_sentence():
 
 @pytest.mark.heavy
 def test_a_free_outside_diameter_softens_the_bearing():
-    found = sector_comparison.compare("b218", POINT, 2, (OuterSupport.RIGID, OuterSupport.FREE), positions=4)
-    rigid, free = (found[support].found["axial_displacement"] for support in (OuterSupport.RIGID, OuterSupport.FREE))
+    rigid, free = (
+        sector_comparison.compare(
+            "b218", POINT, 2, support, sector_comparison.place("b218", POINT, support), positions=4
+        ).found["axial_displacement"]
+        for support in OuterSupport
+    )
     assert 1.2 * rigid < free < 1.5 * rigid
 
 

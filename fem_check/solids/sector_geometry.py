@@ -1,0 +1,165 @@
+"""Where the sector's bodies are: half a ball and its segments of both rings, meshed where they are expected."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from math import cos, hypot, pi, sin
+
+import numpy as np
+
+from fem_check import meshing
+from fem_check.contact_problem import Array
+from fem_check.drawing import Drawing
+from fem_check.solids import body_mesh
+from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
+from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
+
+# Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
+# B218: what a bearing gets whose ring sections are not known.
+BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH = 17.63 / 22.225, 17.37 / 22.225, 30.0 / 22.225
+
+
+@dataclass(frozen=True)
+class SectorBearing:
+    """What the sector needs to know of a bearing; SI units, radians."""
+
+    drawing: Drawing
+    ball_count: int
+
+    @property
+    def ball_radius(self) -> float:
+        """[m]"""
+        return 0.5 * self.drawing.ball_diameter
+
+    @property
+    def free_direction(self) -> Array:
+        """(axial, radial), along the unloaded contact line."""
+        return np.array([sin(self.drawing.free_contact_angle), cos(self.drawing.free_contact_angle)])
+
+    @property
+    def free_ball_centre(self) -> Array:
+        """Where the free contact angle is just reached."""
+        return np.array([0.0, 0.5 * self.drawing.pitch_diameter])
+
+    def groove_radius(self, *, inner: bool) -> float:
+        """[m]"""
+        return self.drawing.inner_groove_radius if inner else self.drawing.outer_groove_radius
+
+    def groove_centre(self, *, inner: bool) -> Array:
+        """Centre of a groove's profile, in the same position."""
+        beyond = (self.groove_radius(inner=inner) - self.ball_radius) * self.free_direction
+        return self.free_ball_centre + (beyond if inner else -beyond)
+
+    def section(self, groove_centre: Array, *, inner: bool) -> RingSection:
+        """A ring's section by the proportions of the 218 series."""
+        offset = -BORE_BELOW_PITCH if inner else OUTSIDE_ABOVE_PITCH
+        return RingSection(
+            groove_centre,
+            self.groove_radius(inner=inner),
+            0.5 * self.drawing.pitch_diameter + offset * self.drawing.ball_diameter,
+            WIDTH * self.drawing.ball_diameter,
+            inner,
+        )
+
+    @property
+    def dimensions(self) -> list[float]:
+        """All that the meshes depend on."""
+        d = self.drawing
+        lengths = (d.ball_diameter, d.pitch_diameter, d.inner_groove_radius, d.outer_groove_radius)
+        return [*lengths, d.free_contact_angle, self.ball_count]
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Where the bodies are meshed: positions and sizes near the solution, of which they are not part."""
+
+    axial_displacement: float
+    """Of the inner ring, from where the free contact angle is just reached [m]."""
+    ball_centre: tuple[float, float]
+    """(axial, radial) [m]"""
+    inner_axes: tuple[float, float]
+    """Semi-axes of the ellipse [m]."""
+    outer_axes: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class SectorGeometry:
+    """The undeformed bodies of one ball pitch, the inner ring and the ball moved to where they are expected."""
+
+    bearing: SectorBearing
+    expected: Expected
+    elements: int
+    """Per semi-axis of each contact."""
+
+    @cached_property
+    def frames(self) -> tuple[ContactFrame, ContactFrame]:
+        """Inner and outer contact at the expected position."""
+        bearing = self.bearing
+        centre = np.array(self.expected.ball_centre)
+        ball, ring = bearing.drawing.ball.compliance, bearing.drawing.ring.compliance
+        share = ball / (ball + ring)
+        frames = []
+        for inner, (a, b) in ((True, self.expected.inner_axes), (False, self.expected.outer_axes)):
+            groove = self.groove(self.expected.axial_displacement, inner=inner)
+            line = centre - groove.centre
+            normal = line / hypot(*line)
+            frames.append(
+                ContactFrame(
+                    Sphere(centre, bearing.ball_radius), groove, normal, Patch(normal, a, b), self.elements, share
+                )
+            )
+        return frames[0], frames[1]
+
+    def groove(self, axial_displacement: float, *, inner: bool) -> Torus:
+        bearing = self.bearing
+        moved = np.array([axial_displacement if inner else 0.0, 0.0])
+        return Torus(bearing.groove_centre(inner=inner) + moved, bearing.groove_radius(inner=inner))
+
+    def mesh_file(self, name: str) -> str:
+        """Name of the file of a body's mesh, with a digest of all that it is made from."""
+        recipe = [name, self.bearing.dimensions, asdict(self.expected), self.elements, _mesh_constants()]
+        digest = hashlib.sha256(json.dumps(recipe, sort_keys=True).encode()).hexdigest()[:12]
+        return f"sector-{name}-{digest}.npz"
+
+    def mesh(self, name: str) -> BodyMesh:
+        """Of "ball", "inner" or "outer", in its place: kept in the repository, in the cache, or made now by gmsh."""
+        mesh = self.standing_mesh(name)
+        return mesh.shifted(np.array([*self.expected.ball_centre, 0.0])) if name == "ball" else mesh
+
+    def standing_mesh(self, name: str) -> BodyMesh:
+        """The same, the ball's about its own centre."""
+        inner, outer = self.frames
+        file = self.mesh_file(name)
+        for folder in (meshing.committed_folder(), meshing.cache_folder()):
+            if (folder / file).is_file():
+                return BodyMesh.read(folder / file)
+        path = meshing.cache_folder() / file
+        if name == "ball":
+            mesh = body_mesh.ball(self.bearing.ball_radius, [inner.patch, outer.patch], self.elements)
+        else:
+            frame = inner if name == "inner" else outer
+            section = self.bearing.section(frame.groove.centre, inner=name == "inner")
+            mesh = body_mesh.ring(section, frame.patch, pi / self.bearing.ball_count, self.elements)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        mesh.save(path)
+        return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
+
+
+def _mesh_constants() -> list[float]:
+    return [
+        body_mesh.PATCH,
+        body_mesh.DEPTH,
+        body_mesh.WIDTH,
+        body_mesh.FIRST_LAYER,
+        body_mesh.ALONG,
+        body_mesh.depth_growth(1),
+        body_mesh.side_growth(1),
+        *body_mesh.free_size(1),
+        body_mesh.FAR,
+        BORE_BELOW_PITCH,
+        OUTSIDE_ABOVE_PITCH,
+        WIDTH,
+    ]
