@@ -32,6 +32,8 @@ ALONG = 1.5
 elements are less exact."""
 FIRST_LAYER = 0.6
 """Depth of the first layer below the contact, over the length of an element along the minor axis."""
+REVISION = 2
+"""Raised where meshes change though none of their lengths does, so that none is taken for another."""
 STRAIGHT = 1e-12
 """An edge whose middle is no farther than this from its node [m] is straight."""
 GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
@@ -353,8 +355,37 @@ def _meshed(
         gmsh.option.setNumber(f"Mesh.{option}", 0)
     gmsh.option.setNumber("Mesh.MeshSizeMax", far)
     model.mesh.generate(3)
+    # gmsh cuts the quadrangles between a block and the rest by either diagonal; both sides must take the same.
+    split = _split_surfaces(model)
+    if split:
+        model.mesh.clear()
+        for surface in split:
+            model.mesh.setTransfiniteSurface(surface, "Right")
+        model.mesh.generate(3)
+        if _split_surfaces(model):
+            raise MeshError("gmsh's tetrahedra do not fit those of the block under the contact")
     model.mesh.setOrder(2)
     return _read(model)
+
+
+def _split_surfaces(model: Any) -> list[int]:
+    """Surfaces between two solids whose triangles are not faces of the tetrahedra on both sides."""
+
+    def keys(nodes: Any, corners: int) -> Array:
+        return np.sort(np.asarray(nodes, dtype=np.int64).reshape(-1, corners), axis=1)
+
+    faces = {}
+    for _, solid in model.getEntities(3):
+        tetrahedra = keys(model.mesh.getElements(3, solid)[2][0], 4)
+        faces[solid] = {tuple(face) for left in range(4) for face in np.delete(tetrahedra, left, axis=1).tolist()}
+    found = []
+    for _, surface in model.getEntities(2):
+        solids = model.getAdjacencies(2, surface)[0]
+        if len(solids) == 2:
+            triangles = keys(model.mesh.getElements(2, surface)[2][0], 3).tolist()
+            if not all(tuple(triangle) in faces[solid] for solid in solids for triangle in triangles):
+                found.append(int(surface))
+    return found
 
 
 def _cut_block(model: Any, block: int, patch: Patch, inward: float, elements: int) -> int:

@@ -150,6 +150,7 @@ class SectorGeometry:
 
 def _mesh_constants() -> list[float]:
     return [
+        body_mesh.REVISION,
         body_mesh.PATCH,
         body_mesh.DEPTH,
         body_mesh.WIDTH,

@@ -203,7 +203,7 @@ def _mesh_choices(elements: int) -> list[float]:
     """What `body_mesh` settles: a mesh made under another choice is another file."""
     choices = [body_mesh.PATCH, body_mesh.WIDTH, body_mesh.DEPTH, body_mesh.FIRST_LAYER, body_mesh.FAR]
     choices += [body_mesh.depth_growth(elements), body_mesh.side_growth(elements), *body_mesh.free_size(elements)]
-    return [elements, *choices]
+    return [elements, body_mesh.REVISION, *choices]
 
 
 def _nearest(body: TetrahedralBody, point: Array) -> int:
