@@ -16,6 +16,7 @@ from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm,
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from qsbearing import readings
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.effects import CentrifugalForce, GyroscopicMoment, MomentShares
     from qsbearing.effects.raceway_control import RacewayControl
@@ -54,20 +55,22 @@ __all__ = [
     "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm",
     "Operation", "Pa", "PointContact", "RacewayContacts", "RacewayControl", "Reason", "Scene", "SceneError",
     "SceneFileError", "Solution", "Status", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
-    "mm", "mrad", "point_contact", "rad", "rpm", "solve", "stiffness", "subsurface_shear", "um", "warnings",
+    "mm", "mrad", "point_contact", "rad", "readings", "rpm", "solve", "stiffness", "subsurface_shear", "um", "warnings",
 ]
 # fmt: on
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
-        raise AttributeError(f"module 'qsbearing' has no attribute {name!r}")
     from importlib import import_module
 
+    if name == "readings":
+        return import_module("qsbearing.readings")
+    if name not in _HOME:
+        raise AttributeError(f"module 'qsbearing' has no attribute {name!r}")
     value = getattr(import_module(f"qsbearing.{_HOME[name]}"), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOME})
+    return sorted({*globals(), *_HOME, "readings"})

@@ -1,0 +1,43 @@
+"""What a designer reads off a finished solution: plain functions of it, one subject per file, SI units throughout.
+
+Nothing here is evaluated unless it is called. Each reading says in its `warnings` where it was taken outside the range
+that its source states; what was not asked for is None, and what has no number in some case is NaN there.
+"""
+
+from __future__ import annotations
+
+from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
+from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating, element_load_ratings
+from qsbearing.readings.equivalent_load import equivalent_load
+from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
+from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
+from qsbearing.readings.rating_life import Capacity, Life, life
+from qsbearing.readings.static_rating import (
+    FatigueLimit,
+    StaticSafety,
+    fatigue_load_limit,
+    static_load_rating,
+    static_safety,
+)
+
+__all__ = [
+    "Capacity",
+    "Cleanliness",
+    "FatigueLimit",
+    "Life",
+    "Rating",
+    "SpectrumLife",
+    "StaticSafety",
+    "contamination_factor",
+    "dynamic_load_rating",
+    "element_load_ratings",
+    "equivalent_load",
+    "fatigue_load_limit",
+    "life",
+    "life_modification_factor",
+    "reliability_factor",
+    "spectrum_life",
+    "static_load_rating",
+    "static_safety",
+    "viscosity_ratio",
+]

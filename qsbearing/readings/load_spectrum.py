@@ -1,0 +1,70 @@
+"""Life under a spectrum of loads and speeds: operating points with their shares of time (Palmgren-Miner).
+
+Source: ISO/TS 16281:2008, clause on varying conditions; A. Palmgren 1924. Each point uses up the share of life that its
+revolutions are of its own life.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.readings.rating_life import Life
+from qsbearing.validation import RATIO, ErrorDetail, raise_if_any, within
+
+WHOLE = 1e-6
+"""Time shares must add up to one to this (chosen: shares are written with a few digits)."""
+
+
+@dataclass(frozen=True)
+class SpectrumLife:
+    """Life under all operating points together; the axis of the points is gone from its arrays."""
+
+    life: NDArray
+    """Revolutions of one ring against the other, as mixed as the spectrum."""
+    duration: NDArray
+    """The same as time [s]."""
+    damage_share: NDArray
+    """The part of the damage that each operating point does; with the axis of the points."""
+
+
+def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> SpectrumLife:
+    """Life of a bearing that runs through operating points, which are one case axis of a solution.
+
+        1/t = sum_k q_k n_k/L_k        with q the shares of time, n the speeds, L each point's life
+
+    L is the modified reference life where it was asked for, else a1 times the basic reference life. A point at rest
+    does no damage. A point that is not solved makes the result NaN.
+
+    Args:
+        life: of a solution whose cases hold the operating points.
+        time_share: q, one for each point; they add up to one.
+        axis: the case axis of the points.
+
+    Raises:
+        SceneError: shares that are negative, do not add up to one, or are not as many as the points.
+    """
+    shares = np.atleast_1d(np.asarray(time_share, float))
+    errors = within("time_share", time_share, RATIO, 0.0, 1.0)
+    each = life.modified_reference_rating_life
+    if each is None:
+        each = life.reliability_factor * life.basic_reference_rating_life
+    points = each.shape[axis] if each.ndim else 0
+    if shares.shape != (points,):
+        problem = f"has {shares.size} values for {points} operating points along axis {axis}"
+        errors.append(ErrorDetail("time_share", problem))
+    elif not errors and abs(shares.sum() - 1.0) > WHOLE:
+        errors.append(ErrorDetail("time_share", f"adds up to {shares.sum():.6g}, not to 1", cause="Shares of the time"))
+    raise_if_any(errors)
+    shape = [1] * each.ndim
+    shape[axis] = points
+    turns = shares.reshape(shape) * np.abs(life.speed) / (2.0 * pi)
+    damage = np.where(turns > 0.0, turns / each, 0.0)
+    total = damage.sum(axis=axis)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        duration = 1.0 / total
+        part = damage / np.expand_dims(total, axis)
+    return SpectrumLife(duration * turns.sum(axis=axis), duration, part)

@@ -1,0 +1,57 @@
+"""Tables and worked examples of the rating standards, as printed."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import qsbearing as qs
+
+DATA = Path(__file__).parent / "data"
+
+# ISO 76:2006, table 1 (GOST 18854-2013, pp. 5-6): f0 by gamma in steps of 0.01.
+# fmt: off
+STATIC_RADIAL = np.array([
+    14.7, 14.9, 15.1, 15.3, 15.5, 15.7, 15.9, 16.1, 16.3, 16.5, 16.4, 16.1, 15.9, 15.6, 15.4, 15.2, 14.9, 14.7, 14.4,
+    14.2, 14.0, 13.7, 13.5, 13.2, 13.0, 12.8, 12.5, 12.3, 12.1, 11.8, 11.6, 11.4, 11.2, 10.9, 10.7, 10.5, 10.3, 10.0,
+    9.8, 9.6, 9.4,
+])
+STATIC_THRUST = np.array([
+    61.6, 60.8, 59.9, 59.1, 58.3, 57.5, 56.7, 55.9, 55.1, 54.3, 53.5, 52.7, 51.9, 51.2, 50.4, 49.6, 48.8, 48.0, 47.3,
+    46.5, 45.7, 45.0, 44.2, 43.5, 42.7, 41.9, 41.2, 40.5, 39.7, 39.0, 38.2, 37.5, 36.8, 36.0, 35.3, 34.6,
+])
+RELIABILITY = {  # ISO 281:2007, table 12
+    0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25, 0.992: 0.22, 0.994: 0.19, 0.996: 0.16,
+    0.998: 0.12, 0.999: 0.093, 0.9992: 0.087, 0.9994: 0.080, 0.9995: 0.077,
+}
+# fmt: on
+
+ISO_STEEL = qs.Material(207e9, 0.3, 7800.0)
+
+
+def bearing(
+    Z: int, D: float, dm: float, angle: float, fi: float = 0.52, fo: float = 0.52, **more: object
+) -> qs.BallBearing:
+    """A bearing from millimetres and degrees."""
+    fields = {"ball_material": ISO_STEEL, "ring_material": ISO_STEEL} | more
+    return qs.BallBearing(Z, D * 1e-3, dm * 1e-3, fi * D * 1e-3, fo * D * 1e-3, angle * qs.deg, **fields)  # type: ignore[arg-type]
+
+
+def gmn(series: str, angle: float) -> list[dict[str, float]]:
+    """Rows of GMN's catalogue of one series and contact angle."""
+    with (DATA / "gmn_spindle_bearings.csv").open(encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["name"].startswith(series)]
+    numbers = [{key: float(value) for key, value in row.items() if key != "name" and value} for row in rows]
+    return [row for row in numbers if row["alpha_deg"] == angle]
+
+
+def endurance_groups() -> NDArray:
+    """Lieblein & Zelen: columns company, bearings, load [N], Z, D [mm], L10 [10^6 rev]."""
+    path = DATA / "lieblein_zelen_1956.dat"
+    table = np.genfromtxt(path, skip_header=1, usecols=(0, 3, 4, 5, 6, 7))
+    table[:, 2] *= 4.4482216
+    table[:, 4] *= 25.4
+    return table

@@ -1,0 +1,219 @@
+"""Rating lives from solved ball loads: published ISO/TS 16281 lives, relations, load spectra, bad input."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import qsbearing as qs
+from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
+from tests.readings.published import bearing
+from tests.reference.test_published_numbers import TEN_MICROMETRES, half_play
+
+MREV = 1e6
+FEW = settings(max_examples=12)
+
+
+# Results of a commercial program as github.com/minzhun/ISO16281 publishes them (theory of the bearing: see
+# tests/reference/test_published_numbers.py); agreement reached 2e-6 to 2.2e-4. With tilt the small rotations neglect
+# up to 2.6e-4 of the displacement, and life goes as the load's cube: 1e-3 is the limit for all.
+PUBLISHED: list[tuple[qs.BallBearing, dict[str, Any], float]] = [
+    (DEEP_GROOVE, {"axial_displacement": 0.0, "radial_load_y": 1e3, **UPRIGHT}, 13163.019),
+    (DEEP_GROOVE, {"axial_load": 1e3}, 2222.7318),
+    (
+        TEN_MICROMETRES,
+        {"axial_displacement": -half_play(TEN_MICROMETRES), "radial_load_y": 1e3, **UPRIGHT},
+        10795.7948,
+    ),
+    (TEN_MICROMETRES, {"axial_load": 1e3}, 3115.8781),
+    (TEN_MICROMETRES, {"axial_load": 1e3, "radial_load_y": 1e3, "moment_z": 0.0}, 1630.5367),
+    (DEEP_GROOVE, {"axial_load": 0.0, "moment_y": 1.0}, 785144.7521),
+    (TEN_MICROMETRES, {"axial_load": 1e3, "radial_load_y": 1e3, "moment_y": 1.0, "moment_z": 0.0}, 1627.7479),
+]
+
+
+@pytest.mark.parametrize(("b", "operation", "printed"), PUBLISHED, ids=lambda value: str(value)[:40])
+def test_published_reference_lives(b: qs.BallBearing, operation: dict[str, Any], printed: float) -> None:
+    scene = qs.Scene(b, qs.Operation(**operation), hertz_angle=qs.HertzAngle.ZERO, tilt_lever=qs.TiltLever.PITCH_CIRCLE)
+    found = qs.readings.life(solved(scene), dynamic_load_rating=23400.0)
+    assert found.basic_reference_rating_life / MREV == pytest.approx(printed, rel=1e-3)
+
+
+def test_the_system_lives_shorter_than_its_weaker_raceway() -> None:
+    solution = solved(turning([0.0, 4e3, 12e3], axial_load=15e3, radial_load_y=3e3, moment_z=0.0))
+    found = qs.readings.life(solution)
+    weaker = np.minimum(found.inner_life, found.outer_life)
+    assert (found.basic_reference_rating_life < weaker).all()
+    assert (found.basic_reference_rating_life > 0.5 * weaker).all()  # 2^-0.9, were both equal
+
+
+@FEW
+@given(st.floats(1.5, 20.0))
+def test_life_falls_with_the_cube_of_the_load_at_fixed_angle(factor: float) -> None:
+    """A bearing without clearance under radial load: the angle stays zero, the load zone stays half the ring."""
+    operation = {"axial_displacement": 0.0, "radial_load_y": np.array([500.0, 500.0 * factor]), **UPRIGHT}
+    light, heavy = qs.readings.life(solved(resting(DEEP_GROOVE, **operation))).basic_reference_rating_life
+    assert heavy / light == pytest.approx(factor**-3, rel=1e-9)
+
+
+def test_every_ball_counts_and_unloaded_ones_do_no_harm() -> None:
+    """Under thrust the mean is the one ball load; where only some balls carry, the standing ring suffers more."""
+    thrust = qs.readings.life(solved(resting(B218, axial_load=10e3)))
+    rating = qs.readings.element_load_ratings(B218, thrust.dynamic_load_rating)
+    load = solved(resting(B218, axial_load=10e3)).inner.load[0]
+    assert thrust.inner_life == pytest.approx(MREV * (rating[0] / load) ** 3, rel=1e-9)
+    assert thrust.outer_life == pytest.approx(MREV * (rating[1] / load) ** 3, rel=1e-9)
+    partly = {"axial_load": 1e3, "radial_load_y": 4e3, **UPRIGHT}
+    inner_turns = qs.readings.life(solved(resting(B218, **partly, speed=10.0)))
+    outer_turns = qs.readings.life(solved(resting(B218, **partly, outer_speed=10.0)))
+    both_turn = qs.readings.life(solved(resting(B218, **partly, speed=10.0, outer_speed=-5.0)))
+    assert inner_turns.inner_life > outer_turns.inner_life
+    assert inner_turns.outer_life < outer_turns.outer_life
+    assert both_turn.inner_life == inner_turns.inner_life
+    assert both_turn.outer_life == outer_turns.outer_life
+    assert both_turn.speed == 15.0
+
+
+def test_at_speed_the_outer_raceway_bears_the_centrifugal_force() -> None:
+    rest, fast = (qs.readings.life(solved(turning(rpm, axial_load=8e3))) for rpm in (1.0, 14e3))
+    assert fast.outer_life < 0.2 * rest.outer_life
+    assert fast.basic_rating_life == pytest.approx(rest.basic_rating_life)  # the catalogue's life knows no speed
+
+
+def test_basic_rating_life_of_the_catalogue() -> None:
+    """6309 of SKF's catalogue: C 55.3 kN, P 10 kN: 169 million revolutions, 940 hours at 3000 rpm."""
+    b = bearing(8, 17.5, 72.5, 0.0, kind=qs.BearingKind.DEEP_GROOVE)
+    solution = solved(resting(b, axial_displacement=0.0, radial_load_y=10e3, speed=3000 * qs.rpm, **UPRIGHT))
+    found = qs.readings.life(solution, dynamic_load_rating=55.3e3)
+    assert found.equivalent_load == pytest.approx(10e3)
+    assert found.basic_rating_life / MREV == pytest.approx(169, abs=0.5)
+    assert found.basic_rating_life / MREV * 1e6 / 3000 / 60 == pytest.approx(940, abs=0.5)
+
+
+def test_equivalent_load_by_angle() -> None:
+    forty, twenty_five, fifteen = (bearing(15, 10, 80, angle) for angle in (40.0, 25.0, 15.0))
+    P = qs.readings.equivalent_load
+    assert P(forty, 1000, 2000) == pytest.approx(0.35 * 1000 + 0.57 * 2000)
+    assert P(forty, 1000, 1000) == 1000.0
+    assert P(twenty_five, 1000, 1000) == pytest.approx(0.41 * 1000 + 0.87 * 1000)
+    light = 0.178 * 15 * 100 * np.cos(15 * qs.deg)
+    assert P(fifteen, 100.0, light) == pytest.approx(0.44 * 100 + 1.47 * light)
+    assert np.isnan(P(bearing(15, 10, 80, 12.0), 1000, 1000))
+    warned = qs.readings.life(solved(resting(bearing(15, 10, 80, 12.0), axial_load=1e3)))
+    assert any("15 to 45" in sentence for sentence in warned.warnings)
+
+
+def test_modified_life_is_asked_for_or_absent() -> None:
+    solution = solved(turning(10e3, axial_load=17.8e3))
+    plain = qs.readings.life(solution)
+    assert plain.life_modification_factor is None
+    assert plain.modified_reference_rating_life is None
+    asked = qs.readings.life(solution, viscosity_ratio=1.5, contamination_factor=0.4, reliability=0.99)
+    assert asked.modified_reference_rating_life == pytest.approx(
+        asked.reliability_factor * asked.life_modification_factor * plain.basic_reference_rating_life
+    )
+    assert asked.reliability_factor == pytest.approx(0.248, abs=1e-3)
+    cleaner = qs.readings.life(solution, viscosity_ratio=1.5, contamination_factor=0.8)
+    assert cleaner.life_modification_factor > asked.life_modification_factor
+
+
+def test_arrays_and_unsolved_cases() -> None:
+    """Cases in a batch live as alone; one without equilibrium has no life."""
+    loads = np.array([5e3, -5e3, 20e3])
+    solution = qs.solve(resting(B218, axial_load=loads))
+    found = qs.readings.life(solution).basic_reference_rating_life
+    assert np.isnan(found).tolist() == [False, True, False]
+    alone = qs.readings.life(solved(resting(B218, axial_load=20e3))).basic_reference_rating_life
+    assert found[2] == pytest.approx(alone, rel=1e-12)
+
+
+def test_ball_counts_that_vary() -> None:
+    counts = np.array([8, 16])
+    both = solved(resting(bearing(counts, 10, 80, 25), axial_load=2e3))
+    one = solved(resting(bearing(8, 10, 80, 25), axial_load=2e3))
+    assert qs.readings.life(both).basic_reference_rating_life[0] == pytest.approx(
+        qs.readings.life(one).basic_reference_rating_life, rel=1e-12
+    )
+
+
+def test_no_load_no_damage() -> None:
+    idle = qs.readings.life(solved(resting(B218, axial_load=0.0)))
+    assert idle.basic_reference_rating_life == np.inf
+    assert idle.reference_load == 0.0
+
+
+# ------------------------------------------------------------------------------------------------------------- spectrum
+
+
+def test_a_spectrum_of_equal_points_is_the_point() -> None:
+    solution = solved(resting(B218, axial_load=np.full(3, 9e3), speed=3000 * qs.rpm))
+    each = qs.readings.life(solution)
+    mixed = qs.readings.spectrum_life(each, [0.2, 0.3, 0.5])
+    assert mixed.duration == pytest.approx(each.duration[0])
+    assert mixed.life == pytest.approx(each.basic_reference_rating_life[0])
+    assert mixed.damage_share == pytest.approx([0.2, 0.3, 0.5])
+
+
+def test_a_spectrum_adds_damage() -> None:
+    """Palmgren-Miner by hand, points along the first of two axes; standing still does no harm."""
+    load = np.array([4e3, 16e3, 10e3])[:, None] * np.array([1.0, 1.5])
+    speed = np.array([3000.0, 1500.0, 0.0])[:, None] * qs.rpm
+    each = qs.readings.life(solved(resting(B218, axial_load=load, speed=speed)))
+    mixed = qs.readings.spectrum_life(each, [0.6, 0.3, 0.1], axis=0)
+    rate = (0.6 * 50.0, 0.3 * 25.0)
+    L = each.basic_reference_rating_life
+    by_hand = 1.0 / (rate[0] / L[0] + rate[1] / L[1])
+    assert mixed.duration == pytest.approx(by_hand)
+    assert mixed.life == pytest.approx(by_hand * sum(rate))
+    assert mixed.damage_share[2] == pytest.approx([0.0, 0.0])
+
+
+def test_bad_shares() -> None:
+    each = qs.readings.life(solved(resting(B218, axial_load=np.array([4e3, 8e3]), speed=10.0)))
+    with pytest.raises(qs.SceneError, match=r"adds up to 0\.9"):
+        qs.readings.spectrum_life(each, [0.5, 0.4])
+    with pytest.raises(qs.SceneError, match="3 values for 2 operating points"):
+        qs.readings.spectrum_life(each, [0.5, 0.4, 0.1])
+    with pytest.raises(qs.SceneError, match="negative"):
+        qs.readings.spectrum_life(each, [0.5, -0.5])
+
+
+# ------------------------------------------------------------------------------------------------ remarks and bad input
+
+
+def test_all_wrong_arguments_at_once() -> None:
+    solution = solved(resting(B218, axial_load=4e3))
+    with pytest.raises(qs.SceneError) as caught:
+        qs.readings.life(solution, rating="iso", reliability=0.5, viscosity_ratio=1.0, dynamic_load_rating=-1.0)  # type: ignore[arg-type]
+    fields = {error.field for error in caught.value.errors}
+    assert fields == {"rating", "reliability", "contamination_factor", "dynamic_load_rating"}
+
+
+def test_what_the_sources_do_not_cover_is_said() -> None:
+    hybrid = qs.readings.life(solved(turning(20e3, SPINDLE, axial_load=1e3)))
+    assert any("ceramic" in sentence for sentence in hybrid.warnings)
+    wide = qs.readings.life(solved(resting(B218, axial_load=4e3)), rating="iso_281")  # type: ignore[arg-type]
+    assert any("0.52" in sentence for sentence in wide.warnings)
+    crushed = qs.readings.life(solved(resting(B218, axial_load=np.array([4e3, 9e5]))))
+    assert any(sentence.startswith("1 of 2 cases, the first 1: a contact") for sentence in crushed.warnings)
+    assert qs.readings.life(solved(resting(B218, axial_load=4e3))).warnings == ()
+
+
+def test_static_safety_two_ways() -> None:
+    """Under thrust both safeties see the same ball load: C0/P0 by Y0 = 0.26, the contact by its own pressure."""
+    solution = solved(resting(B218, axial_load=20e3))
+    found = qs.readings.static_safety(solution)
+    assert found.static_equivalent_load == pytest.approx(0.26 * 20e3)
+    assert found.static_safety == pytest.approx(found.static_load_rating / 5200.0)
+    p = max(solution.inner.max_pressure[0], solution.outer.max_pressure[0])
+    assert found.contact_safety == pytest.approx((4200e6 / p) ** 3)
+    assert found.warnings == ()
+    tilted = qs.readings.static_safety(solved(resting(B218, axial_load=20e3, moment_y=100.0)))
+    assert any("moment" in sentence for sentence in tilted.warnings)
+    crushed = qs.readings.static_safety(solved(resting(B218, axial_load=9e5)))
+    assert crushed.contact_safety < 1.0
+    assert any("yields" in sentence for sentence in crushed.warnings)
