@@ -329,6 +329,12 @@ class Solution:
         return self._read_if(self.scene.raceway_control, OUTER_SIDE, readings.ROTATION_SPEED, "speed")
 
     @cached_property
+    def attitude_angle(self) -> NDArray | None:
+        """beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a ball
+        effect."""
+        return self._read_if(self.scene.raceway_control, OUTER_SIDE, readings.ATTITUDE_ANGLE, "")
+
+    @cached_property
     def raceway_control(self) -> NDArray | None:
         """ "outer" or "inner" for each ball; shape (*cases, ball); None without a ball effect."""
         if self.scene.raceway_control is None:

@@ -18,7 +18,7 @@ from qsbearing.kernel.raceway_stiffness import groove_stiffness, raceway_ellipse
 from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
-CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED = range(7, 11)
+CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED, ATTITUDE_ANGLE = range(7, 12)
 
 # Of a contact's stiffness: far below any, it lets a ball out of contact be eliminated.
 LEAST_STIFFNESS = 1e-30
@@ -84,6 +84,8 @@ def read_motion(case: recarray, work: recarray, ball: recarray, what: int) -> fl
     so, co = ball.outer_sine, ball.outer_cosine
     si, ci, _, _, _ = rolling_line(case, ball)
     axis = rotation_axis(ball.control, g, si, ci, so, co)
+    if what == ATTITUDE_ANGLE:
+        return atan2(axis[0], axis[1])
     terms = rolling_terms(g, si, ci, so, co, axis)
     if what == ORBITAL_SPEED:
         return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]

@@ -6,11 +6,13 @@ that its source states; what was not asked for is None, and what has no number i
 
 from __future__ import annotations
 
+from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating, element_load_ratings
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
+from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
 from qsbearing.readings.rating_life import Capacity, Life, life
 from qsbearing.readings.static_rating import (
     FatigueLimit,
@@ -21,10 +23,14 @@ from qsbearing.readings.static_rating import (
 )
 
 __all__ = [
+    "BallMotion",
     "Capacity",
     "Cleanliness",
     "FatigueLimit",
+    "Frequencies",
+    "FrequencySet",
     "Life",
+    "RacewayMotion",
     "Rating",
     "SpectrumLife",
     "StaticSafety",
@@ -33,6 +39,8 @@ __all__ = [
     "element_load_ratings",
     "equivalent_load",
     "fatigue_load_limit",
+    "frequencies",
+    "kinematics",
     "life",
     "life_modification_factor",
     "reliability_factor",
