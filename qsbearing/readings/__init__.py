@@ -10,8 +10,10 @@ from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating, element_load_ratings
 from qsbearing.readings.equivalent_load import equivalent_load
+from qsbearing.readings.film_thickness import Film, RacewayFilm, film
 from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
+from qsbearing.readings.lubricant import Lubricant, OilState
 from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
 from qsbearing.readings.rating_life import Capacity, Life, life
 from qsbearing.readings.static_rating import (
@@ -27,9 +29,13 @@ __all__ = [
     "Capacity",
     "Cleanliness",
     "FatigueLimit",
+    "Film",
     "Frequencies",
     "FrequencySet",
     "Life",
+    "Lubricant",
+    "OilState",
+    "RacewayFilm",
     "RacewayMotion",
     "Rating",
     "SpectrumLife",
@@ -39,6 +45,7 @@ __all__ = [
     "element_load_ratings",
     "equivalent_load",
     "fatigue_load_limit",
+    "film",
     "frequencies",
     "kinematics",
     "life",

@@ -1,0 +1,154 @@
+"""Thickness of the oil film in every contact, and the film parameter.
+
+Source: B. Hamrock & D. Dowson, J. Lubrication Technology 99 (1977) 264-276; Hamrock, *Fundamentals of Fluid Film
+Lubrication*. With U = eta u/(E' Rx), G = xi E', W = Q/(E' Rx^2), k = a/b, E' = 2/[(1-nu1^2)/E1 + (1-nu2^2)/E2]:
+
+    minimum  h/Rx = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
+    central  h/Rx = 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k))
+
+u is each contact's own entrainment speed and Rx its rolling radius at its own angle. (Codes that take half of E' or
+call the first formula "central" are in circulation.)
+
+Range: elastic contacts, fully flooded with oil, isothermal, steady. The fits were computed for loads W of 1e-7 to 1e-6,
+far below a bearing's, and are used beyond by custom. How far the inlet heats by shear is told beside the film by SKF's
+factor (General Catalogue), which was made for friction and is not applied to the film.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.readings.ball_motion import gamma, kinematics, ring_speeds
+from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.lubricant import OilState
+from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.units import mm, rpm
+from qsbearing.validation import LENGTH, Quantity, raise_if_any, within
+
+MIXED = 1.0
+"""Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""
+
+WARM_INLET = 0.9
+"""SKF's inlet shear heating factor below which the isothermal film is doubtful (chosen: 10 %)."""
+
+
+@dataclass(frozen=True)
+class RacewayFilm:
+    """Film in the contacts of one raceway; arrays of shape (*cases, ball), NaN where a ball does not touch it."""
+
+    central_thickness: NDArray
+    """[m]."""
+    minimum_thickness: NDArray
+    """[m]."""
+    film_parameter: NDArray | None
+    """Lambda, the minimum film over the surfaces' combined roughness [-]; None without roughness."""
+
+
+@dataclass(frozen=True)
+class Film:
+    """Oil films of a solution."""
+
+    inner: RacewayFilm
+    outer: RacewayFilm
+    inlet_shear_heating: NDArray | None
+    """SKF's factor phi_ish = 1/(1 + 1.84e-9 (n dm)^1.28 nu^0.64), n rpm, dm mm, nu mm^2/s; shape (*cases) [-]. None
+    where the oil's kinematic viscosity is not known."""
+    warnings: Remarks
+
+
+def film(
+    solution: Solution,
+    oil: OilState,
+    *,
+    ball_roughness: ArrayLike | None = None,
+    raceway_roughness: ArrayLike | None = None,
+) -> Film:
+    """Film thickness in every contact of every case.
+
+    Args:
+        oil: at its operating temperature; `Lubricant.at` makes one.
+        ball_roughness, raceway_roughness: Rq of the surfaces, root mean square [m]; both, or no film parameter.
+
+    Raises:
+        SceneError: every number that is out of range, at once.
+    """
+    errors = within("oil.dynamic_viscosity", oil.dynamic_viscosity, Quantity("Pa s"), 1e-4, 1e3)
+    errors += within("oil.pressure_viscosity", oil.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
+    for name, value in (("ball_roughness", ball_roughness), ("raceway_roughness", raceway_roughness)):
+        if value is not None:
+            errors += within(name, value, LENGTH, 1e-10, 1e-4)
+    raise_if_any(errors)
+    rough = None
+    if ball_roughness is not None and raceway_roughness is not None:
+        rough = np.hypot(np.asarray(ball_roughness, float), np.asarray(raceway_roughness, float))[..., None]
+    motion = kinematics(solution)
+    inner, outer = (
+        _raceway(solution, contacts, speed, oil, side, rough)
+        for side, contacts, speed in (
+            (INNER, solution.inner, motion.inner.entrainment_speed),
+            (OUTER, solution.outer, motion.outer.entrainment_speed),
+        )
+    )
+    factor = None if oil.kinematic_viscosity is None else _inlet_shear_heating(solution, oil.kinematic_viscosity)
+    return Film(inner, outer, factor, remarks(_found(oil, inner, outer, factor), solution.shape))
+
+
+def minimum_thickness(U: NDArray, G: NDArray, W: NDArray, k: NDArray) -> NDArray:
+    """h/Rx at the thinnest place of the film."""
+    return np.asarray(3.63 * U**0.68 * G**0.49 * W**-0.073 * (1.0 - np.exp(-0.68 * k)))
+
+
+def central_thickness(U: NDArray, G: NDArray, W: NDArray, k: NDArray) -> NDArray:
+    """h/Rx at the centre of the film."""
+    return np.asarray(2.69 * U**0.67 * G**0.53 * W**-0.067 * (1.0 - 0.61 * np.exp(-0.73 * k)))
+
+
+def inlet_shear_heating(speed: ArrayLike, pitch_diameter: ArrayLike, kinematic_viscosity: ArrayLike) -> NDArray:
+    """phi_ish = 1/(1 + 1.84e-9 (n dm)^1.28 nu^0.64) of SKF's General Catalogue; arguments in SI units."""
+    n, dm = np.abs(np.asarray(speed, float)) / rpm, np.asarray(pitch_diameter, float) / mm
+    nu = np.asarray(kinematic_viscosity, float) / mm**2
+    return np.asarray(1.0 / (1.0 + 1.84e-9 * (n * dm) ** 1.28 * nu**0.64))
+
+
+def _inlet_shear_heating(solution: Solution, kinematic_viscosity: ArrayLike) -> NDArray:
+    inner, outer = ring_speeds(solution)
+    pitch = BearingNumbers(solution.scene.bearing).pitch_diameter
+    return np.broadcast_to(inlet_shear_heating((inner - outer)[..., 0], pitch, kinematic_viscosity), solution.shape)
+
+
+def _raceway(
+    solution: Solution, contacts: RacewayContacts, speed: NDArray, oil: OilState, side: float, rough: NDArray | None
+) -> RacewayFilm:
+    numbers = BearingNumbers(solution.scene.bearing)
+    modulus = numbers.modulus()[..., None]
+    eta = np.asarray(oil.dynamic_viscosity, float)[..., None]
+    xi = np.asarray(oil.pressure_viscosity, float)[..., None]
+    Rx = 0.5 * numbers.ball_diameter[..., None] * (1.0 + side * gamma(solution) * np.cos(contacts.angle))
+    touches = contacts.load > 0.0
+    load = np.where(touches, contacts.load, np.nan)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        k = contacts.semi_major_axis / contacts.semi_minor_axis
+    dimensionless = eta * speed / (modulus * Rx), xi * modulus, load / (modulus * Rx**2), k
+    thinnest = Rx * minimum_thickness(*dimensionless)
+    return RacewayFilm(Rx * central_thickness(*dimensionless), thinnest, None if rough is None else thinnest / rough)
+
+
+def _found(
+    oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None
+) -> list[tuple[NDArray | bool, str]]:
+    found: list[tuple[NDArray | bool, str]] = []
+    if oil.is_estimated:
+        rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
+        found.append((True, f"{rough}, which is 15 % of the film"))
+    if factor is not None:
+        hot = f"SKF's inlet shear heating factor is below {WARM_INLET:g}"
+        found.append((factor < WARM_INLET, f"{hot}: the true film is thinner than this isothermal one"))
+    for name, raceway in (("inner", inner), ("outer", outer)):
+        if raceway.film_parameter is not None:
+            thin = (np.nan_to_num(raceway.film_parameter, nan=np.inf) < MIXED).any(axis=-1)
+            found.append((thin, f"a film parameter is below 1: much of that {name} contact is touched by asperities"))
+    return found

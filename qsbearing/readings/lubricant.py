@@ -1,0 +1,172 @@
+"""Oil: viscosity by temperature, density, and how viscosity rises with pressure.
+
+Sources: ASTM D341 (viscosity and temperature); ASTM D2270 / ISO 2909 (viscosity index; the coefficients of its
+appendix); ISO 3448 (viscosity grades, mm^2/s at 40 C); A. Wooster 1951, as G. Stachowiak & A. Batchelor, *Engineering
+Tribology*, print it (pressure-viscosity coefficient of mineral oils).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import log10
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.units import mm
+from qsbearing.validation import RATIO, ErrorDetail, Quantity, raise_if_any, within
+
+FREEZING = 273.15
+DENSITY_SLOPE = 0.7
+"""Mineral oil loses so much density with temperature [kg/(m^3 K)]; usual value."""
+
+VISCOSITY = Quantity("m^2/s", (("mm2_s", "mm^2/s", 1e-6),))
+KELVIN = Quantity("K", (("C", "degrees Celsius", 1.0),))
+
+# fmt: off
+_INDEX = np.array([  # from this viscosity at 100 C [mm^2/s]: L = a Y^2 + b Y + c, H = d Y^2 + e Y + f (ASTM D2270)
+    (2.0, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),
+    (3.8, 3.38095, -15.4952, 33.196, 0.78571, 1.7929, -0.183),
+    (4.4, 2.5000, -7.2143, 13.812, 0.82143, 1.5679, 0.119),
+    (5.0, 0.10100, 16.6350, -45.469, 0.04985, 9.1613, -18.557),
+    (6.4, 3.35714, -23.5643, 78.466, 0.22619, 7.7369, -16.656),
+    (7.0, 0.01191, 21.4750, -72.870, 0.79762, -0.7321, 14.610),
+    (7.7, 0.41858, 16.1558, -56.040, 0.05794, 10.5156, -28.240),
+    (9.0, 0.88779, 7.5527, -16.600, 0.26665, 6.7015, -10.810),
+    (12.0, 0.76720, 10.7972, -38.180, 0.20073, 8.4658, -22.490),
+    (15.0, 0.97305, 5.3135, -2.200, 0.28889, 5.9741, -4.930),
+    (18.0, 0.97256, 5.2500, -0.980, 0.24504, 7.4160, -16.730),
+    (22.0, 0.91413, 7.4759, -21.820, 0.20323, 9.1267, -34.230),
+    (28.0, 0.87031, 9.7157, -50.770, 0.18411, 10.1015, -46.750),
+    (40.0, 0.84703, 12.6752, -133.310, 0.17029, 11.4866, -80.620),
+    (55.0, 0.85921, 11.1009, -83.190, 0.17130, 11.3680, -76.940),
+    (70.0, 0.83531, 14.6731, -216.246, 0.16841, 11.8493, -96.947),
+])
+# fmt: on
+
+
+@dataclass(frozen=True)
+class OilState:
+    """An oil at its operating temperature; SI units. Any number may be an array that broadcasts to the cases."""
+
+    dynamic_viscosity: ArrayLike
+    """eta at the contacts' inlet, at atmospheric pressure [Pa s]."""
+    pressure_viscosity: ArrayLike
+    """xi, the logarithmic rise of viscosity with pressure [1/Pa]."""
+    kinematic_viscosity: ArrayLike | None = None
+    """nu [m^2/s]; None: not known, and neither is what rests on it."""
+    is_estimated: bool = False
+    """Whether the pressure-viscosity coefficient is an estimate."""
+
+
+@dataclass(frozen=True)
+class Lubricant:
+    """An oil by its viscosity at two temperatures; SI units.
+
+    Raises:
+        SceneError: numbers that are no oil; every error, at once.
+    """
+
+    temperatures: tuple[float, float]
+    """Of the two measured points [K], rising."""
+    viscosities: tuple[float, float]
+    """Kinematic, at those temperatures [m^2/s], falling."""
+    density: float = 870.0
+    """At 15 C [kg/m^3]."""
+    pressure_viscosity: float | None = None
+    """xi at any temperature [1/Pa]; None: estimated from the viscosity, as for mineral oil."""
+
+    def __post_init__(self) -> None:
+        errors = []
+        for i in (0, 1):
+            errors += within(f"temperatures[{i}]", self.temperatures[i], KELVIN, 200.0, 600.0)
+            errors += within(f"viscosities[{i}]", self.viscosities[i], VISCOSITY, 0.5e-6, 1.0)
+        errors += within("density", self.density, Quantity("kg/m^3"), 500.0, 2500.0)
+        if self.pressure_viscosity is not None:
+            errors += within("pressure_viscosity", self.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
+        if not errors and not (
+            self.temperatures[0] < self.temperatures[1] and self.viscosities[0] > self.viscosities[1]
+        ):
+            cause = "Two measured points, the colder one first: its viscosity is the higher one"
+            errors.append(ErrorDetail("viscosities", "do not fall as temperature rises", cause=cause))
+        raise_if_any(errors)
+
+    @classmethod
+    def from_grade(cls, grade: float, viscosity_index: float = 95.0, **fields: float | None) -> Lubricant:
+        """An oil by its ISO viscosity grade (mm^2/s at 40 C) and viscosity index; 95 is usual for mineral oil.
+
+        Raises:
+            SceneError: a grade or index out of range.
+        """
+        errors = within("grade", grade, Quantity("mm^2/s at 40 C"), 7.0, 3200.0)
+        errors += within("viscosity_index", viscosity_index, RATIO, 0.0, 400.0)
+        raise_if_any(errors)
+        hot = viscosity_at_100(grade, viscosity_index)
+        points = (FREEZING + 40.0, FREEZING + 100.0), (grade * mm**2, hot * mm**2)
+        return cls(*points, **fields)  # type: ignore[arg-type]
+
+    def kinematic_viscosity(self, temperature: ArrayLike) -> NDArray:
+        """nu at a temperature [K], in m^2/s: log log(nu + 0.7) = A - B log T, nu in mm^2/s (ASTM D341).
+
+        Range: 2 mm^2/s and more; below, the standard adds terms that are not here.
+        """
+        T1, T2 = self.temperatures
+        low, high = (log10(log10(nu / mm**2 + 0.7)) for nu in self.viscosities)
+        slope = (low - high) / (log10(T2) - log10(T1))
+        double = low - slope * (np.log10(np.asarray(temperature, float)) - log10(T1))
+        return np.asarray((10.0 ** (10.0**double) - 0.7) * mm**2)
+
+    def at(self, temperature: ArrayLike) -> OilState:
+        """The oil at an operating temperature [K].
+
+        Raises:
+            SceneError: a temperature out of range.
+        """
+        raise_if_any(within("temperature", temperature, KELVIN, 200.0, 600.0, "is no oil temperature in kelvins"))
+        nu = self.kinematic_viscosity(temperature)
+        eta = nu * (self.density - DENSITY_SLOPE * (np.asarray(temperature, float) - FREEZING - 15.0))
+        xi = estimated_pressure_viscosity(eta) if self.pressure_viscosity is None else self.pressure_viscosity
+        return OilState(eta, xi, nu, self.pressure_viscosity is None)
+
+
+def estimated_pressure_viscosity(dynamic_viscosity: ArrayLike) -> NDArray:
+    """xi = (0.6 + 0.965 log10 eta) 1e-8 /Pa, eta in mPa s: mineral oils, after Wooster.
+
+    Measured oils lie within some 30 % of it, which is 15 % of a film; poly-alpha-olefins below it.
+    """
+    eta = np.asarray(dynamic_viscosity, float)
+    return np.asarray((0.6 + 0.965 * np.log10(np.maximum(eta / 1e-3, 1.0))) * 1e-8)
+
+
+def viscosity_index(cold: float, hot: float) -> float:
+    """VI of an oil; ASTM D2270, L and H of its reference oils.
+
+        100 (L - U)/(L - H) up to 100;  above  100 + (10^N - 1)/0.00715, N = log10(H/U)/log10(Y)
+
+    Args:
+        cold: U, viscosity at 40 C [mm^2/s].
+        hot: Y, viscosity at 100 C [mm^2/s], 2 or more.
+    """
+    low, high = _reference_oils(hot)
+    if cold >= high:
+        return 100.0 * (low - cold) / (low - high)
+    return float(100.0 + ((high / cold) ** (1.0 / log10(hot)) - 1.0) / 0.00715)
+
+
+def viscosity_at_100(cold: float, index: float) -> float:
+    """Viscosity at 100 C [mm^2/s] of an oil of this viscosity at 40 C [mm^2/s] and viscosity index."""
+    from scipy.optimize import brentq
+
+    def surplus(hot: float) -> float:
+        low, high = _reference_oils(hot)
+        if index <= 100.0:
+            return low - 0.01 * index * (low - high) - cold
+        return high * hot ** -log10(0.00715 * (index - 100.0) + 1.0) - cold
+
+    return float(brentq(surplus, 1.2, 1000.0, xtol=1e-10))
+
+
+def _reference_oils(hot: float) -> tuple[float, float]:
+    """L and H, viscosities at 40 C of the oils of index 0 and 100 that are as viscous at 100 C [mm^2/s]."""
+    row = _INDEX[max(int(np.searchsorted(_INDEX[:, 0], hot, side="right")) - 1, 0)]
+    return float(np.polyval(row[1:4], hot)), float(np.polyval(row[4:7], hot))

@@ -1,0 +1,133 @@
+"""Oils and films: worked examples of the standards and of Hamrock's bearing, power laws, bad input."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.readings import Lubricant, OilState, film_thickness, lubricant
+from tests.qsbearing.scenes import B218, DEEP_GROOVE, UPRIGHT, resting, solved, turning
+
+THIN = OilState(0.02, 2e-8)
+
+
+def test_the_film_of_hamrock_s_209_bearing() -> None:
+    """Zero contact angle, 8900 N, 400 rad/s, eta 0.04 Pa s, xi 2.3e-8/Pa: 0.556 um printed inside, Lambda 3.00.
+
+    The last digits are those of exact Hertz contacts under the discrete balls' 4522.6 N; the text's own ellipses are
+    approximate, and its raceway roughness is 0.175 um as Lambda implies.
+    """
+    steel = qs.Material(200e9, 0.3, 7800.0)
+    b = qs.BallBearing.from_diametral_clearance(
+        diametral_clearance=15e-6, ball_count=9, ball_diameter=12.7e-3, pitch_diameter=64.9985e-3,
+        inner_groove_radius=6.604e-3, outer_groove_radius=6.604e-3, ball_material=steel, ring_material=steel,
+        kind="deep_groove",
+    )  # fmt: skip
+    centred = -float(b.groove_centre_distance * np.sin(b.free_contact_angle))
+    operation = qs.Operation(speed=400.0, radial_load_y=8900.0, axial_displacement=centred, **UPRIGHT)
+    solution = solved(qs.Scene(b, operation, hertz_angle=qs.HertzAngle.ZERO))
+    found = qs.readings.film(solution, OilState(0.04, 2.3e-8), ball_roughness=0.0625e-6, raceway_roughness=0.175e-6)
+    assert solution.inner.load[0] == pytest.approx(4522.6, abs=0.05)
+    motion = qs.readings.kinematics(solution)
+    assert motion.inner.entrainment_speed[0] == pytest.approx(6.252, abs=5e-4)
+    for raceway, least, central in ((found.inner, 0.5563, 0.6945), (found.outer, 0.6655, 0.8326)):
+        assert raceway.minimum_thickness[0] * 1e6 == pytest.approx(least, abs=1e-4)
+        assert raceway.central_thickness[0] * 1e6 == pytest.approx(central, abs=1e-4)
+    assert found.inner.film_parameter is not None
+    assert found.inner.film_parameter[0] == pytest.approx(3.00, abs=0.01)
+    assert np.isnan(found.inner.minimum_thickness[4])  # a ball that the load has left
+
+
+def test_films_grow_as_the_formulas_say() -> None:
+    """With speed to the 0.68 or 0.67, with viscosity the same, with xi to the 0.49 or 0.53."""
+    slow, fast = (solved(resting(DEEP_GROOVE, axial_load=1e3, speed=w)) for w in (100.0, 200.0))
+    films = [qs.readings.film(slow, THIN), qs.readings.film(fast, THIN)]
+    films += [qs.readings.film(slow, OilState(0.04, 2e-8)), qs.readings.film(slow, OilState(0.02, 4e-8))]
+    for name, speed, pressure in (("minimum_thickness", 0.68, 0.49), ("central_thickness", 0.67, 0.53)):
+        first, faster, thicker, stiffer = (getattr(each.outer, name)[0] for each in films)
+        assert faster / first == pytest.approx(2**speed, rel=1e-12)
+        assert thicker / first == pytest.approx(2**speed, rel=1e-12)
+        assert stiffer / first == pytest.approx(2**pressure, rel=1e-12)
+
+
+def test_load_hardly_thins_the_film() -> None:
+    """W^-0.073 at a fixed angle."""
+    scene = resting(
+        DEEP_GROOVE, axial_displacement=0.0, radial_load_y=np.array([500.0, 5000.0]), speed=300.0, **UPRIGHT
+    )
+    h = qs.readings.film(solved(scene), THIN).inner.minimum_thickness[:, 0]
+    assert h[1] / h[0] == pytest.approx(10**-0.073, rel=1e-9)
+
+
+def test_each_ball_has_its_own_film() -> None:
+    solution = solved(turning(8e3, axial_load=12e3, radial_load_y=4e3, moment_z=0.0))
+    found = qs.readings.film(solution, THIN)
+    assert np.ptp(found.inner.minimum_thickness) > 0.0
+    assert (found.inner.minimum_thickness < found.inner.central_thickness).all()
+    assert found.inner.film_parameter is None
+    assert found.inlet_shear_heating is None
+    assert found.warnings == ()
+
+
+def test_what_the_film_is_warned_of() -> None:
+    solution = solved(turning(np.array([100.0, 12e3]), axial_load=12e3))
+    oil = Lubricant.from_grade(68).at(343.15)
+    found = qs.readings.film(solution, oil, ball_roughness=0.1e-6, raceway_roughness=0.3e-6)
+    words = " | ".join(found.warnings)
+    assert "estimate" in words
+    assert "1 of 2 cases, the first 0: a film parameter" in words
+    assert "1 of 2 cases, the first 1: SKF" in words
+
+
+def test_inlet_shear_heating_of_the_catalogue() -> None:
+    """22208 E of SKF's catalogue: 3500 rpm, dm 60 mm, 68 mm^2/s: 0.85 printed, 0.8490."""
+    found = film_thickness.inlet_shear_heating(3500 * qs.rpm, 60e-3, 68e-6)
+    assert found == pytest.approx(0.8490, abs=5e-5)
+
+
+# ---------------------------------------------------------------------------------------------------------------- oils
+
+
+@pytest.mark.parametrize(("cold", "hot", "index"), [(73.30, 8.86, 92), (22.83, 5.05, 156), (53.47, 7.80, 111)])
+def test_viscosity_index_of_the_standard_s_examples(cold: float, hot: float, index: int) -> None:
+    """ASTM D2270's own three, printed as whole numbers."""
+    assert lubricant.viscosity_index(cold, hot) == pytest.approx(index, abs=0.5)
+    assert lubricant.viscosity_at_100(cold, lubricant.viscosity_index(cold, hot)) == pytest.approx(hot, rel=1e-9)
+
+
+def test_an_oil_goes_through_its_points() -> None:
+    oil = Lubricant((313.15, 373.15), (68e-6, 8.5e-6))
+    assert oil.kinematic_viscosity(np.array([313.15, 373.15])) == pytest.approx([68e-6, 8.5e-6], rel=1e-12)
+    between = oil.kinematic_viscosity(np.linspace(290.0, 400.0, 50))
+    assert (np.diff(between) < 0.0).all()
+    state = oil.at(313.15)
+    assert state.dynamic_viscosity == pytest.approx(68e-6 * (870 - 0.7 * 25), rel=1e-12)
+    assert state.is_estimated
+    assert not Lubricant((313.15, 373.15), (68e-6, 8.5e-6), pressure_viscosity=2e-8).at(313.15).is_estimated
+
+
+def test_grades() -> None:
+    """VG 68 with index 95: 68 mm^2/s at 40 C; the reference oils' table has no jump between its rows."""
+    oil = Lubricant.from_grade(68)
+    assert oil.viscosities[0] == pytest.approx(68e-6)
+    assert lubricant.viscosity_index(68.0, oil.viscosities[1] * 1e6) == pytest.approx(95.0)
+    borders = lubricant._INDEX[1:, 0]
+    for border in borders:
+        below, above = (np.array(lubricant._reference_oils(border * (1 + h))) for h in (-1e-12, 1e-12))
+        assert above == pytest.approx(below, rel=3e-3)  # the standard's own rows meet to 0.3 %
+
+
+def test_bad_oils_name_every_fault() -> None:
+    with pytest.raises(qs.SceneError) as caught:
+        Lubricant((40.0, 373.15), (68.0, 8.5e-6), density=0.87)
+    fields = {error.field for error in caught.value.errors}
+    assert fields == {"temperatures[0]", "viscosities[0]", "density"}
+    with pytest.raises(qs.SceneError, match="do not fall"):
+        Lubricant((373.15, 313.15), (8.5e-6, 68e-6))
+    with pytest.raises(qs.SceneError, match="no oil temperature"):
+        Lubricant.from_grade(68).at(70.0)
+    with pytest.raises(qs.SceneError, match="grade"):
+        Lubricant.from_grade(1.0)
+    with pytest.raises(qs.SceneError, match="dynamic_viscosity"):
+        qs.readings.film(solved(resting(B218, axial_load=1e3)), OilState(-0.02, 2e-8))
