@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
+from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
 from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating, element_load_ratings
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.film_thickness import Film, RacewayFilm, film
+from qsbearing.readings.friction_estimate import FrictionEstimate, Series, palmgren_torque, skf_torque
 from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
@@ -32,12 +34,16 @@ __all__ = [
     "Film",
     "Frequencies",
     "FrequencySet",
+    "Friction",
+    "FrictionEstimate",
     "Life",
     "Lubricant",
     "OilState",
     "RacewayFilm",
+    "RacewayFriction",
     "RacewayMotion",
     "Rating",
+    "Series",
     "SpectrumLife",
     "StaticSafety",
     "contamination_factor",
@@ -47,10 +53,13 @@ __all__ = [
     "fatigue_load_limit",
     "film",
     "frequencies",
+    "friction",
     "kinematics",
     "life",
     "life_modification_factor",
+    "palmgren_torque",
     "reliability_factor",
+    "skf_torque",
     "spectrum_life",
     "static_load_rating",
     "static_safety",

@@ -1,0 +1,195 @@
+"""Catalogue estimates of a bearing's frictional torque, to set beside the integrated one: SKF's and Palmgren's.
+
+Sources: SKF General Catalogue, pp. 88-103; A. Palmgren's formula with Schaeffler's factors (HR 1, pp. 54-60; ISO 15312
+uses the same form). Both rest on whole bearings: bore, outside diameter and series, which a scene does not hold.
+Formulas in N, mm, rpm, mm^2/s; N mm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.readings.ball_motion import ring_speeds
+from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.film_thickness import inlet_shear_heating
+from qsbearing.readings.static_rating import static_equivalent_load
+from qsbearing.scene.bearing import BearingKind
+from qsbearing.solution import Solution
+from qsbearing.units import Nmm, deg, mm, rpm
+from qsbearing.validation import LENGTH, Quantity, choose, raise_if_any, within
+
+
+class Series(StrEnum):
+    """Dimension series of deep-groove bearings in SKF's table; angular-contact ones have one row for all."""
+
+    S60 = "60"
+    S62 = "62"
+    S63 = "63"
+    S618 = "618"
+    S619 = "619"
+
+
+class _Groove(NamedTuple):
+    R1: float
+    R2: float
+    S1: float
+    S2: float
+
+
+_DEEP_GROOVE = {
+    Series.S60: _Groove(4.1e-7, 1.7, 3.73e-3, 14.6),
+    Series.S62: _Groove(3.9e-7, 1.7, 3.23e-3, 36.5),
+    Series.S63: _Groove(3.7e-7, 1.7, 2.84e-3, 92.8),
+    Series.S618: _Groove(4.7e-7, 1.7, 6.50e-3, 0.78),
+    Series.S619: _Groove(4.3e-7, 1.7, 4.75e-3, 3.6),
+}
+_R1, _R2, _R3, _S1, _S2, _S3 = 5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12
+"""Single-row angular-contact bearings."""
+
+HYBRID = 0.41
+"""R3 and S3, of the balls' centrifugal force, with ceramic balls."""
+
+
+@dataclass(frozen=True)
+class FrictionEstimate:
+    """A catalogue's estimate; arrays of shape (*cases)."""
+
+    torque: NDArray
+    """[N m]."""
+    power: NDArray
+    """torque times the speed of one ring against the other [W]."""
+
+
+def skf_torque(
+    solution: Solution,
+    *,
+    bore: float,
+    outside_diameter: float,
+    kinematic_viscosity: ArrayLike,
+    series: Series | None = None,
+    static_load_rating: float | None = None,
+    sliding_coefficient: float = 0.05,
+    replenishment: float = 3e-8,
+) -> FrictionEstimate:
+    """SKF's model: M = phi_ish phi_rs Grr (nu n)^0.6 + mu_sl Gsl, without seals and oil-bath drag.
+
+    Args:
+        bore, outside_diameter: d and D of the bearing [m].
+        kinematic_viscosity: nu at the operating temperature [m^2/s].
+        series: of a deep-groove bearing.
+        static_load_rating: C0 of a deep-groove bearing [N].
+        sliding_coefficient: mu_EHL: 0.05 mineral oil, 0.04 synthetic, 0.1 transmission fluid.
+        replenishment: Krs: 3e-8 low oil bath or oil jet, 6e-8 grease or oil spot.
+
+    Raises:
+        SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
+    """
+    bearing = solution.scene.bearing
+    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, bore, 20.0)
+    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
+    deep = bearing.kind is BearingKind.DEEP_GROOVE
+    if deep:
+        series, wrong = choose("series", series, Series)
+        errors += wrong + within("static_load_rating", static_load_rating, Quantity("N"), 1.0, 1e9)
+    raise_if_any(errors)
+    radial, axial, n = _loads(solution)
+    dm = 0.5 * (bore + outside_diameter) / mm
+    nu = np.asarray(kinematic_viscosity, float) / mm**2
+    if deep:
+        assert series is not None
+        Grr, Gsl = deep_groove_terms(_DEEP_GROOVE[series], dm, radial, axial, np.asarray(static_load_rating, float))
+    else:
+        Grr, Gsl = angular_contact_terms(dm, n, radial, axial, BearingNumbers(bearing).is_hybrid)
+    starved = replenishment_factor(nu, n, bore / mm, outside_diameter / mm, 3.1 if deep else 4.4, replenishment)
+    rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
+    boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
+    sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
+    return _estimate(solution, rolling + sliding)
+
+
+def angular_contact_terms(
+    dm: float, n: NDArray, radial: NDArray, axial: NDArray, is_hybrid: NDArray
+) -> tuple[NDArray, NDArray]:
+    """(Grr, Gsl) of single-row angular-contact bearings."""
+    thrown = dm**4 * n**2 * np.where(is_hybrid, HYBRID, 1.0)
+    Grr = _R1 * dm**1.97 * (radial + _R3 * thrown + _R2 * axial) ** 0.54
+    Gsl = _S1 * dm**0.26 * ((radial + _S3 * thrown) ** (4.0 / 3.0) + _S2 * axial ** (4.0 / 3.0))
+    return Grr, Gsl
+
+
+def deep_groove_terms(
+    row: _Groove, dm: float, radial: NDArray, axial: NDArray, static_load_rating: NDArray
+) -> tuple[NDArray, NDArray]:
+    """(Grr, Gsl) of deep-groove bearings; without thrust the model has exponents of its own."""
+    sine = np.sin(24.6 * (np.maximum(axial, 1e-12) / static_load_rating) ** 0.24 * deg)
+    Grr = row.R1 * dm**1.96 * (radial + row.R2 * axial / sine) ** 0.54
+    Gsl = np.where(
+        axial > 0.0,
+        row.S1 * dm**-0.145 * (radial**5 + row.S2 * dm**1.5 * axial**4 / sine) ** (1.0 / 3.0),
+        row.S1 * dm**-0.26 * radial ** (5.0 / 3.0),
+    )
+    return Grr, Gsl
+
+
+def replenishment_factor(nu: NDArray, n: NDArray, bore: float, outside: float, KZ: float, Krs: float) -> NDArray:
+    """phi_rs = exp[-Krs nu n (d + D) sqrt(KZ/(2 (D - d)))]: the track is not oiled again in time."""
+    return np.asarray(np.exp(-Krs * nu * n * (bore + outside) * np.sqrt(KZ / (2.0 * (outside - bore)))))
+
+
+def palmgren_torque(
+    solution: Solution,
+    *,
+    bore: float,
+    outside_diameter: float,
+    kinematic_viscosity: ArrayLike,
+    static_load_rating: float,
+    lubrication_factor: float,
+) -> FrictionEstimate:
+    """Palmgren's M = f0 (nu n)^(2/3) dM^3 1e-7 + f1 P1 dM, at nu n >= 2000 mm^2/s rpm; below that NaN.
+
+    Args:
+        bore, outside_diameter: d and D of the bearing [m]; dM is their mean.
+        kinematic_viscosity: nu at the operating temperature [m^2/s].
+        static_load_rating: C0 [N].
+        lubrication_factor: f0, as the catalogue gives it for the series and the way of lubrication: 1.1 to 4.
+
+    f1 = 0.001 (P0/C0)^0.33 for angular contact and 0.0009 (P0/C0)^0.5 for deep groove; P1 = Fa - 0.1 Fr and 3.3 Fa -
+    0.1 Fr, at least Fr.
+
+    Raises:
+        SceneError: numbers out of range; every error, at once.
+    """
+    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, bore, 20.0)
+    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
+    errors += within("static_load_rating", static_load_rating, Quantity("N"), 1.0, 1e9)
+    errors += within("lubrication_factor", lubrication_factor, Quantity("-"), 0.1, 20.0)
+    raise_if_any(errors)
+    radial, axial, n = _loads(solution)
+    dm = 0.5 * (bore + outside_diameter) / mm
+    product = np.asarray(kinematic_viscosity, float) / mm**2 * n
+    relative = static_equivalent_load(solution.scene.bearing, radial, axial) / static_load_rating
+    deep = solution.scene.bearing.kind is BearingKind.DEEP_GROOVE
+    f1 = 0.0009 * relative**0.5 if deep else 0.001 * relative**0.33
+    P1 = np.maximum((3.3 if deep else 1.0) * axial - 0.1 * radial, radial)
+    speed_part = lubrication_factor * np.where(product >= 2000.0, product, np.nan) ** (2.0 / 3.0) * dm**3 * 1e-7
+    return _estimate(solution, speed_part + f1 * P1 * dm)
+
+
+def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
+    """Radial and axial load [N], and the speed of one ring against the other [rpm]; shape (*cases)."""
+    load = solution.load
+    inner, outer = ring_speeds(solution)
+    speed = np.broadcast_to(np.abs(inner - outer)[..., 0] / rpm, solution.shape)
+    return np.hypot(load[..., 1], load[..., 2]), np.abs(load[..., 0]), speed
+
+
+def _estimate(solution: Solution, torque: NDArray) -> FrictionEstimate:
+    """From N mm."""
+    speed = _loads(solution)[2] * 2.0 * pi / 60.0
+    return FrictionEstimate(torque * Nmm, torque * Nmm * speed)

@@ -1,0 +1,183 @@
+"""Friction integrals against closed forms and brute force; powers of a bearing; catalogue estimates."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipe
+
+import qsbearing as qs
+from qsbearing.readings import friction_estimate
+from qsbearing.readings.ellipse_sliding import deformed_radius, mean_sliding_speed
+from tests.qsbearing.scenes import B218, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
+
+ONE, NONE = np.ones(1), np.zeros(1)
+
+
+@pytest.mark.parametrize("ratio", [1.0, 0.3, 0.1, 0.03])
+def test_pure_spin_is_the_closed_form(ratio: float) -> None:
+    """M = 3 mu Q a E/8; for the circle 3 pi mu Q a/16."""
+    mean, _ = mean_sliding_speed(NONE, ONE, ratio * ONE)
+    assert mean[0] == pytest.approx(0.375 * ellipe(1 - ratio**2), rel=1e-4)
+
+
+def test_the_quadrature_converges_spectrally() -> None:
+    """Errors of pure spin on a circle fall faster than any power of the nodes: below 1e-9 with 16."""
+    exact = 3 * np.pi / 16
+    errors = [abs(mean_sliding_speed(NONE, ONE, ONE, nodes)[0][0] / exact - 1) for nodes in (4, 8, 16)]
+    assert errors[0] > 1e-4
+    assert errors[1] < 1e-2 * errors[0]
+    assert errors[2] < 1e-9
+
+
+def test_rolling_without_spin_is_heathcote_s() -> None:
+    """Pure rolling at 0.347 a, and the mean of |c - X^2| with the pressure."""
+    place = brentq(lambda x: x - x**3 / 3 - 1 / 3, 0.0, 1.0)
+    assert place == pytest.approx(0.347, abs=5e-4)
+    X = np.linspace(-1, 1, 400001)
+    exact = np.trapezoid(0.75 * (1 - X**2) * np.abs(place**2 - X**2), X)
+    mean, c = mean_sliding_speed(ONE, NONE, 0.1 * ONE)
+    assert np.sqrt(c[0]) == pytest.approx(place, rel=0.01)
+    assert mean[0] == pytest.approx(exact, rel=1e-4)  # c is halved down to 2e-3; the power is least there
+
+
+@pytest.mark.parametrize(("spin", "ratio"), [(0.3, 0.12), (1.0, 0.3), (-3.0, 0.12), (0.02, 1.0)])
+def test_both_at_once_by_brute_force(spin: float, ratio: float) -> None:
+    """A midpoint grid over the ellipse: the same power, no net traction, and no other c takes less power."""
+    n = 1500
+    X, Y = np.meshgrid(*(2 * [(np.arange(n) + 0.5) / n * 2 - 1]))
+    weight = np.sqrt(np.maximum(1 - X**2 - Y**2, 0.0)) * (2 / n) ** 2 * 1.5 / np.pi
+    mean, c = mean_sliding_speed(ONE, spin * ONE, ratio * ONE)
+
+    def grid(place: float) -> tuple[float, float]:
+        along, across = place - X**2 + spin * X, spin * ratio * Y
+        speed = np.hypot(along, across)
+        return float((weight * speed).sum()), float((weight * along / speed).sum())
+
+    power, traction = grid(float(c[0]))
+    assert mean[0] == pytest.approx(power, rel=1e-4)
+    assert abs(traction) < 0.03  # c is found to 2e-3, which is this much traction in the slenderest of these
+    assert all(grid(float(c[0]) + step)[0] > power for step in (-0.02, 0.02))
+
+
+def test_contacts_without_load_have_no_number() -> None:
+    mean, c = mean_sliding_speed(np.array([1.0, np.nan]), np.ones(2), np.full(2, 0.1))
+    assert np.isnan(mean).tolist() == np.isnan(c).tolist() == [False, True]
+
+
+# -------------------------------------------------------------------------------------------------------------- bearing
+
+
+def test_power_of_a_thrust_bearing() -> None:
+    """Under outer control the inner contact spins: its power lies a little above mu Q 3 a E/8 times the spin."""
+    solution = solved(turning(10e3, axial_load=17.8e3))
+    found = qs.readings.friction(solution, 0.06)
+    motion = qs.readings.kinematics(solution)
+    assert motion.inner.spin_speed is not None
+    alone = found.inner.spin_moment * np.abs(motion.inner.spin_speed)
+    assert (found.inner.sliding_power > alone).all()
+    assert (found.inner.sliding_power < 1.1 * alone).all()
+    k2 = (solution.inner.semi_minor_axis / solution.inner.semi_major_axis) ** 2
+    by_hand = 0.375 * 0.06 * solution.inner.load * solution.inner.semi_major_axis * ellipe(1 - k2)
+    assert found.inner.spin_moment == pytest.approx(by_hand)
+    assert (found.outer.sliding_power < 0.2 * found.inner.sliding_power).all()
+    assert found.outer.pure_rolling_at == pytest.approx(0.347, rel=0.01)
+    assert found.power == pytest.approx(16 * (found.inner.power[0] + found.outer.power[0]))
+    assert found.torque == pytest.approx(found.power / (10e3 * qs.rpm))
+    assert any("gyroscopic" in sentence for sentence in found.warnings)
+
+
+def test_friction_is_in_proportion_to_its_coefficients() -> None:
+    solution = solved(turning(8e3, SPINDLE, axial_load=800.0, radial_load_y=100.0, moment_z=0.0))
+    one = qs.readings.friction(solution, 0.05)
+    two = qs.readings.friction(solution, 0.1, hysteresis_loss=0.02, drag_coefficient=0.5, fluid_density=20.0)
+    assert two.inner.sliding_power == pytest.approx(2 * one.inner.sliding_power)
+    assert one.inner.hysteresis_power is None
+    assert one.drag_power is None
+    assert two.inner.hysteresis_power is not None
+    assert two.outer.hysteresis_power is not None
+    assert two.drag_power is not None
+    parts = 2 * one.power + (two.inner.hysteresis_power + two.outer.hysteresis_power + two.drag_power).sum()
+    assert two.power == pytest.approx(parts)
+    speed = qs.readings.kinematics(solution).orbital_speed * 89.5e-3 / 2
+    assert two.drag_power == pytest.approx(0.5 * 0.5 * 20.0 * np.pi * 12.7e-3**2 / 4 * speed**3)
+
+
+def test_differential_sliding_of_a_radial_bearing() -> None:
+    """At zero contact angle nothing spins: t = roll a^2/(2 R) of the pressed curvature, times Heathcote's mean."""
+    scene = turning(
+        1000, DEEP_GROOVE, effects=CENTRIFUGAL, axial_displacement=0.0, radial_load_y=2e3, tilt_y=0.0, tilt_z=0.0
+    )
+    solution = solved(scene)
+    found, motion = qs.readings.friction(solution, 0.1), qs.readings.kinematics(solution)
+    R = deformed_radius(np.array(11.5e-3), np.array(0.52 * 11.5e-3))
+    assert pytest.approx(2 / (2 / 11.5e-3 + 1 / (0.52 * 11.5e-3))) == R
+    assert motion.inner.rolling_speed is not None
+    t = abs(motion.inner.rolling_speed[0]) * solution.inner.semi_major_axis[0] ** 2 / (2 * R)
+    assert found.inner.sliding_power[0] == pytest.approx(0.1 * solution.inner.load[0] * t * 0.161142, rel=1e-4)
+    assert found.inner.sliding_power[3] == 0.0  # a ball that the load has left
+
+
+def test_bad_input_of_friction() -> None:
+    with pytest.raises(qs.SceneError) as caught:
+        qs.readings.friction(solved(resting(B218, axial_load=1e3)), 2.0, fluid_density=20.0)
+    assert {error.field for error in caught.value.errors} == {
+        "friction_coefficient",
+        "drag_coefficient",
+        "scene.raceway_control",
+    }
+
+
+def test_at_rest_and_unsolved() -> None:
+    found = qs.readings.friction(qs.solve(turning(np.array([0.0, 3e3]), axial_load=np.array([5e3, -5e3]))), 0.05)
+    assert found.power[0] < 1e-300
+    assert np.isnan(found.torque).all()
+    assert np.isnan(found.power[1])
+
+
+# ------------------------------------------------------------------------------------------------------------ estimates
+
+
+def test_factors_of_skf_s_worked_example() -> None:
+    """22208 E, 40 x 80 mm, 3500 rpm, 68 mm^2/s, KZ 5.5: phi_rs 0.7988; Mrr of Grr 0.26 is 437 N mm."""
+    starved = friction_estimate.replenishment_factor(np.array(68.0), np.array(3500.0), 40.0, 80.0, 5.5, 3e-8)
+    assert starved == pytest.approx(0.7988, abs=5e-5)
+    assert pytest.approx(437, abs=1.0) == 0.26 * (68.0 * 3500.0) ** 0.6
+
+
+def test_estimates_of_a_7210() -> None:
+    """By hand, from the formulas as printed, in N, mm, rpm, mm^2/s."""
+    b = qs.load_scene("7210c").bearing
+    solution = solved(turning(6000, b, axial_load=1500.0, radial_load_y=500.0, moment_z=0.0))
+    size = {"bore": 50e-3, "outside_diameter": 90e-3, "kinematic_viscosity": 20e-6}
+    skf = qs.readings.skf_torque(solution, **size)
+    dm, n, nu = 70.0, 6000.0, 20.0
+    Grr = 5.03e-7 * dm**1.97 * (500 + 1.90e-12 * dm**4 * n**2 + 1.97 * 1500) ** 0.54
+    Gsl = 1.30e-2 * dm**0.26 * ((500 + 1.91e-12 * dm**4 * n**2) ** (4 / 3) + 0.68 * 1500 ** (4 / 3))
+    ish = 1 / (1 + 1.84e-9 * (n * dm) ** 1.28 * nu**0.64)
+    rs = np.exp(-3e-8 * nu * n * 140 * np.sqrt(4.4 / 80))
+    bl = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
+    M = ish * rs * Grr * (nu * n) ** 0.6 + (bl * 0.15 + (1 - bl) * 0.05) * Gsl
+    assert skf.torque * 1e3 == pytest.approx(M, rel=1e-6)
+    assert skf.power == pytest.approx(1.05e-4 * M * n, rel=3e-3)  # as the catalogue writes it
+    palmgren = qs.readings.palmgren_torque(solution, **size, static_load_rating=37e3, lubrication_factor=2.0)
+    P0 = max(0.5 * 500 + 0.46 * 1500, 500)
+    M = 2.0 * (nu * n) ** (2 / 3) * dm**3 * 1e-7 + 0.001 * (P0 / 37e3) ** 0.33 * (1500 - 50) * dm
+    assert palmgren.torque * 1e3 == pytest.approx(M, rel=1e-6)
+    assert palmgren.power == pytest.approx(M * n / 9550, rel=1e-3)
+    slow = solved(turning(90, b, axial_load=1500.0))
+    assert np.isnan(qs.readings.palmgren_torque(slow, **size, static_load_rating=37e3, lubrication_factor=2.0).torque)
+
+
+def test_estimate_of_a_deep_groove_bearing() -> None:
+    """Thrust adds to the torque. At the least thrust SKF's own exponents change, and the torque by 14 %."""
+    size = {"bore": 25e-3, "outside_diameter": 62e-3, "kinematic_viscosity": 20e-6}
+    load = np.array([0.0, 1.0, 500.0])
+    scene = resting(DEEP_GROOVE, axial_load=load, radial_load_y=1e3, speed=314.0, tilt_y=0.0, tilt_z=0.0)
+    found = qs.readings.skf_torque(solved(scene), **size, series="63", static_load_rating=11.6e3)  # type: ignore[arg-type]
+    assert found.torque[2] > found.torque[1] > 0.0
+    assert found.torque[1] == pytest.approx(1.14 * found.torque[0], rel=0.01)
+    with pytest.raises(qs.SceneError) as caught:
+        qs.readings.skf_torque(solved(scene), **size)
+    assert {error.field for error in caught.value.errors} == {"series", "static_load_rating"}
