@@ -18,6 +18,7 @@ from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
 from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
 from qsbearing.readings.rating_life import Capacity, Life, life
+from qsbearing.readings.shoulder_overrun import Overrun, RacewayOverrun, overrun
 from qsbearing.readings.static_rating import (
     FatigueLimit,
     StaticSafety,
@@ -25,6 +26,7 @@ from qsbearing.readings.static_rating import (
     static_load_rating,
     static_safety,
 )
+from qsbearing.readings.subsurface_stress import RacewayStress, Stress, stress
 
 __all__ = [
     "BallMotion",
@@ -39,13 +41,17 @@ __all__ = [
     "Life",
     "Lubricant",
     "OilState",
+    "Overrun",
     "RacewayFilm",
     "RacewayFriction",
     "RacewayMotion",
+    "RacewayOverrun",
+    "RacewayStress",
     "Rating",
     "Series",
     "SpectrumLife",
     "StaticSafety",
+    "Stress",
     "contamination_factor",
     "dynamic_load_rating",
     "element_load_ratings",
@@ -57,11 +63,13 @@ __all__ = [
     "kinematics",
     "life",
     "life_modification_factor",
+    "overrun",
     "palmgren_torque",
     "reliability_factor",
     "skf_torque",
     "spectrum_life",
     "static_load_rating",
     "static_safety",
+    "stress",
     "viscosity_ratio",
 ]

@@ -1,0 +1,135 @@
+"""Ellipses against groove edges by the drawing; shear below contacts against closed forms and direct evaluation."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import qsbearing as qs
+from qsbearing.readings import subsurface_stress
+from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
+from qsbearing.readings.shoulder_overrun import groove_depth
+from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
+from tests.readings.published import bearing
+
+
+def test_groove_depths_of_a_catalogue_bearing() -> None:
+    """S 6210 of GMN: shoulders 62.5 and 76.9 mm, grooves 2.6 and 2.9 mm deep, by dm -/+ D to some hundredths."""
+    b = bearing(15, 12.7, 70.0, 15.0, 0.518, 0.518)
+    assert groove_depth(b, 62.5e-3, INNER) * 1e3 == pytest.approx(2.6, abs=0.02)
+    assert groove_depth(b, 76.9e-3, OUTER) * 1e3 == pytest.approx(2.9, abs=0.02)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_the_edge_is_reached_where_the_drawing_says(side: float) -> None:
+    """Points of the groove's circle at the edge and at the ellipse's tip, in the plane of the ball."""
+    solution = solved(turning(6e3, axial_load=20e3))
+    shoulder = {INNER: 112e-3, OUTER: 139e-3}[side]
+    name = "inner" if side < 0 else "outer"
+    found = getattr(qs.readings.overrun(solution, **{f"{name}_shoulder_diameter": shoulder}), name)
+    contacts = getattr(solution, name)
+    r = 11.6281e-3
+    assert r * (1 - np.cos(found.edge_angle)) == pytest.approx(groove_depth(B218, shoulder, side))
+    edge, centre = r * np.array([[np.sin(x), np.cos(x)] for x in (found.edge_angle, contacts.angle[0])])
+    normal = np.array([np.sin(contacts.angle[0]), np.cos(contacts.angle[0])])
+    along = edge - centre - ((edge - centre) @ normal) * normal
+    reach = np.linalg.norm(along)
+    assert found.edge_distance[0] == pytest.approx(reach - contacts.semi_major_axis[0], abs=1e-12)
+    assert found.overrun_load[0] == pytest.approx(contacts.load[0] * (reach / contacts.semi_major_axis[0]) ** 3)
+
+
+def test_heavier_loads_run_over() -> None:
+    solution = solved(resting(axial_load=np.array([1e3, 6e4])))
+    found = qs.readings.overrun(solution, outer_shoulder_diameter=141e-3)
+    assert found.inner is None
+    assert found.outer is not None
+    assert found.outer.edge_distance[0, 0] > 0.0 > found.outer.edge_distance[1, 0]
+    assert found.outer.overrun_load[0, 0] > solution.outer.load[0, 0]
+    assert found.outer.overrun_load[1, 0] < solution.outer.load[1, 0]
+    assert found.warnings[0].startswith("1 of 2 cases, the first 1: an outer contact's ellipse")
+
+
+def test_the_nearer_edge_counts() -> None:
+    """At zero angle a low open shoulder is nearer; on equal ones the sign of the angle does not matter."""
+    radial = solved(resting(DEEP_GROOVE, axial_displacement=0.0, radial_load_y=500.0, **UPRIGHT))
+    even = qs.readings.overrun(radial, inner_shoulder_diameter=36e-3).inner
+    open_side = qs.readings.overrun(radial, inner_shoulder_diameter=36e-3, inner_open_diameter=34e-3).inner
+    assert even is not None
+    assert open_side is not None
+    assert open_side.edge_distance[0] < even.edge_distance[0]
+    assert np.isnan(even.edge_distance[3])  # not loaded
+    pushed, pulled = (
+        qs.readings.overrun(solved(resting(DEEP_GROOVE, axial_load=load)), inner_shoulder_diameter=36e-3).inner
+        for load in (300.0, -300.0)
+    )
+    assert pushed is not None
+    assert pulled is not None
+    assert pushed.edge_distance == pytest.approx(pulled.edge_distance, rel=1e-9)
+
+
+def test_bad_shoulders() -> None:
+    solution = solved(resting(axial_load=1e3))
+    with pytest.raises(qs.SceneError, match="no shoulder"):
+        qs.readings.overrun(solution)
+    with pytest.raises(qs.SceneError) as caught:
+        qs.readings.overrun(solution, inner_shoulder_diameter=90e-3, outer_shoulder_diameter=90e-3)
+    assert [error.field for error in caught.value.errors] == ["inner_shoulder_diameter", "outer_shoulder_diameter"]
+    for error in caught.value.errors:
+        assert error.allowed is not None
+        assert error.allowed[0] < error.allowed[1]
+        middle = 0.5 * sum(error.allowed)
+        qs.readings.overrun(solution, **{error.field: middle})
+
+
+# --------------------------------------------------------------------------------------------------------------- stress
+
+
+def test_largest_shear_is_that_of_the_contact_module() -> None:
+    """Between the tabulated ellipses, circle and slender ones included."""
+    ratio = np.array([1.0, 0.77, 0.3, 0.123, 0.02, 0.0015])
+    shear, depth = subsurface_stress._max_shear(ratio, np.array(0.3))
+    for i, each in enumerate(ratio):
+        direct = qs.subsurface_shear(1 / each, 0.3)
+        assert shear[i] == pytest.approx(direct.stress, rel=2e-5)
+        assert depth[i] == pytest.approx(direct.depth, rel=2e-5)
+
+
+def test_orthogonal_shear_at_its_limits() -> None:
+    """Line contact p0/4 at b/2; circle 0.2139 p0 at 0.3503 b: Lundberg & Palmgren."""
+    t = subsurface_stress._orthogonal_parameter(np.array([0.0, 1e-3, 0.1, 0.6, 1.0]))
+    assert (t**2 - 1) * (2 * t - 1) == pytest.approx(np.array([0.0, 1e-6, 1e-2, 0.36, 1.0]), abs=1e-12)
+    shear, depth = np.sqrt(2 * t - 1) / (2 * t * (t + 1)), 1 / ((t + 1) * np.sqrt(2 * t - 1))
+    assert (shear[0], depth[0]) == pytest.approx((0.25, 0.5))
+    assert (shear[-1], depth[-1]) == pytest.approx((0.2139, 0.3508), abs=1e-4)
+
+
+def test_stresses_of_a_solution() -> None:
+    solution = solved(turning(8e3, axial_load=12e3, radial_load_y=4e3, moment_z=0.0))
+    found = qs.readings.stress(solution)
+    for raceway, contacts in ((found.inner, solution.inner), (found.outer, solution.outer)):
+        k = contacts.semi_major_axis / contacts.semi_minor_axis
+        one = qs.subsurface_shear(float(k[3]), 0.3)
+        assert raceway.max_shear[3] == pytest.approx(one.stress * contacts.max_pressure[3], rel=2e-5)
+        assert raceway.max_shear_depth[3] == pytest.approx(one.depth * contacts.semi_minor_axis[3], rel=2e-5)
+        t = brentq(lambda x, k=k[3]: (x * x - 1) * (2 * x - 1) - k**-2, 1.0, 2.0)
+        shear, depth = np.sqrt(2 * t - 1) / (2 * t * (t + 1)), 1 / ((t + 1) * np.sqrt(2 * t - 1))
+        assert raceway.orthogonal_shear[3] == pytest.approx(shear * contacts.max_pressure[3])
+        assert raceway.orthogonal_shear_depth[3] == pytest.approx(depth * contacts.semi_minor_axis[3])
+    assert found.warnings == ()
+
+
+def test_a_dent_at_the_static_limit_is_of_the_order_that_defines_it() -> None:
+    """ISO 76: 4200 MPa is meant to dent by about 1e-4 of the diameter; dents grow as the load's square."""
+    for b in (bearing(15, 10, 80, 15), bearing(16, 22.225, 125.26, 40), bearing(8, 17.5, 72.5, 25)):
+        numbers = BearingNumbers(b)
+        f = numbers.groove_coefficient(INNER)
+        Q = load_at_pressure(4200e6, numbers.ball_diameter, numbers.nominal_gamma, f, numbers.modulus(), INNER)
+        load = float(Q) * float(b.ball_count) * np.sin(float(b.free_contact_angle))  # type: ignore[arg-type]
+        found = qs.readings.stress(solved(resting(b, axial_load=load * np.array([0.5, 1.0]))))
+        dent = found.inner.dent[:, 0] / float(b.ball_diameter)  # type: ignore[arg-type]
+        assert 0.3e-4 < dent[1] < 2e-4  # the loaded angle is steeper than the nominal one, the ball load smaller
+        assert dent[1] / dent[0] == pytest.approx(4.0, rel=0.25)
+    crushed = qs.readings.stress(solved(turning(10.0, SPINDLE, axial_load=4e5)))
+    assert any("dents" in sentence for sentence in crushed.warnings)
+    assert any("ceramic" in sentence for sentence in crushed.warnings)
