@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION
+from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
 
@@ -74,13 +75,17 @@ def columns(solution: Solution) -> dict[str, NDArray]:
             out[key] = values[exists] / size
     if solution.raceway_control is not None:
         out["raceway_control"] = solution.raceway_control[exists]
-    diagonal = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
     for kind, keys, values in (
         ("displacement", DISPLACEMENT, solution.displacement),
         ("load", LOAD, solution.load),
-        ("stiffness", STIFFNESS, diagonal),
+        ("locked_stiffness", STIFFNESS, solution.locked_stiffness),
+        ("effective_stiffness", STIFFNESS, solution.effective_stiffness),
     ):
         out |= {f"ring_{kind}_{key}": per_case(values[..., i] / size) for i, (key, size) in enumerate(keys)}
+    names = [channel.label.replace(" ", "_") for channel in CHANNELS]
+    for row, column in np.ndindex(5, 5):
+        values = solution.stiffness[..., row, column]
+        out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in _inputs(solution.scene).items()}
 

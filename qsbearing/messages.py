@@ -18,9 +18,10 @@ from qsbearing.kernel.admissibility import (
     UNLOADED_RING,
     UNSUPPORTED,
 )
+from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import SOFTEST, Index, Solution
+from qsbearing.solution import Index, Solution
 from qsbearing.units import MPa, mrad, um
 
 Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
@@ -169,7 +170,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     free = solution._free_channels
     unloaded = (solution._results["notes"][part] & UNLOADED_RING) != 0
     yield unloaded, lambda i: "Nothing loads the ring: its position is not determined; one possible one is reported."
-    stiffness, _ = solution._scaled_stiffness(part, solution._maker.make(part.start, part.stop))
+    stiffness, _ = scaled_tangents(solution, part, solution._maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing import ring_stiffness
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.flatten import CaseMaker
@@ -39,10 +40,6 @@ Index = int | Place | None
 
 CHUNK = 4096
 """Cases whose records exist at a time while something is read off a large solution."""
-
-SOFTEST = 1e-9
-"""A direction this much softer than the stiffest is resisted by rounding only (chosen: far above the rounding of a
-stiffness, 1e-13, and far below any bearing's ratio of stiffnesses)."""
 
 
 class Status(StrEnum):
@@ -352,10 +349,7 @@ class Solution:
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        out = np.empty((self._maker.count, 5, 5))
-        for part, cases in self._stretches():
-            out[part] = self._tangents(part, cases)
-        return self._shaped(out, 5, 5)
+        return self._shaped(ring_stiffness.stiffness(self), 5, 5)
 
     @cached_property
     def compliance(self) -> NDArray:
@@ -364,16 +358,25 @@ class Solution:
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        out = np.full((self._maker.count, 5, 5), np.nan)
-        free = self._free_channels
-        for part, cases in self._stretches():
-            scaled, scale = self._scaled_stiffness(part, cases)
-            regular = np.isfinite(scaled).all((-1, -2))
-            regular[regular] = np.linalg.cond(scaled[regular]) < 1.0 / SOFTEST if free.size else False
-            numbers = np.flatnonzero(regular) + part.start
-            inverse = np.linalg.inv(scaled[regular]) * (scale[:, :, None] * scale[:, None, :])[regular]
-            out[np.ix_(numbers, free, free)] = inverse
-        return self._shaped(out, 5, 5)
+        return self._shaped(ring_stiffness.compliance(self), 5, 5)
+
+    @property
+    def locked_stiffness(self) -> NDArray:
+        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5), SI.
+
+        How fast a channel's load grows with its own displacement; NaN where a case is not solved.
+        """
+        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
+
+    @property
+    def effective_stiffness(self) -> NDArray:
+        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI.
+
+        The reciprocal of the diagonal of `compliance`: what two solves with neighbouring loads show, at most the locked
+        stiffness of a bearing at rest. NaN where `compliance` is: for channels whose displacement is prescribed, where
+        a case is not solved, and where nothing resists some free direction.
+        """
+        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
 
     @property
     def _free_channels(self) -> NDArray:
@@ -381,27 +384,12 @@ class Solution:
         given = [getattr(self.scene.operation, channel.displacement) for channel in CHANNELS]
         return np.array([i for i, displacement in enumerate(given) if displacement is None], int)
 
-    def _scaled_stiffness(self, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
-        """Stiffness of the free channels with tilts measured at the pitch circle, all in N/m; and the scale of each."""
-        free = self._free_channels
-        scale = np.ones((cases.size, 5))
-        scale[:, 3:] = 2.0 / (cases["pitch_diameter"] * cases["length"])[:, None]
-        scale = scale[:, free]
-        matrix = self._tangents(part, cases)[:, free[:, None], free]
-        return matrix * scale[:, :, None] * scale[:, None, :], scale
-
-    def _tangents(self, part: slice, cases: NDArray) -> NDArray:
-        """Stiffness (case, 5, 5) of a stretch of flattened cases."""
-        out = np.empty((cases.size, 5, 5))
-        readings.stiffness_of_cases(*self._given(part, cases), out)
-        return out
-
     def to_dataframe(self) -> pandas.DataFrame:
         """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).
 
-        Contacts and motion of the ball; displacement, load and stiffness of the ring (its diagonal), status and reason
-        of the case, and the numbers of the scene under the keys of a scene file. A case that is not solved keeps its
-        rows, with NaN for what there is not.
+        Contacts and motion of the ball; displacement, load, locked and effective stiffness of the ring and its whole
+        matrix; status and reason of the case, and the numbers of the scene under the keys of a scene file. A case that
+        is not solved keeps its rows, with NaN for what there is not.
         """
         import pandas
 

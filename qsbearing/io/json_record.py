@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD
+from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
@@ -39,6 +39,8 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "warnings": messages.warnings(solution, index),
         "displacement": _channels(DISPLACEMENT, solution.displacement[index]),
         "load": _channels(LOAD, solution.load[index]),
+        "locked_stiffness": _channels(STIFFNESS, solution.locked_stiffness[index]),
+        "effective_stiffness": _channels(STIFFNESS, solution.effective_stiffness[index]),
         "stiffness_SI": _rows(solution.stiffness[index]) if solved else None,
         "compliance_SI": _rows(solution.compliance[index]) if solved else None,
         "balls": balls(solution, index) if solved else [],

@@ -18,7 +18,7 @@ from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
-from qsbearing.units import deg, mm, rpm
+from qsbearing.units import deg, mm, mrad, rpm, um
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
@@ -36,7 +36,8 @@ def result(solution: Solution) -> Group:
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         rows, count = distinct(found["balls"]), len(found["balls"])
-        tables = [_ring(solution, found), _contacts(rows, count), _ellipses(rows, count)]
+        tables = [_ring(solution, found), _stiffness(found), _stiffness_matrix(found)]
+        tables += [_contacts(rows, count), _ellipses(rows, count)]
         if found["effects"]:
             tables.append(_motion(rows, count, found))
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
@@ -123,26 +124,49 @@ def _duration(seconds: float) -> str:
 
 
 def _ring(solution: Solution, found: dict[str, Any]) -> Table:
-    heading = ("", "displacement", "", "load", "", "stiffness", "", "imposed")
-    table = plain_table("Inner ring", heading, left=(0, 2, 4, 6, 7))
-    table.columns[7].style = "dim"
+    table = plain_table("Inner ring", ("", "displacement", "", "load", "", "imposed"), left=(0, 2, 4, 5))
+    table.columns[5].style = "dim"
     displacements, loads = list(found["displacement"].values()), list(found["load"].values())
     # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
     lever = float(solution.scene.bearing.pitch_diameter) / 2.0  # type: ignore[arg-type]
     noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
     for i, channel in enumerate(CHANNELS):
-        length, force, rate = _UNITS[channel.is_rotation]
+        length, force, _ = _UNITS[channel.is_rotation]
         table.add_row(
             channel.label,
             *(_digits(displacements[i], 1e-9), length),
             *(_digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
-            *(_digits(found["stiffness_SI"][i][i] / STIFFNESS[i][1], 1e-9), rate),
             "load" if getattr(solution.scene.operation, channel.displacement) is None else "displacement",
         )
     return table
 
 
-def _digits(value: float, noise: float) -> str:
+def _stiffness(found: dict[str, Any]) -> Table:
+    heading = ("", "locked", "effective", "")
+    table = plain_table("Stiffness (effective: other loads kept)", heading, left=(0, 3))
+    for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
+        values = (_digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
+        table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])
+    return table
+
+
+def _stiffness_matrix(found: dict[str, Any]) -> Table:
+    """The whole tangent; what is rounding beside the diagonal is shown as zero."""
+    tilts = [channel.is_rotation for channel in CHANNELS]
+    sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
+    heading = [f"{channel.label}\n/{'mrad' if tilt else 'um'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
+    table = plain_table("Stiffness matrix: load by displacement", ("", "", *heading), (0, 1))
+    matrix = found["stiffness_SI"]
+    for i, channel in enumerate(CHANNELS):
+        noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
+        cells = [_digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
+        table.add_row(channel.label, _UNITS[channel.is_rotation][1], *cells)
+    return table
+
+
+def _digits(value: float | None, noise: float) -> str:
+    if value is None:
+        return "-"
     return "0" if abs(value) <= noise else f"{value:.6g}"
 
 

@@ -105,7 +105,7 @@ def test_json_has_the_agreed_keys_and_the_solutions_numbers(scene: Any) -> None:
     found = strict(result.stdout)
     assert set(found) >= {
         *("version", "status", "message", "residual", "iterations", "seconds", "effects", "warnings"),
-        *("displacement", "load", "stiffness_SI", "compliance_SI", "balls"),
+        *("displacement", "load", "locked_stiffness", "effective_stiffness", "stiffness_SI", "compliance_SI", "balls"),
     }
     assert set(found["displacement"]) == {"axial_um", "radial_y_um", "radial_z_um", "tilt_y_mrad", "tilt_z_mrad"}
     assert set(found["load"]) == {"axial_N", "radial_y_N", "radial_z_N", "moment_y_Nm", "moment_z_Nm"}
@@ -131,6 +131,10 @@ def test_json_has_the_agreed_keys_and_the_solutions_numbers(scene: Any) -> None:
     assert list(found["displacement"].values()) == pytest.approx(expected, rel=1e-12, abs=1e-9)
     assert list(found["load"].values()) == pytest.approx(solution.load, rel=1e-12, abs=1e-6)
     np.testing.assert_allclose(found["stiffness_SI"], qs.stiffness(scene_, solution), rtol=1e-9, atol=1.0)
+    sizes = [qs.um, qs.um, qs.um, qs.mrad, qs.mrad]
+    assert list(found["locked_stiffness"].values()) == pytest.approx(solution.locked_stiffness * sizes, rel=1e-9)
+    effective = [np.nan if value is None else value for value in found["effective_stiffness"].values()]
+    assert effective == pytest.approx(solution.effective_stiffness * sizes, rel=1e-9, nan_ok=True)
     compliance = np.array(found["compliance_SI"], float)  # null becomes NaN
     np.testing.assert_array_equal(np.isnan(compliance), np.isnan(solution.compliance))
     np.testing.assert_allclose(compliance[:4, :4], solution.compliance[:4, :4], rtol=1e-9)
@@ -225,8 +229,8 @@ def test_csv_holds_a_row_a_ball_and_the_ring_on_every_row(scene: Any, tmp_path: 
     for row in rows:
         assert float(row["ring_displacement_axial_um"]) == pytest.approx(solution.displacement[0] / qs.um)
     slope = qs.stiffness(solution.scene, solution)[3, 3]
-    assert float(rows[3]["ring_stiffness_tilt_y_Nm_per_mrad"]) == pytest.approx(slope * qs.mrad, rel=1e-12)
-    assert float(rows[0]["ring_stiffness_axial_N_per_um"]) == pytest.approx(60.6, rel=1e-3)
+    assert float(rows[3]["ring_locked_stiffness_tilt_y_Nm_per_mrad"]) == pytest.approx(slope * qs.mrad, rel=1e-12)
+    assert float(rows[0]["ring_locked_stiffness_axial_N_per_um"]) == pytest.approx(60.6, rel=1e-3)
     call("run", scene(STATIC), "--csv", target)
     with target.open() as again:
         assert "raceway_control" not in again.readline(), "no column for what the scene does not call for"

@@ -111,6 +111,30 @@ def test_compliance_is_how_the_free_channels_give() -> None:
     assert np.isnan(compliance[:, 2]).all()
 
 
+def test_locked_and_effective_stiffness_are_what_neighbouring_solves_show() -> None:
+    """One newton more in y: with all else held it moves by the locked stiffness, with the other loads kept by far more.
+
+    Tolerance: of a central difference over a step of 1e-4 of the load.
+    """
+    operation = qs.Operation(axial_load=8e3, radial_load_y=2e3, radial_displacement_z=0.0, moment_z=0.0, tilt_y=0.0)
+    scene = qs.Scene(B218, operation)
+    solution = qs.solve(scene)
+    x, _, _, _, tilt = solution.displacement
+    held = qs.Operation(axial_displacement=x, radial_load_y=2e3, radial_displacement_z=0.0, tilt_y=0.0, tilt_z=tilt)
+
+    def rate(kept: qs.Operation) -> float:
+        loads = 2e3 + np.array([-0.1, 0.1])
+        moved = qs.solve(qs.Scene(B218, dataclasses.replace(kept, radial_load_y=loads))).displacement[:, 1]
+        return float(0.2 / (moved[1] - moved[0]))
+
+    locked, effective = solution.locked_stiffness, solution.effective_stiffness
+    assert rate(operation) == pytest.approx(effective[1], rel=1e-6)
+    assert rate(held) == pytest.approx(locked[1], rel=1e-6)
+    assert effective[1] < 0.5 * locked[1]
+    assert np.isnan(effective[[2, 3]]).all(), "a prescribed displacement has none"
+    assert np.isfinite(locked).all()
+
+
 def test_compliance_where_there_is_none(many: qs.Solution) -> None:
     """Not solved; nothing free; a direction that nothing resists: one ball does not resist a radial load across it."""
     assert np.isfinite(many.compliance[:2]).all()
@@ -141,7 +165,9 @@ def test_a_dataframe_holds_results_status_and_inputs(many: qs.Solution) -> None:
     expected = {
         "ring_displacement_radial_y_um": many.displacement[1, 1, 1] / qs.um,
         "ring_load_axial_N": 3e3,
-        "ring_stiffness_tilt_z_Nm_per_mrad": many.stiffness[1, 1, 4, 4] * qs.mrad,
+        "ring_locked_stiffness_tilt_z_Nm_per_mrad": many.stiffness[1, 1, 4, 4] * qs.mrad,
+        "ring_effective_stiffness_radial_y_N_per_um": qs.um / many.compliance[1, 1, 1, 1],
+        "ring_stiffness_SI_axial_by_tilt_z": many.stiffness[1, 1, 0, 4],
         "status": "converged",
         "reason": "",
         "bearing": "B218",
@@ -159,7 +185,9 @@ def test_a_dataframe_holds_results_status_and_inputs(many: qs.Solution) -> None:
     assert (unsolved["status"] == "no_equilibrium").all()
     assert (unsolved["reason"] == "open_side").all()
     assert (
-        unsolved[["outer_load_N", "ring_displacement_axial_um", "ring_stiffness_axial_N_per_um"]].isna().all(axis=None)
+        unsolved[["outer_load_N", "ring_displacement_axial_um", "ring_locked_stiffness_axial_N_per_um"]]
+        .isna()
+        .all(axis=None)
     )
     assert (unsolved["axial_load_N"] == -10.0).all()
 

@@ -1,0 +1,63 @@
+"""The ring's stiffness matrix of solved cases, and what is read off it: compliance, locked and effective stiffnesses.
+
+A single number called the stiffness of a channel may mean two things, which differ where channels are coupled:
+
+locked      the diagonal of the matrix: how its load grows while every other channel is kept from moving;
+effective   the reciprocal of the compliance's diagonal: how its load grows while the other free channels move so as
+            to keep theirs, which is what two solves with neighbouring loads show.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.kernel.results import stiffness_of_cases
+
+if TYPE_CHECKING:
+    from qsbearing.solution import Solution
+
+SOFTEST = 1e-9
+"""A direction this much softer than the stiffest is resisted by rounding only (chosen: far above the rounding of a
+stiffness, 1e-13, and far below any bearing's ratio of stiffnesses)."""
+
+
+def tangents(solution: Solution, part: slice, cases: NDArray) -> NDArray:
+    """Stiffness (case, 5, 5), SI, of a stretch of flattened cases."""
+    out = np.empty((cases.size, 5, 5))
+    stiffness_of_cases(*solution._given(part, cases), out)
+    return out
+
+
+def scaled_tangents(solution: Solution, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
+    """Stiffness of the free channels with tilts measured at the pitch circle, all in N/m; and the scale of each."""
+    free = solution._free_channels
+    scale = np.ones((cases.size, 5))
+    scale[:, 3:] = 2.0 / (cases["pitch_diameter"] * cases["length"])[:, None]
+    scale = scale[:, free]
+    matrix = tangents(solution, part, cases)[:, free[:, None], free]
+    return matrix * scale[:, :, None] * scale[:, None, :], scale
+
+
+def stiffness(solution: Solution) -> NDArray:
+    """Stiffness (case, 5, 5), SI, of all flattened cases."""
+    out = np.empty((solution._maker.count, 5, 5))
+    for part, cases in solution._stretches():
+        out[part] = tangents(solution, part, cases)
+    return out
+
+
+def compliance(solution: Solution) -> NDArray:
+    """Inverse of the stiffness over the free channels (case, 5, 5), SI, of all flattened cases; else NaN."""
+    out = np.full((solution._maker.count, 5, 5), np.nan)
+    free = solution._free_channels
+    for part, cases in solution._stretches():
+        scaled, scale = scaled_tangents(solution, part, cases)
+        regular = np.isfinite(scaled).all((-1, -2))
+        regular[regular] = np.linalg.cond(scaled[regular]) < 1.0 / SOFTEST if free.size else False
+        numbers = np.flatnonzero(regular) + part.start
+        inverse = np.linalg.inv(scaled[regular]) * (scale[:, :, None] * scale[:, None, :])[regular]
+        out[np.ix_(numbers, free, free)] = inverse
+    return out
