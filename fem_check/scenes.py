@@ -63,6 +63,9 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
             number(material.poisson_ratio, f"{field}.poisson_ratio"),
         )
 
+    if scene.ring_effects:
+        names = " and ".join(effect.name for effect in scene.ring_effects)
+        raise SceneProblemError(f"scene {name}: names {names}; contacts are judged from the drawing's dimensions alone")
     bearing = scene.bearing
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
     return Drawing(

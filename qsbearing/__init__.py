@@ -11,20 +11,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um
+from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
 
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from qsbearing import readings
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
-    from qsbearing.effects import CentrifugalForce, GyroscopicMoment, MomentShares
+    from qsbearing.effects import (
+        BallExpansion,
+        CentrifugalForce,
+        GyroscopicMoment,
+        MomentShares,
+        RingExpansion,
+        RingState,
+    )
     from qsbearing.effects.raceway_control import RacewayControl
     from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
     from qsbearing.io.scene_file import load_scene
+    from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.messages import message, warnings
     from qsbearing.scene.bearing import BallBearing, BearingKind
-    from qsbearing.scene.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.scene.operation import Operation
     from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
     from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
@@ -35,13 +42,13 @@ if TYPE_CHECKING:
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
 _HOMES = {
     "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
-    "effects": ("CentrifugalForce", "GyroscopicMoment", "MomentShares"),
+    "effects": ("BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares", "RingExpansion", "RingState"),
     "effects.raceway_control": ("RacewayControl",),
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
     "io.scene_file": ("load_scene",),
     "messages": ("message", "warnings"),
     "scene.bearing": ("BallBearing", "BearingKind"),
-    "scene.material": ("SILICON_NITRIDE", "STEEL", "Material"),
+    "material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "scene.operation": ("Operation",),
     "scene.scene": ("HertzAngle", "Scene", "TiltLever"),
     "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
@@ -51,11 +58,12 @@ _HOMES = {
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
-    "SILICON_NITRIDE", "STEEL", "BallBearing", "BearingKind", "CentrifugalForce", "ErrorDetail", "FileErrorDetail",
-    "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm",
-    "Operation", "Pa", "PointContact", "RacewayContacts", "RacewayControl", "Reason", "Scene", "SceneError",
-    "SceneFileError", "Solution", "Status", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
-    "mm", "mrad", "point_contact", "rad", "readings", "rpm", "solve", "stiffness", "subsurface_shear", "um", "warnings",
+    "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "CentrifugalForce", "ErrorDetail",
+    "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N",
+    "Nm", "Nmm", "Operation", "Pa", "PointContact", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion",
+    "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "TiltLever", "deg", "kN", "kg",
+    "kg_m3", "load_scene", "m", "message", "mm", "mrad", "point_contact", "rad", "readings", "rpm", "solve",
+    "stiffness", "subsurface_shear", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

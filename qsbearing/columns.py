@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION
+from qsbearing.scene.keys import BEARING, EFFECT_TABLES, MATERIAL, MATERIALS, OPERATION, SEAT_MATERIALS
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
@@ -49,6 +49,24 @@ BALL = (
 )
 """Keys, names of the arrays of a solution, and the size of each key's unit in SI."""
 
+GEOMETRY = (
+    ("ball_diameter_mm", "ball_diameter", mm),
+    ("pitch_diameter_mm", "pitch_diameter", mm),
+    ("inner_groove_radius_mm", "inner_groove_radius", mm),
+    ("outer_groove_radius_mm", "outer_groove_radius", mm),
+    ("free_contact_angle_deg", "free_contact_angle", deg),
+    ("diametral_clearance_um", "diametral_clearance", um),
+)
+"""Of the bearing that ring effects have changed."""
+RING_STATE = (
+    ("groove_growth_um", "groove_growth", um),
+    ("seat_pressure_MPa", "seat_pressure", MPa),
+    ("seat_gap_um", "seat_gap", um),
+    ("bore_hoop_stress_MPa", "bore_hoop_stress", MPa),
+    ("equivalent_stress_MPa", "equivalent_stress", MPa),
+)
+"""Keys, names of a `RingState`, and the size of each key's unit in SI."""
+
 
 def columns(solution: Solution) -> dict[str, NDArray]:
     """Everything that there is to say about each ball; arrays of shape (row,), units in their names.
@@ -86,14 +104,34 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     for row, column in np.ndindex(5, 5):
         values = solution.stiffness[..., row, column]
         out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
+    for name, values in _expansion(solution).items():
+        out[name] = per_case(np.broadcast_to(values, solution.shape))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in _inputs(solution.scene).items()}
+
+
+def _expansion(solution: Solution) -> dict[str, Any]:
+    """The operating geometry and the state of the rings; nothing without ring effects."""
+    if not solution.scene.ring_effects:
+        return {}
+    bearing = solution.scene.operating_bearing
+    out = {f"operating_{key}": np.asarray(getattr(bearing, name)) / size for key, name, size in GEOMETRY}
+    for side in ("inner", "outer"):
+        state = getattr(solution, f"{side}_ring")
+        for key, name, size in RING_STATE:
+            if state is not None and getattr(state, name) is not None:
+                out[f"{side}_ring_{key}"] = getattr(state, name) / size
+    return out
 
 
 def _inputs(scene: Scene) -> dict[str, Any]:
     """The scene's numbers, in the units of a scene file and under its keys."""
     holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
     holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
+    for effect in scene.ring_effects:
+        holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))
+        seats = [(side, getattr(effect, side, None)) for side in SEAT_MATERIALS]
+        holders += [(f"{side}_", MATERIAL, material) for side, material in seats if material is not None]
     out: dict[str, Any] = {"bearing": scene.bearing.name}
     for prefix, keys, holder in holders:
         for key in keys:

@@ -13,6 +13,7 @@ from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effectiv
 from qsbearing.effects.gyroscopic_moment import SHARES_CODES
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.kernel.case import CASE
+from qsbearing.material import Material
 from qsbearing.scene.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
@@ -28,9 +29,19 @@ def _groove_stiffness(
         outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], OUTER_SIDE)[0]
 
 
+_CHANGED = (
+    *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
+    *("free_contact_angle", "radial_interference"),
+)
+"""What ring effects change of a bearing."""
+
+
 def case_arrays(scene: Scene) -> dict[str, Any]:
     """Every number of a scene that may span cases, by its field's name; None where the scene does not give it."""
     values = vars(scene.bearing) | vars(scene.operation)
+    for effect in scene.ring_effects:
+        numbers = {name: value for name, value in vars(effect).items() if not isinstance(value, Material)}
+        values |= {f"{effect.name}.{name}": value for name, value in numbers.items()}
     del values["kind"], values["name"]
     for body in ("ball", "ring"):
         material = values.pop(f"{body}_material")
@@ -63,6 +74,11 @@ class CaseMaker:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._values = case_arrays(scene)
+        self._values["axial_datum_shift"] = 0.0
+        self._values["cold_ball_diameter"] = scene.bearing.ball_diameter
+        if scene.ring_effects:
+            self._values |= {name: getattr(scene.operating_bearing, name) for name in _CHANGED}
+            self._values["axial_datum_shift"] = scene.axial_datum_shift
         self._arrays = _varying(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""
@@ -93,6 +109,11 @@ class CaseMaker:
             values[name] = np.broadcast_to(array, self.shape)[index]
         return values
 
+    def axial_datum_shift(self) -> NDArray | float:
+        """By how much further the ring touches than at rest and cold [m], of each flattened case; see `Scene`."""
+        shift = self._values["axial_datum_shift"]
+        return shift if np.ndim(shift) == 0 else np.broadcast_to(shift, self.shape).reshape(-1)
+
     def make(self, start: int = 0, stop: int | None = None) -> NDArray:
         """Case records of the flattened cases [start, stop)."""
         stop = self.count if stop is None else stop
@@ -105,7 +126,7 @@ class CaseMaker:
             v["ball_elastic_modulus"], v["ball_poisson_ratio"], v["ring_elastic_modulus"], v["ring_poisson_ratio"]
         )
         force = modulus * diameter * diameter
-        mass = ball_mass(v["ball_density"], diameter)
+        mass = ball_mass(v["ball_density"], v["cold_ball_diameter"])
         speed = np.sqrt(force / (mass * diameter))
         pitch = v["pitch_diameter"] / diameter
         inner_f = v["inner_groove_radius"] / diameter
@@ -119,7 +140,10 @@ class CaseMaker:
         cases["sin_free"] = sin_free
         cases["cos_free"] = cos_free
         is_exact = scene.tilt_lever is TiltLever.GROOVE_CENTRE
-        cases["tilt_lever"] = groove_centre_radius(pitch, inner_f, 1.0, cos_free) if is_exact else 0.5 * pitch
+        interference = v["radial_interference"] / diameter
+        cases["interference"] = interference
+        lever = groove_centre_radius(pitch, inner_f, 1.0, cos_free, interference) if is_exact else 0.5 * pitch
+        cases["tilt_lever"] = lever
         self._fill_stiffness(cases, pitch, inner_f, outer_f, cos_free)
         cases["first_azimuth"] = v["first_ball_azimuth"]
         cases["inner_speed"] = v["speed"] / speed
@@ -129,6 +153,8 @@ class CaseMaker:
             load, displacement = v[channel.load], v[channel.displacement]
             displacement_given[:, i] = displacement is not None
             if displacement is not None:
+                if i == 0:
+                    displacement = displacement - v["axial_datum_shift"]
                 prescribed[:, i] = displacement if channel.is_rotation else displacement / diameter
             elif load is None:
                 prescribed[:, i] = 0.0

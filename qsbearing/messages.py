@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.effects.raceway_control import INNER
+from qsbearing.expansion_messages import expansion_warnings
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -151,6 +152,8 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _ring_warnings(solution, part)
     yield from _ball_warnings(solution, part)
     yield from _friction_warnings(solution, part)
+    if solution.scene.ring_effects:
+        yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(_rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield (
         pressure > STATIC_PRESSURE_LIMIT,
@@ -185,7 +188,9 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     moved = _rows(solution.displacement, part)
     loaded = _rows(solution.inner.load, part) > 0.0
     steepest = np.abs(np.where(loaded, _rows(solution.inner.angle, part), 0.0)).max(axis=-1)
-    free_angle = np.broadcast_to(np.asarray(bearing.free_contact_angle, float), solution.shape).reshape(-1)[part]
+    free_angle = np.broadcast_to(
+        np.asarray(solution.scene.operating_bearing.free_contact_angle, float), solution.shape
+    ).reshape(-1)[part]
     can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
     yield (
         can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),

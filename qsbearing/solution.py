@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from qsbearing import ring_stiffness
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.effects import RingState
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import (
@@ -279,10 +280,14 @@ class Solution:
 
     @cached_property
     def displacement(self) -> NDArray:
-        """Of the inner ring; shape (*cases, 5) [m, m, m, rad, rad]."""
+        """Of the inner ring; shape (*cases, 5) [m, m, m, rad, rad].
+
+        Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
+        """
         out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["displacement"], np.nan)
         for part, cases in self._stretches():
             out[part, :3] *= cases["length"][:, None]
+        out[:, 0] += self._maker.axial_datum_shift()
         return self._shaped(out, 5)
 
     @cached_property
@@ -339,6 +344,23 @@ class Solution:
         names = np.array(["outer", "inner", ""])
         index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._controls, self._maker.ball_axis))
         return names[index]
+
+    @cached_property
+    def inner_ring(self) -> RingState | None:
+        """Seat pressure, growth and stress of the inner ring; fields (*cases); None without ring expansion."""
+        return self._ring_state(0)
+
+    @cached_property
+    def outer_ring(self) -> RingState | None:
+        """Of the outer ring, likewise."""
+        return self._ring_state(1)
+
+    def _ring_state(self, which: int) -> RingState | None:
+        effect = self.scene.ring_expansion
+        if effect is None:
+            return None
+        state = effect.states(self.scene.bearing, self.scene.operation)[which]
+        return RingState._make(None if each is None else np.broadcast_to(each, self.shape)[()] for each in state)
 
     @cached_property
     def stiffness(self) -> NDArray:

@@ -27,3 +27,6 @@ GPa = 1e9
 
 kg = 1.0
 kg_m3 = 1.0
+
+zero_celsius = 273.15
+"""Temperatures are in kelvin: add this to degrees Celsius, `60 + qs.zero_celsius`."""

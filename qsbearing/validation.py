@@ -48,6 +48,9 @@ FORCE = Quantity("N", (("N", "newtons", 1.0), ("kN", "kilonewtons", 1e3), ("lbf"
 MOMENT = Quantity(
     "N m", (("Nm", "newton metres", 1.0), ("Nmm", "newton millimetres", 1e-3), ("kNm", "kilonewton metres", 1e3))
 )
+PRESSURE = MODULUS
+TEMPERATURE = Quantity("K")
+EXPANSION = Quantity("1/K")
 RATIO = Quantity("-")
 COUNT = Quantity("balls")
 

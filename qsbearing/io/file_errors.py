@@ -62,9 +62,9 @@ def translate(error: ErrorDetail) -> FileErrorDetail:
     # Python's advice on units is about SI; the file's unit needs its own. A more particular cause stays.
     if allowed is not None and error.quantity is not None and is_number:
         for_python = unit_mistake(value, error.quantity, *allowed)
-        cause = _unit_mistake(key, value / key.size, allowed) if cause == for_python else cause
+        cause = _unit_mistake(key, key.in_file(value), allowed) if cause == for_python else cause
     if allowed is not None:
-        allowed = (allowed[0] / key.size, allowed[1] / key.size)
+        allowed = (key.in_file(allowed[0]), key.in_file(allowed[1]))
     value = key.in_file(value) if is_number else value
     problem, cause = with_file_keys(error.problem), with_file_keys(cause)
     return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, LOAD, STIFFNESS
+from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Place, Solution
 from qsbearing.units import deg
@@ -34,9 +34,11 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "iterations": int(np.asarray(solution.iterations)[index]),
         "seconds": solution.seconds,
         "bearing": scene.bearing.name,
-        "effects": [effect.name for effect in scene.ball_effects],
+        "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
         "warnings": messages.warnings(solution, index),
+        "operating_geometry": operating_geometry(solution, index),
+        "rings": rings(solution, index),
         "displacement": _channels(DISPLACEMENT, solution.displacement[index]),
         "load": _channels(LOAD, solution.load[index]),
         "locked_stiffness": _channels(STIFFNESS, solution.locked_stiffness[index]),
@@ -56,6 +58,22 @@ def choices(scene: Scene) -> dict[str, str | None]:
         "hertz_angle": str(scene.hertz_angle),
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),
+    }
+
+
+def operating_geometry(solution: Solution, index: Place = ()) -> dict[str, float | None] | None:
+    """The bearing as ring effects leave it; None where the scene names none."""
+    scene = solution.scene
+    return _numbers(GEOMETRY, scene.operating_bearing, solution.shape, index) if scene.ring_effects else None
+
+
+def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | None]] | None:
+    """Seat pressures, growth and stress of both rings; None without ring expansion."""
+    if solution.inner_ring is None:
+        return None
+    return {
+        side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
+        for side in ("inner", "outer")
     }
 
 
@@ -81,6 +99,17 @@ def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
 def number(value: Any) -> float | None:
     """The value as a float; None for NaN and infinity, which JSON has not."""
     return float(value) if math.isfinite(value) else None
+
+
+def _numbers(
+    keys: tuple[tuple[str, str, float], ...], holder: Any, shape: tuple[int, ...], index: Place
+) -> dict[str, float | None]:
+    """Some fields of one case, which may hold one number for all."""
+    found = {key: (getattr(holder, name), size) for key, name, size in keys}
+    return {
+        key: None if values is None else number(np.broadcast_to(values, shape)[index] / size)
+        for key, (values, size) in found.items()
+    }
 
 
 def _channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:

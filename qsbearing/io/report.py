@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.columns import STIFFNESS
+from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table
@@ -36,9 +37,9 @@ def result(solution: Solution) -> Group:
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         rows, count = distinct(found["balls"]), len(found["balls"])
-        tables = [_ring(solution, found), _stiffness(found), _stiffness_matrix(found)]
+        tables = [_ring(solution, found), *_expansion(solution, found), _stiffness(found), _stiffness_matrix(found)]
         tables += [_contacts(rows, count), _ellipses(rows, count)]
-        if found["effects"]:
+        if solution.scene.ball_effects:
             tables.append(_motion(rows, count, found))
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
     for sentence in found["warnings"]:
@@ -104,16 +105,16 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
 
 def _asked_for(found: dict[str, Any]) -> str:
     """The effects, and the choices that are not the usual ones."""
-    if not found["effects"]:
-        text = "No ball effects (static)"
-    else:
-        text = " and ".join(found["effects"]).capitalize()
-        text += f"; raceway control: {found['choices']['raceway_control']}"
-        if found["choices"]["moment_shares"]:
-            text += f"; moment shares: {found['choices']['moment_shares']}"
+    choices = found["choices"]
+    *others, last = found["effects"] or ["No ball effects (static)"]
+    text = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
+    if choices["raceway_control"]:
+        text += f"; raceway control: {choices['raceway_control']}"
+    if choices["moment_shares"]:
+        text += f"; moment shares: {choices['moment_shares']}"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
-        if found["choices"][name] != usual:
-            text += f"; {name}: {found['choices'][name]}"
+        if choices[name] != usual:
+            text += f"; {name}: {choices[name]}"
     return text.replace("_", " ")
 
 
@@ -139,6 +140,26 @@ def _ring(solution: Solution, found: dict[str, Any]) -> Table:
             "load" if getattr(solution.scene.operation, channel.displacement) is None else "displacement",
         )
     return table
+
+
+def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    """Lengths before and after the ring effects, and the state of the rings."""
+    operating, rings = found["operating_geometry"], found["rings"]
+    tables = []
+    if operating is not None:
+        table = plain_table("Geometry before it is loaded", ("", "at rest, cold", "in operation", ""), left=(0, 3))
+        for key, name, size in GEOMETRY:
+            words, _, unit = key.rpartition("_")
+            cold = float(np.asarray(getattr(solution.scene.bearing, name))) / size
+            table.add_row(words.replace("_", " "), f"{cold:.8g}", f"{operating[key]:.8g}", unit)
+        tables.append(table)
+    if rings is not None:
+        heading = ("", "grows\num", "seat\nMPa", "seat gap\num", "hoop at bore\nMPa", "Tresca\nMPa")
+        table = plain_table("Rings", heading)
+        for side, state in rings.items():
+            table.add_row(side, *("-" if value is None else _digits(value, 1e-9) for value in state.values()))
+        tables.append(table)
+    return tables
 
 
 def _stiffness(found: dict[str, Any]) -> Table:

@@ -3,54 +3,34 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from enum import StrEnum
-from math import isnan, nan
+from math import nan
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
-
 from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, MomentShares
 from qsbearing.io import catalogue
+from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.read_toml import read_toml
+from qsbearing.io.table_checks import Errors, checked, choice_fields, did_you_mean, judged, material, si, table_model
 from qsbearing.io.unknown_key import near, suggest
-from qsbearing.scene.bearing import FREE_ANGLE_MAX, BallBearing, BearingKind, free_angle_from_clearance
-from qsbearing.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, SECTIONS, Key, find
-from qsbearing.scene.material import BY_NAME, Material
+from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
+from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, OPERATION, SECTIONS
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.scene import CHOICES, Scene, effect_errors
 from qsbearing.units import deg, mm
-from qsbearing.validation import ErrorDetail, SceneError, printable
+from qsbearing.validation import SceneError, printable
 
 BALL_EFFECTS = (CentrifugalForce.name, GyroscopicMoment.name)
 AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
 
-_CHOICES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
-Errors = list[FileErrorDetail]
 
-
-def _model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> type[BaseModel]:
-    """How a table is built: numbers under its keys, and what else it has.
-
-    Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
-    """
-    fields: dict[str, Any] = {key.name: (float | None, None) for key in keys}
-    config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
-    return create_model(section, __config__=config, **fields | others)
-
-
-def _choices(*names: str) -> dict[str, Any]:
-    return {name: (_CHOICES[name] | None, Field(None, strict=False)) for name in names}
-
-
-_MATERIAL = _model("material", MATERIAL, {})
-_BEARING = _model("bearing", BEARING, {"name": (str | None, None)} | _choices("kind"))
-_OPERATION = _model("operation", OPERATION, {})
-_EFFECTS = _model("effects", (), {"ball": (list[str], [])} | _choices("moment_shares", *CHOICES))
+_BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
+_OPERATION = table_model("operation", OPERATION, {})
+_EFFECTS = table_model("effects", (), {"ball": (list[str], [])} | choice_fields("moment_shares", *CHOICES))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -88,6 +68,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     bearing = _bearing(document, label, errors)
     operation = _operation(document, errors)
     effects = _effects(document, errors)
+    find_unused_expansion(document, errors)
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
@@ -112,70 +93,14 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
+            if name in EFFECT_SECTIONS:
+                meant = f"effects.{name}"
             cause = f"Did you mean [{meant}]?" if meant else "A scene has [bearing], [operation] and [effects]"
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             errors.append(FileErrorDetail(name, "unknown key", cause=suggest(name, "", value).sentence))
-
-
-def _checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
-    """The table's usable values; and the keys that have none although the file tries to give one."""
-    if not isinstance(table, dict):
-        cause = f"Write it as [{path}], keys below it"
-        errors.append(FileErrorDetail(path, "is not a table", table, cause=cause))
-        return {}, set()
-    unusable: set[str] = set()
-    usable = dict(table)
-    try:
-        model.model_validate(table)
-    except ValidationError as error:
-        for detail in error.errors(include_url=False):
-            name = str(detail["loc"][0])
-            usable.pop(name, None)
-            if detail["type"] == "extra_forbidden":
-                suggestion = suggest(name, model.__name__, table[name])
-                errors.append(FileErrorDetail(f"{path}.{name}", "unknown key", cause=suggestion.sentence))
-                unusable |= {suggestion.key} - set(table)
-            else:
-                errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
-                unusable.add(name)
-    good = dict(model.model_validate(usable))
-    return {name: value for name, value in good.items() if value is not None}, unusable
-
-
-def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:
-    if name in _CHOICES:
-        names = list(_CHOICES[name])
-        cause = _did_you_mean(value, names) or f"One of {', '.join(names)}"
-        return FileErrorDetail(path, "is none of the choices", value, cause=cause)
-    if name == "ball":
-        cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'
-        return FileErrorDetail(path, "is not a list of ball effects", value, cause=cause)
-    key = find(path)
-    if key is None:
-        return FileErrorDetail(path, "is not a word in quotation marks", value)
-    if kind == "finite_number" or type(value) is int:
-        return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
-    cause = f"A number{f' in {key.unit}' if key.unit else ''}, without quotation marks"
-    return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
-
-
-def _did_you_mean(value: Any, known: Sequence[str]) -> str:
-    word = value.lower().replace(" ", "_").replace("-", "_") if isinstance(value, str) else ""
-    meant = near(word, known, 0.5)
-    return f"Did you mean {meant}?" if meant else ""
-
-
-def _si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
-    """The numbers of a table by their Python names."""
-    return {key.field: good[key.name] * key.size for key in keys if key.name in good}
-
-
-def _judged(error: SceneError) -> list[ErrorDetail]:
-    """The errors of Python's objects, but for the NaN that stands where the file has no usable number."""
-    return [each for each in error.errors if not (isinstance(each.value, float) and isnan(each.value))]
 
 
 # Bearing --------------------------------------------------------------------------------------------------------------
@@ -190,7 +115,7 @@ def _bearing(document: dict[str, Any], label: str, errors: Errors) -> BallBearin
         return None
     before = len(errors)
     numbers = {key: value for key, value in table.items() if key not in MATERIALS} if isinstance(table, dict) else table
-    good, unusable = _checked(_BEARING, "bearing", numbers, errors)
+    good, unusable = checked(_BEARING, "bearing", numbers, errors)
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
@@ -209,8 +134,8 @@ def _bearing(document: dict[str, Any], label: str, errors: Errors) -> BallBearin
         errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
     if entry is not None or "name" not in table:
         _find_missing(set(good) | unusable, errors)
-    materials = {side: _material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
-    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | _si(BEARING, good)
+    materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
+    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | si(BEARING, good)
     fields |= materials
     fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
     bearing, wrong = _made(fields, good)
@@ -233,26 +158,6 @@ def _find_missing(present: set[str], errors: Errors) -> None:
         )
 
 
-def _material(path: str, value: Any, errors: Errors) -> Material:
-    unknown = Material(nan, nan, nan)
-    if isinstance(value, dict):
-        good, unusable = _checked(_MATERIAL, path, value, errors)
-        missing = [key.name for key in MATERIAL[:3] if key.name not in good and key.name not in unusable]
-        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
-        return Material(**vars(unknown) | _si(MATERIAL, good))
-    if value is None:
-        return unknown
-    if not isinstance(value, str):
-        errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
-        return unknown
-    if value.lower() not in BY_NAME:
-        near_one = near(value.lower(), BY_NAME, 0.5)
-        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
-        cause = f"Did you mean {near_one}?" if near_one else others
-        errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
-    return BY_NAME.get(value.lower(), unknown)
-
-
 def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | None, Errors]:
     """The bearing of these fields in SI, or what is wrong with it."""
     angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
@@ -263,7 +168,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     try:
         bearing = make(**fields)
     except SceneError as error:
-        return None, list(map(translate, _judged(error)))
+        return None, list(map(translate, judged(error)))
     wrong: Errors = []
     if has_angle and bearing.kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle / deg <= FREE_ANGLE_MAX:
         given = good["free_contact_angle_deg"]
@@ -296,9 +201,9 @@ def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
     table = document.get("operation")
     if table is None:
         return None
-    good, unusable = _checked(_OPERATION, "operation", table, errors)
+    good, unusable = checked(_OPERATION, "operation", table, errors)
     # A number that cannot be used still says that its channel is given: NaN stands for it.
-    fields = _si(OPERATION, dict.fromkeys(unusable, nan) | good)
+    fields = si(OPERATION, dict.fromkeys(unusable, nan) | good)
     if isinstance(table, dict) and not any(
         channel.load in fields or channel.displacement in fields for channel in CHANNELS
     ):
@@ -307,17 +212,21 @@ def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
     try:
         return Operation(**fields)
     except SceneError as error:
-        errors += map(translate, _judged(error))
+        errors += map(translate, judged(error))
         return None
 
 
 def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The fields of `Scene` that say what is asked for."""
     table = document.get("effects")
-    good, unusable = _checked(_EFFECTS, "effects", {} if table is None else table, errors)
+    table = {} if table is None else table
+    within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
+    if within:
+        table = {name: value for name, value in table.items() if name not in within}
+    good, unusable = checked(_EFFECTS, "effects", table, errors)
     names, shares = good.get("ball", []), good.pop("moment_shares", None)
     for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
-        cause = _did_you_mean(name, BALL_EFFECTS) or f"One of {', '.join(BALL_EFFECTS)}"
+        cause = did_you_mean(name, BALL_EFFECTS) or f"One of {', '.join(BALL_EFFECTS)}"
         errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
         unusable.add("ball")
     made: dict[str, BallEffect] = {
@@ -331,4 +240,8 @@ def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
         problem = "is given, but no gyroscopic moment is there to share"
         errors.append(FileErrorDetail("effects.moment_shares", problem, str(shares), cause=cause))
-    return {"ball_effects": effects} | {name: good[name] for name in CHOICES if name in good}
+    made_of_tables = [ring_effect(name, within[name], errors) for name in within]
+    ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
+    return {"ball_effects": effects, "ring_effects": ring_effects} | {
+        name: good[name] for name in CHOICES if name in good
+    }

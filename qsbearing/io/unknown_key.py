@@ -5,12 +5,12 @@ from __future__ import annotations
 import difflib
 from typing import Any, NamedTuple
 
-from qsbearing.scene.keys import MATERIAL_KEYS, NUMBERS, SECTIONS
+from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, NUMBERS, SECTIONS
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
-_TABLES = {**SECTIONS, "material": MATERIAL_KEYS}
+_TABLES = {**SECTIONS, **EFFECT_SECTIONS, "material": MATERIAL_KEYS}
 
 
 class Suggestion(NamedTuple):
@@ -30,7 +30,7 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
     """What to write instead of an unknown key.
 
     Args:
-        section: bearing, operation, effects or material; empty for a key outside all tables.
+        section: bearing, operation, effects, the table of an effect, or material; empty for a key outside all tables.
         value: what the file gives under that key.
     """
     for table, keys in _TABLES.items():
@@ -53,7 +53,9 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 
 
 def _title(table: str) -> str:
-    return "a material's table" if table == "material" else f"[{table}]"
+    if table == "material":
+        return "a material's table"
+    return f"[effects.{table}]" if table in EFFECT_SECTIONS else f"[{table}]"
 
 
 def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:

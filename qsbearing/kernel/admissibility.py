@@ -30,7 +30,9 @@ FAR_MORE_THAN_LOAD = 1e6
 
 @kernel
 def is_unloaded(case: recarray) -> bool:
-    """No load and no displacement anywhere."""
+    """No load and no displacement anywhere, nor rings that wedge the balls."""
+    if case.interference > 0.0:
+        return False
     for i in range(5):
         if case.prescribed[i] != 0.0 or case.displacement_given[i]:
             return False

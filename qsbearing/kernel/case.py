@@ -24,6 +24,7 @@ CASE = record(
     ("outer_coefficient", np.float64),
     ("sin_free", np.float64),
     ("cos_free", np.float64),
+    ("interference", np.float64),  # how much less room, radially, the grooves leave than the balls need
     ("tilt_lever", np.float64),
     ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
     ("inner_stiffness", np.float64),  # there

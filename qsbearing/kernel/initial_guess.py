@@ -38,6 +38,11 @@ def thrust_at_rest(case: recarray, axial_load: float) -> float:
     """Axial displacement of the ring at rest under pure thrust, to a few per cent."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     q = abs(axial_load) / (case.ball_count * case.series_stiffness)
+    if case.interference > 0.0:
+        # Wedged balls: the line grows by h beyond the interference e, sin a = sqrt(2 h/l), q = (e + h)^(3/2) sin a.
+        by_wedge = 0.5 * length * q * q / case.interference**3
+        size = length * sqrt(2.0 * min(by_wedge, sqrt(q * sqrt(0.5 * length))) / length)
+        return size if axial_load >= 0.0 else -size
     # Near a0 = 0 the angle is made by the load: sin a = sqrt(2 d/l), q = d^(3/2) sin a.
     sine = max(case.sin_free, (q * sqrt(2.0 / length)) ** 0.25 * sqrt(sqrt(2.0 / length)))
     approach = 0.0
@@ -71,7 +76,7 @@ def guess_ring_at_rest(case: recarray, work: recarray) -> None:
         work.displacement[0] = thrust_at_rest(case, thrust) if thrust != 0.0 else -length * case.sin_free
     # How far the ring must go sideways until balls touch, at its axial position.
     axial = length * case.sin_free + work.displacement[0]
-    gap = sqrt(max(length * length - axial * axial, 0.0)) - length * case.cos_free
+    gap = max(sqrt(max(length * length - axial * axial, 0.0)) - length * case.cos_free - case.interference, 0.0)
     if (thrust != 0.0 and not case.displacement_given[0]) or is_pressed_outward:
         gap = 0.0
     if radial > 0.0:
@@ -108,7 +113,7 @@ def thrust_at_speed(case: recarray, work: recarray, control: int, axial_load: fl
     """
     s, c = case.sin_free, case.cos_free
     li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
-    radial = (li + lo) * c
+    radial = (li + lo) * c + case.interference
     q = max(axial_load, 0.0) / case.ball_count
     ki, ko = case.inner_stiffness, case.outer_stiffness
     si, ci, so, co = s, c, s, c

@@ -11,7 +11,7 @@ from qsbearing.kernel.assembly import close_loops
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.linear import solve_in_place
 from qsbearing.kernel.loop_closure import inner_closure, inner_span, set_inner_from_positions, set_inner_line
-from qsbearing.kernel.ring import inner_groove_centre
+from qsbearing.kernel.ring import inner_groove_centre, inner_groove_step
 from qsbearing.kernel.unloaded_ball import place_unloaded
 
 # The step limits: choices, borne out by campaigns of random scenes. They shape the way to an equilibrium, not the
@@ -47,7 +47,7 @@ def propose_step(case: recarray, work: recarray, balls: ndarray) -> float:
     farthest, turn = 0.0, 0.0
     for n in range(work.ball_count):
         ball = balls[n]
-        da1, da2 = inner_groove_centre(case, work.step, ball.cosine, ball.sine)
+        da1, da2 = inner_groove_step(case, work.step, ball.cosine, ball.sine)
         farthest = max(farthest, abs(da1), abs(da2))
         ball.inner_step1, ball.inner_step2 = ball.closure1 + da1, ball.closure2 + da2
         outer = 0.0

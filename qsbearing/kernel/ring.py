@@ -116,7 +116,17 @@ def couple_channels(case: recarray, work: recarray, balls: ndarray) -> None:
 
 @kernel
 def inner_groove_centre(case: recarray, displacement: ndarray, cosine: float, sine: float) -> tuple[float, float]:
-    """Displacement of a ball's inner groove centre (19.3, 19.4)."""
+    """A ball's inner groove centre at this displacement of the ring, from touching at the free angle.
+
+    Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4).
+    """
+    a1, a2 = inner_groove_step(case, displacement, cosine, sine)
+    return a1, a2 + case.interference
+
+
+@kernel
+def inner_groove_step(case: recarray, displacement: ndarray, cosine: float, sine: float) -> tuple[float, float]:
+    """Displacement of a ball's inner groove centre with the ring (19.3, 19.4)."""
     return (
         displacement[0] + case.tilt_lever * (displacement[3] * sine - displacement[4] * cosine),
         displacement[1] * cosine + displacement[2] * sine,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from qsbearing.units import GPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um
-from qsbearing.validation import ANGLE, DENSITY, FORCE, LENGTH, MODULUS, MOMENT, SPEED, Quantity
+from qsbearing.units import GPa, MPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um, zero_celsius
+from qsbearing.validation import ANGLE, DENSITY, FORCE, LENGTH, MODULUS, MOMENT, PRESSURE, SPEED, TEMPERATURE, Quantity
 
 
 @dataclass(frozen=True)
@@ -22,10 +22,16 @@ class Key:
     """One of the file's unit in SI."""
     quantity: Quantity | None = None
     """What other units it is given in; None where there are none."""
+    zero: float = 0.0
+    """The file's zero in SI."""
+
+    def si(self, value: float) -> float:
+        """A value of the file in SI."""
+        return value * self.size + self.zero
 
     def in_file(self, value: float) -> float:
         """An SI value in the file's unit, without the rounding of its way there and back."""
-        return float(f"{value / self.size:.12g}")
+        return float(f"{(value - self.zero) / self.size:.12g}")
 
 
 BEARING = (
@@ -61,16 +67,43 @@ OPERATION = (
     Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
 )
 
+
+def _celsius(field: str) -> Key:
+    return Key(f"{field}_C", field, "C", 1.0, TEMPERATURE, zero_celsius)
+
+
+RING_EXPANSION = (
+    Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
+    Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+    Key("shaft_interference_um", "shaft_interference", "um", um, LENGTH),
+    Key("shaft_bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
+    Key("housing_interference_um", "housing_interference", "um", um, LENGTH),
+    Key("housing_outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
+    *map(_celsius, ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")),
+    _celsius("reference_temperature"),
+    Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE),
+)
+BALL_EXPANSION = (_celsius("ball_temperature"), _celsius("reference_temperature"))
+
 MATERIALS = ("ball_material", "ring_material")
-NUMBERS = {"bearing": BEARING, "operation": OPERATION, "material": MATERIAL}
-"""The keys that hold numbers, by their table; a material is a table within [bearing]."""
+SEAT_MATERIALS = ("shaft_material", "housing_material")
+EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
+"""Effects that have a table of their own within [effects], which names them and holds their numbers."""
+NUMBERS = {"bearing": BEARING, "operation": OPERATION, "material": MATERIAL, **EFFECT_TABLES}
+"""The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
     "bearing": ("name", "kind", *(key.name for key in BEARING), *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
-    "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever"),
+    "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever", *EFFECT_TABLES),
 }
 """Every key a file may hold, by its table."""
+
+EFFECT_SECTIONS = {
+    name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
+    for name, keys in EFFECT_TABLES.items()
+}
+"""Likewise, by the tables within [effects]."""
 
 MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
 
@@ -81,7 +114,7 @@ _FIELD = re.compile(r"\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=Tru
 def find(path: str) -> Key | None:
     """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
     section, _, name = path.rpartition(".")
-    keys = NUMBERS.get("material" if section.endswith("_material") else section, ())
+    keys = NUMBERS.get("material" if section.endswith("_material") else section.rpartition(".")[2], ())
     return next((key for key in keys if name in (key.field, key.name)), None)
 
 
@@ -90,7 +123,8 @@ def path_in_file(path: str) -> str:
     if path in ("ball_effects", "raceway_control"):
         return f"effects.{_KEY_OF_FIELD.get(path, path)}"
     key = find(path)
-    return f"{path.rpartition('.')[0]}.{key.name}" if key else path
+    path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
+    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
 
 
 def with_file_keys(sentence: str) -> str:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.contact.hertz import HertzForm
-from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment
+from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, RingEffect, RingExpansion
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.units import mm, rpm
-from qsbearing.validation import SPEED, ErrorDetail, choose, raise_if_any, unit_mistake
+from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, raise_if_any, unit_mistake
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
@@ -64,6 +66,8 @@ class Scene:
     hertz_angle: HertzAngle = HertzAngle.FREE
     hertz_form: HertzForm = HertzForm.EXACT
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    ring_effects: tuple[RingEffect, ...] = ()
+    """What changes the bearing before it is loaded."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -73,7 +77,39 @@ class Scene:
                 object.__setattr__(self, name, choice)
                 errors += wrong
         errors += effect_errors(self.ball_effects, self.raceway_control)
+        errors += ring_effect_errors(self.ring_effects, self.bearing)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
+        if self.ring_effects:
+            self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
+
+    @cached_property
+    def operating_bearing(self) -> BallBearing:
+        """The bearing as its ring effects leave it: hot, fitted and turning, before loads act; `bearing` without any.
+
+        Raises:
+            SceneError: they leave no bearing.
+        """
+        bearing = self.bearing
+        for effect in self.ring_effects:
+            try:
+                bearing = effect.reshape(bearing, self.operation)
+            except SceneError as error:
+                problem = f"leaves no bearing: {'; '.join(map(str, error.errors))}"
+                raise SceneError([ErrorDetail(effect.name, problem)]) from None
+        return bearing
+
+    @property
+    def axial_datum_shift(self) -> NDArray:
+        """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m].
+
+        Displacements count from where it does so at rest and cold, with the groove centres in their rings.
+        """
+        return self.operating_bearing.touching_offset - self.bearing.touching_offset
+
+    @property
+    def ring_expansion(self) -> RingExpansion | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
 
     @property
     def centrifugal_force(self) -> CentrifugalForce | None:
@@ -104,6 +140,18 @@ def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: Raceway
         problem = "is given, but no ball effect needs it"
         cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
         errors.append(ErrorDetail("raceway_control", problem, str(raceway_control), cause=cause))
+    return errors
+
+
+def ring_effect_errors(ring_effects: tuple[RingEffect, ...], bearing: BallBearing) -> list[ErrorDetail]:
+    """Errors of what is asked to change the bearing."""
+    if not isinstance(ring_effects, tuple) or not all(isinstance(effect, RingEffect) for effect in ring_effects):
+        cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
+        return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
+    names = [effect.name for effect in ring_effects]
+    errors = [error for effect in ring_effects for error in effect.errors(bearing)]
+    if len(set(names)) < len(names):
+        errors.append(ErrorDetail("ring_effects", "names an effect twice", names))
     return errors
 
 

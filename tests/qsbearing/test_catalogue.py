@@ -10,6 +10,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.io import catalogue
 from qsbearing.io.template import scene_template
+from qsbearing.scene import keys as scene_keys
 
 NAMES = [entry.name for entry in catalogue.entries()]
 
@@ -73,7 +74,8 @@ def test_every_commented_line_of_a_printed_scene_is_good_when_taken_in(name: str
     text = scene_template(catalogue.find(name), by_name=True)
     lines = text.splitlines()
     commented = [i for i, line in enumerate(lines) if line.startswith("# ") and " = " in line.partition("  #")[0]]
-    known = [i for i in commented if lines[i][2:].partition(" = ")[0].isidentifier()]
+    tables = next(i for i, line in enumerate(lines) if line.startswith("# [effects."))
+    known = [i for i in commented if i < tables and lines[i][2:].partition(" = ")[0].isidentifier()]
     assert len(known) >= 12
     given = set(tomllib.loads(text)["operation"])
     for i in known:
@@ -87,3 +89,16 @@ def test_every_commented_line_of_a_printed_scene_is_good_when_taken_in(name: str
         file = tmp_path / "scene.toml"
         file.write_text("\n".join(changed))
         qs.load_scene(file)
+
+
+def test_the_commented_tables_of_a_printed_scene_are_good_when_taken_in(tmp_path: Path) -> None:
+    """All of them at once; their diameters are those of B218."""
+    text = scene_template(catalogue.find("B218"), by_name=True)
+    before, mark, tables = text.partition("# [effects.")
+    file = tmp_path / "scene.toml"
+    file.write_text(before + (mark + tables).replace("\n# ", "\n").removeprefix("# "))
+    scene = qs.load_scene(file)
+    assert [effect.name for effect in scene.ring_effects] == ["ring_expansion", "ball_expansion"]
+    keys = [line.removeprefix("# ").partition(" = ")[0] for line in (mark + tables).splitlines() if " = " in line]
+    known = {key for section in scene_keys.EFFECT_SECTIONS.values() for key in section}
+    assert set(keys) == known, "every key is shown"

@@ -97,7 +97,17 @@ def test_every_key_arrives_in_si_under_its_python_name(load: Any) -> None:
                 "first_ball_azimuth_deg": "11.25",
             },
             {"raceway_control": '"per_ball"', "moment_shares": '"harris"', "hertz_angle": '"actual"'}
-            | {"hertz_form": '"brewe_hamrock_1977"', "tilt_lever": '"pitch_circle"'},
+            | {"hertz_form": '"brewe_hamrock_1977"', "tilt_lever": '"pitch_circle"'}
+            | {"ball_expansion": "{ball_temperature_C = 60.5, reference_temperature_C = 15}"}
+            | {
+                "ring_expansion": "{bore_diameter_mm = 90, outside_diameter_mm = 160, shaft_interference_um = 20, "
+                "shaft_bore_diameter_mm = 30, shaft_material = 'steel', shaft_temperature_C = 65, "
+                "inner_ring_temperature_C = 70, outer_ring_temperature_C = 60, housing_interference_um = -5, "
+                "housing_outside_diameter_mm = 200, housing_temperature_C = 50, "
+                "housing_material = {elastic_modulus_GPa = 70, poisson_ratio = 0.33, density_kg_m3 = 2700, "
+                "thermal_expansion_per_K = 23e-6}, "
+                "reference_temperature_C = 15, yield_strength_MPa = 1800}"
+            },
         )
     )
     bearing, operation = scene.bearing, scene.operation
@@ -125,17 +135,35 @@ def test_every_key_arrives_in_si_under_its_python_name(load: Any) -> None:
     assert scene.hertz_angle is qs.HertzAngle.ACTUAL
     assert scene.hertz_form is qs.HertzForm.BREWE_HAMROCK_1977
     assert scene.tilt_lever is qs.TiltLever.PITCH_CIRCLE
+    rings, balls = scene.ring_effects
+    assert (rings.name, balls.name) == ("ring_expansion", "ball_expansion")
+    assert balls.ball_temperature == pytest.approx(333.65, rel=1e-15)
+    assert balls.reference_temperature == rings.reference_temperature == pytest.approx(288.15, rel=1e-15)
+    assert (rings.bore_diameter, rings.outside_diameter) == pytest.approx((0.09, 0.16), rel=1e-15)
+    assert (rings.shaft_interference, rings.housing_interference) == pytest.approx((20e-6, -5e-6), rel=1e-15)
+    assert (rings.shaft_bore_diameter, rings.housing_outside_diameter) == pytest.approx((0.03, 0.2), rel=1e-15)
+    assert (rings.shaft_temperature, rings.housing_temperature) == pytest.approx((338.15, 323.15), rel=1e-15)
+    warm = (rings.inner_ring_temperature, rings.outer_ring_temperature)
+    assert warm == pytest.approx((343.15, 333.15), rel=1e-15)
+    assert rings.shaft_material == qs.STEEL
+    assert rings.housing_material == qs.Material(70e9, 0.33, 2700.0, 23e-6)
+    assert rings.yield_strength == pytest.approx(1.8e9, rel=1e-15)
 
 
 def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     operation = {field.name for field in dataclasses.fields(qs.Operation)}
     assert {key.field for key in scene_keys.OPERATION} == operation
     bearing = {field.name for field in dataclasses.fields(qs.BallBearing)} - {"ball_material", "ring_material"}
-    numbers = bearing - {"kind", "name"} | {"diametral_clearance"}
+    # A radial interference is what ring effects leave of a bearing; no file gives one.
+    numbers = bearing - {"kind", "name", "radial_interference"} | {"diametral_clearance"}
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (scene_file._BEARING, scene_file._OPERATION, scene_file._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
-        assert set(model.model_fields) == set(scene_keys.SECTIONS[section]) - set(scene_keys.MATERIALS)
+        elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES}
+        assert set(model.model_fields) == set(scene_keys.SECTIONS[section]) - elsewhere
+    for effect, keys in ((qs.RingExpansion, scene_keys.RING_EXPANSION), (qs.BallExpansion, scene_keys.BALL_EXPANSION)):
+        fields = {field.name for field in dataclasses.fields(effect)} - set(scene_keys.SEAT_MATERIALS)
+        assert {key.field for key in keys} == fields
     assert {field.name for field in dataclasses.fields(qs.Material)} - {"name", "source"} == {
         key.field for key in scene_keys.MATERIAL
     }

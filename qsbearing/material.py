@@ -1,10 +1,12 @@
-"""Materials of balls and rings."""
+"""Materials of balls, rings, shafts and housings."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
+
+from qsbearing.validation import DENSITY, EXPANSION, MODULUS, RATIO, ErrorDetail, within
 
 
 @dataclass(frozen=True)
@@ -17,8 +19,8 @@ class Material:
     """Poisson's ratio [-]."""
     density: ArrayLike
     """Density [kg/m^3]."""
-    thermal_expansion: float | None = None
-    """Linear expansion [1/K]; None where nothing asks for it."""
+    thermal_expansion: ArrayLike | None = None
+    """Linear expansion [1/K]; needed by ring and ball expansion where temperatures are given, and by nothing else."""
     name: str = "unnamed"
     source: str = ""
 
@@ -46,3 +48,17 @@ SILICON_NITRIDE = Material(
 
 BY_NAME = {material.name: material for material in (STEEL, SILICON_NITRIDE)}
 """The materials a scene file may name."""
+
+
+def material_errors(field: str, material: Material) -> list[ErrorDetail]:
+    """Every error of a material in this field."""
+    if not isinstance(material, Material):
+        cause = "qs.STEEL, qs.SILICON_NITRIDE or qs.Material"
+        return [ErrorDetail(field, "is not a material", material, cause=cause)]
+    expansion = material.thermal_expansion
+    return [
+        *within(f"{field}.elastic_modulus", material.elastic_modulus, MODULUS, 1e9, 2e12),
+        *within(f"{field}.poisson_ratio", material.poisson_ratio, RATIO, 0.0, 0.499),
+        *within(f"{field}.density", material.density, DENSITY, 100.0, 25000.0),
+        *([] if expansion is None else within(f"{field}.thermal_expansion", expansion, EXPANSION, -1e-5, 1e-4)),
+    ]

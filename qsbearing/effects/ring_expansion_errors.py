@@ -1,0 +1,134 @@
+"""What is wrong with the parameters of ring expansion: by themselves, and for a bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.material import Material, material_errors
+from qsbearing.units import zero_celsius
+from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, first, numeric, within
+
+if TYPE_CHECKING:
+    from qsbearing.effects.ring_expansion import RingExpansion
+    from qsbearing.scene.bearing import BallBearing
+
+LARGEST_FIT = 0.01
+"""Of the seat's diameter: ten times any press fit; it catches mistakes of unit."""
+HOTTEST = 1300.0
+"""[K]; no bearing material is elastic there."""
+
+SHAFT = ("shaft_bore_diameter", "shaft_material", "shaft_temperature")
+HOUSING = ("housing_outside_diameter", "housing_material", "housing_temperature")
+TEMPERATURES = ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")
+
+
+def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
+    """Errors of a temperature [K]."""
+    errors = within(field, temperature, TEMPERATURE, 0.0, HOTTEST)
+    cold = errors and isinstance(errors[0].value, float) and errors[0].value < 0.0
+    if not cold:
+        return errors
+    return [ErrorDetail(field, "is below absolute zero", errors[0].value, TEMPERATURE, (0.0, HOTTEST))]
+
+
+def expansion_errors(effect: RingExpansion) -> list[ErrorDetail]:
+    """Every error of the parameters by themselves."""
+    path = effect.name
+    errors = within(f"{path}.bore_diameter", effect.bore_diameter, LENGTH, 1e-4, 20.0)
+    errors += within(f"{path}.outside_diameter", effect.outside_diameter, LENGTH, 1e-4, 20.0)
+    for seat, diameter, others in (("shaft", "bore_diameter", SHAFT), ("housing", "outside_diameter", HOUSING)):
+        interference = getattr(effect, f"{seat}_interference")
+        if interference is None:
+            errors += [_unused(f"{path}.{name}", seat) for name in others if getattr(effect, name) is not None]
+        else:
+            errors += _interference_errors(f"{path}.{seat}_interference", interference, getattr(effect, diameter))
+        material = getattr(effect, f"{seat}_material")
+        errors += [] if material is None else material_errors(f"{path}.{seat}_material", material)
+    if effect.shaft_bore_diameter is not None:
+        errors += within(f"{path}.shaft_bore_diameter", effect.shaft_bore_diameter, LENGTH, 0.0, 20.0)
+    if effect.housing_outside_diameter is not None:
+        errors += within(f"{path}.housing_outside_diameter", effect.housing_outside_diameter, LENGTH, 1e-4, 20.0)
+    elif effect.housing_interference is not None:
+        cause = "How stiffly the housing holds the ring depends on it"
+        errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing: a housing is given", cause=cause))
+    given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
+    for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
+        errors += temperature_errors(f"{path}.{name}", temperature)
+    if not given and np.any(np.asarray(effect.reference_temperature) != 20.0 + zero_celsius):
+        problem = "is given, but nothing has another temperature"
+        errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=f"Give {', '.join(TEMPERATURES)}"))
+    return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
+
+
+def _unused(field: str, seat: str) -> ErrorDetail:
+    cause = f"Give {seat}_interference (0 for a fit line to line), or leave this out"
+    return ErrorDetail(field, f"is given, but no {seat} is regarded without {seat}_interference", cause=cause)
+
+
+def _interference_errors(field: str, interference: ArrayLike, diameter: ArrayLike) -> list[ErrorDetail]:
+    array, errors = numeric(field, interference, LENGTH)
+    seat, _ = numeric(field, diameter, LENGTH)
+    if array is None or seat is None:
+        return errors
+    limit = LARGEST_FIT * float(np.max(seat))
+    return within(field, interference, LENGTH, -limit, limit, f"is more than {LARGEST_FIT:.0%} of the seat's diameter")
+
+
+def section_errors(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
+    """Diameters that are no rings around this bearing's grooves, and missing coefficients of expansion."""
+    bottom_inner = 2.0 * (bearing.inner_groove_centre_radius - np.asarray(bearing.inner_groove_radius))
+    bottom_outer = 2.0 * (bearing.outer_groove_centre_radius + np.asarray(bearing.outer_groove_radius))
+    bore, outside = np.asarray(effect.bore_diameter, float), np.asarray(effect.outside_diameter, float)
+    pairs = [
+        ("bore_diameter", bore, bottom_inner, "the bottom of the inner groove"),
+        ("outside_diameter", outside, bottom_outer, "the bottom of the outer groove"),
+    ]
+    if effect.shaft_bore_diameter is not None:
+        pairs.append(("shaft_bore_diameter", np.asarray(effect.shaft_bore_diameter, float), bore, "the shaft's seat"))
+    if effect.housing_outside_diameter is not None:
+        seat = "the housing's seat"
+        pairs.append(("housing_outside_diameter", np.asarray(effect.housing_outside_diameter, float), outside, seat))
+    errors = []
+    for name, found, other, what in pairs:
+        field = f"{effect.name}.{name}"
+        errors += _inside(field, found, other, what) if "bore" in name else _outside(field, found, other, what)
+    return errors + _expansion_missing(effect, bearing)
+
+
+def _inside(field: str, found: NDArray, other: NDArray, what: str) -> list[ErrorDetail]:
+    bad = found >= other
+    if not bad.any():
+        return []
+    value, limit = first(bad, found, other)
+    return [ErrorDetail(field, f"is not within {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (0.0, limit))]
+
+
+def _outside(field: str, found: NDArray, other: NDArray, what: str) -> list[ErrorDetail]:
+    bad = found <= other
+    if not bad.any():
+        return []
+    value, limit = first(bad, found, other)
+    return [ErrorDetail(field, f"is not around {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (limit, 20.0))]
+
+
+def _expansion_missing(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
+    asked: dict[str, tuple[Material, bool]] = {
+        "bearing.ring_material": (
+            bearing.ring_material,
+            effect.inner_ring_temperature is not None or effect.outer_ring_temperature is not None,
+        )
+    }
+    for seat in ("shaft", "housing"):
+        material, is_warm = getattr(effect, f"{seat}_material"), getattr(effect, f"{seat}_temperature") is not None
+        field = "bearing.ring_material" if material is None else f"{effect.name}.{seat}_material"
+        known, before = asked.get(field, (material, False))
+        asked[field] = (known, before or is_warm)
+    problem = "missing: temperatures are given"
+    return [
+        ErrorDetail(f"{field}.thermal_expansion", problem, cause="12e-6 per kelvin for bearing steel")
+        for field, (material, is_needed) in asked.items()
+        if is_needed and material.thermal_expansion is None
+    ]
