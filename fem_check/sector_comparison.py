@@ -149,11 +149,13 @@ def _rounded(axial_displacement: float, ball_centre: Array, contacts: Iterable[A
     )
 
 
-def place(scene_name: str, point: OperatingPoint, support: OuterSupport) -> Expected:
+def place(
+    scene_name: str, point: OperatingPoint, support: OuterSupport, *, gyroscopic_moment: bool = False
+) -> Expected:
     """Where the bodies are meshed: the model's position; with a support that it knows nothing of, where a coarse mesh
     there finds them."""
     bearing = sector_bearing(scene_name)
-    near = expected(bearing, model(scene_name, point, gyroscopic_moment=False))
+    near = expected(bearing, model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
     if support is OuterSupport.RIGID:
         return near
     found = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(

@@ -11,6 +11,7 @@ from typing import Any
 import qsbearing
 from fem_check import convergence, meshing, sector_comparison, sector_pictures
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.contact import ContactError
 from fem_check.sector_comparison import QUANTITIES, Compared, OperatingPoint, own_point
 from fem_check.solids import body_mesh
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
@@ -75,11 +76,14 @@ def study(
     scene: str, point: OperatingPoint, level: Level, support: OuterSupport, *, gyroscopic_moment: bool = False
 ) -> Studied:
     """Solve a point on three meshes."""
-    where = sector_comparison.place(scene, point, support)
-    meshes = [
-        sector_comparison.compare(scene, point, elements, support, where, gyroscopic_moment=gyroscopic_moment)
-        for elements in ELEMENTS[level]
-    ]
+    try:
+        where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
+        meshes = [
+            sector_comparison.compare(scene, point, elements, support, where, gyroscopic_moment=gyroscopic_moment)
+            for elements in ELEMENTS[level]
+        ]
+    except ContactError as problem:
+        raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
     sizes = [body_mesh.PATCH / body_mesh.cells(elements) for elements in ELEMENTS[level]]
     last = meshes[-1]
     uncertainty = {

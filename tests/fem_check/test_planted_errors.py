@@ -67,6 +67,18 @@ PLANTED = {
         "self.ball_diameter / self.pitch_diameter",
         SOLUTION,
     ),
+    "the parabola in place of the exact gap": (
+        "fem_check/solids/true_contact.py",
+        "problem.parabolic_gap if parabola else frame.gap",
+        "problem.parabolic_gap",
+        "true_geometry",
+    ),
+    "the ball clamped at its equator": (
+        "fem_check/solids/true_contact.py",
+        "fixed[np.abs(frame.normal @ offset) < SMALL, 0] = True",
+        "fixed[np.abs(frame.normal @ offset) < SMALL] = True",
+        "true_geometry",
+    ),
     "gap +1 %": (
         "fem_check/contact.py",
         "gaps = basis.weighted(",
@@ -156,7 +168,7 @@ def test_planted_error_is_seen_compiled(name, tmp_path):
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("check", [SOLUTION, GROOVE, "patch_test"])
+@pytest.mark.parametrize("check", [SOLUTION, GROOVE, "patch_test", "true_geometry"])
 def test_without_an_error_the_copy_passes(check, tmp_path):
     done = run_planted(tmp_path, None, check)
     assert done.returncode == 0, done.stdout
