@@ -32,8 +32,8 @@ def set_full_scale(case: recarray, work: recarray) -> None:
 
 
 @kernel
-def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what: int) -> float:
-    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE.
+def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what: int, a: float, b: float) -> float:
+    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE; a, b: semi-axes at unit load.
 
     A ball at rest that touches neither raceway has no determined position, and so no angle.
     """
@@ -63,14 +63,20 @@ def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what:
         return friction / load if load > 0.0 else nan
     if load <= 0.0:
         return 0.0
-    cosine = n2 if case.actual_angle else case.hertz_cosine
-    a, b, _, _ = raceway_ellipse(case, side, cosine)
     size = load ** (1.0 / 3.0)
     if what == SEMI_MAJOR_AXIS:
         return a * size
     if what == SEMI_MINOR_AXIS:
         return b * size
     return 1.5 * size / (pi * a * b)
+
+
+@kernel
+def hertz_cosine(case: recarray, ball: recarray, side: float) -> float:
+    """Cosine of the angle at which a contact's ellipse is taken."""
+    if not case.actual_angle:
+        return case.hertz_cosine
+    return ball.inner_cosine if side < 0 else ball.outer_cosine
 
 
 @kernel
@@ -107,17 +113,26 @@ def read_cases(
 ) -> None:
     """Fill out (case, ball) with a quantity in the case's units; NaN for cases not solved and for missing balls."""
     work = workspaces[0]
+    is_ellipse = SEMI_MAJOR_AXIS <= what <= MAX_PRESSURE
+    a, b, form, coefficient, pitch, cosine = nan, nan, -1, nan, nan, nan
     for k in range(cases.size):
         case = cases[k]
         set_azimuths(case, work, balls)
         set_full_scale(case, work)
+        f = case.inner_coefficient if side < 0 else case.outer_coefficient
         for j in range(positions.shape[1]):
             if results[k].status != CONVERGED or j >= case.ball_count:
                 out[k, j] = nan
                 continue
             ball = balls[j]
             restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
-            out[k, j] = read_ball(case, work, ball, side, what)
+            if is_ellipse:
+                at = hertz_cosine(case, ball, side)
+                # An exact ellipse takes longer than all the rest; most often it is the same for all balls and cases.
+                if at != cosine or f != coefficient or case.pitch_diameter != pitch or case.form != form:
+                    cosine, coefficient, pitch, form = at, f, case.pitch_diameter, case.form
+                    a, b, _, _ = raceway_ellipse(case, side, cosine)
+            out[k, j] = read_ball(case, work, ball, side, what, a, b)
 
 
 @kernel

@@ -86,7 +86,7 @@ def orbital_speed(solution: Solution) -> NDArray:
 
 def gamma(solution: Solution) -> NDArray:
     """g = D/dm, with a last axis for the balls."""
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     return np.asarray(numbers.ball_diameter / numbers.pitch_diameter)[..., None]
 
 
@@ -99,7 +99,7 @@ def _raceway(solution: Solution, orbit: NDArray, side: float, contacts: RacewayC
     inner_speed, outer_speed = ring_speeds(solution)
     ring = (inner_speed if side < 0 else outer_speed) - orbit
     touches = np.where(contacts.load > 0.0, 1.0, np.nan)
-    pitch = BearingNumbers(solution.scene.bearing).pitch_diameter[..., None]
+    pitch = BearingNumbers(solution.scene.operating_bearing).pitch_diameter[..., None]
     radius = 0.5 * pitch * (1.0 + side * gamma(solution) * np.cos(contacts.angle))
     entrainment = np.abs(ring) * radius * touches
     beta, rotation = solution.attitude_angle, solution.rotation_speed

@@ -120,7 +120,7 @@ def _raceway(
     mu: ArrayLike,
     loss: ArrayLike | None,
 ) -> RacewayFriction:
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     groove = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
     R = deformed_radius(numbers.ball_diameter, groove)[..., None]
     a, b = contacts.semi_major_axis, contacts.semi_minor_axis
@@ -140,7 +140,7 @@ def _raceway(
 
 
 def _drag(solution: Solution, motion: BallMotion, coefficient: NDArray, density: NDArray) -> NDArray:
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     speed = np.abs(motion.orbital_speed) * 0.5 * numbers.pitch_diameter[..., None]
     disc = 0.25 * pi * numbers.ball_diameter[..., None] ** 2
     return np.asarray(0.5 * coefficient[..., None] * density[..., None] * disc * speed**3)

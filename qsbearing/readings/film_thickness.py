@@ -116,14 +116,14 @@ def inlet_shear_heating(speed: ArrayLike, pitch_diameter: ArrayLike, kinematic_v
 
 def _inlet_shear_heating(solution: Solution, kinematic_viscosity: ArrayLike) -> NDArray:
     inner, outer = ring_speeds(solution)
-    pitch = BearingNumbers(solution.scene.bearing).pitch_diameter
+    pitch = BearingNumbers(solution.scene.operating_bearing).pitch_diameter
     return np.broadcast_to(inlet_shear_heating((inner - outer)[..., 0], pitch, kinematic_viscosity), solution.shape)
 
 
 def _raceway(
     solution: Solution, contacts: RacewayContacts, speed: NDArray, oil: OilState, side: float, rough: NDArray | None
 ) -> RacewayFilm:
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     modulus = numbers.modulus()[..., None]
     eta = np.asarray(oil.dynamic_viscosity, float)[..., None]
     xi = np.asarray(oil.pressure_viscosity, float)[..., None]

@@ -62,7 +62,7 @@ def overrun(
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
     """
-    bearing = solution.scene.bearing
+    bearing = solution.scene.operating_bearing
     given = (
         (INNER, "inner", inner_shoulder_diameter, inner_open_diameter),
         (OUTER, "outer", outer_shoulder_diameter, outer_open_diameter),
@@ -119,7 +119,7 @@ def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: Ar
 def _raceway(
     solution: Solution, contacts: RacewayContacts, side: float, shoulder: ArrayLike, other: ArrayLike
 ) -> RacewayOverrun:
-    bearing = solution.scene.bearing
+    bearing = solution.scene.operating_bearing
     numbers = BearingNumbers(bearing)
     r = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
     edge, far = (np.arccos(1.0 - groove_depth(bearing, diameter, side) / r) for diameter in (shoulder, other))

@@ -66,7 +66,7 @@ class Stress:
 def stress(solution: Solution) -> Stress:
     """Shear stresses and dents of every contact."""
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     found = []
     for name, raceway in (("inner", inner), ("outer", outer)):
         deep = np.nan_to_num(raceway.dent) > NOTICEABLE * numbers.ball_diameter[..., None]
@@ -77,11 +77,11 @@ def stress(solution: Solution) -> Stress:
 
 
 def _raceway(solution: Solution, contacts: RacewayContacts, side: float) -> RacewayStress:
-    numbers = BearingNumbers(solution.scene.bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     loaded = contacts.load > 0.0
     p0, b = (np.where(loaded, each, np.nan) for each in (contacts.max_pressure, contacts.semi_minor_axis))
     ratio = b / np.where(loaded, contacts.semi_major_axis, np.nan)
-    shear, depth = _max_shear(ratio, np.asarray(solution.scene.bearing.ring_material.poisson_ratio, float))
+    shear, depth = _max_shear(ratio, np.asarray(solution.scene.operating_bearing.ring_material.poisson_ratio, float))
     t = _orthogonal_parameter(ratio)
     root = np.sqrt(2.0 * t - 1.0)
     D = numbers.ball_diameter[..., None]

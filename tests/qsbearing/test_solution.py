@@ -9,7 +9,7 @@ import pytest
 
 import qsbearing as qs
 
-from .scenes import B218, BOTH, OUTER
+from .scenes import B218, BOTH, OUTER, solved, turning
 
 COMBINED = qs.Scene(
     B218, qs.Operation(speed=10_000 * qs.rpm, axial_load=3e3, radial_load_y=4e3, tilt_z=0.0), BOTH, OUTER
@@ -195,7 +195,9 @@ def test_a_dataframe_holds_results_status_and_inputs(many: qs.Solution) -> None:
 def test_an_array_that_no_result_depends_on_spans_cases_like_any_other() -> None:
     """The ring's density: one case for each, and a row of the table for each ball of them."""
     rings = dataclasses.replace(qs.STEEL, density=np.array([7800.0, 7900.0]))
-    solution = qs.solve(dataclasses.replace(COMBINED, bearing=dataclasses.replace(B218, ring_material=rings)))
+    solution = qs.solve(
+        dataclasses.replace(COMBINED, bearing=dataclasses.replace(B218, ring_material=rings))
+    )
     assert solution.shape == (2,)
     assert np.array_equal(solution.inner.load[0], solution.inner.load[1])
     assert len(pytest.importorskip("pandas") and solution.to_dataframe()) == 32
@@ -203,8 +205,27 @@ def test_an_array_that_no_result_depends_on_spans_cases_like_any_other() -> None
 
 def test_a_dataframe_has_no_column_for_what_is_not_asked_for() -> None:
     pytest.importorskip("pandas")
-    solution = qs.solve(qs.Scene(dataclasses.replace(B218, ball_count=np.array([9, 12])), qs.Operation(axial_load=1e3)))
+    solution = qs.solve(
+        qs.Scene(dataclasses.replace(B218, ball_count=np.array([9, 12])), qs.Operation(axial_load=1e3))
+    )
     frame = solution.to_dataframe()
     assert len(frame) == 9 + 12
     left_out = {"centrifugal_force_N", "raceway_control", "inner_required_friction", "radial_load_y_N", "tilt_z_mrad"}
     assert not left_out & set(frame)
+
+
+@pytest.mark.parametrize("hertz_angle", ["free", "actual"])
+def test_ellipses_of_bearings_that_vary(hertz_angle: str) -> None:
+    """Each case has its own bearing's ellipses, whatever stood before it in the batch."""
+    radius = np.array([11.4, 11.6281, 11.6281, 12.0]) * 1e-3
+    pitch = np.array([125.26, 125.26, 130.0, 130.0]) * 1e-3
+    angle = np.array([40.0, 40.0, 40.0, 25.0]) * qs.deg
+    changes = {"inner_groove_radius": radius, "pitch_diameter": pitch, "free_contact_angle": angle}
+    together = solved(turning(6e3, dataclasses.replace(B218, **changes), axial_load=9e3, hertz_angle=hertz_angle))
+    for k in range(4):
+        one = dataclasses.replace(B218, **{name: float(values[k]) for name, values in changes.items()})
+        alone = solved(turning(6e3, one, axial_load=9e3, hertz_angle=hertz_angle))
+        for name in ("semi_major_axis", "semi_minor_axis", "max_pressure"):
+            for side in ("inner", "outer"):
+                found = getattr(getattr(together, side), name)[k]
+                assert found == pytest.approx(getattr(getattr(alone, side), name), rel=1e-9), (name, side)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,18 +11,22 @@ import pytest
 import qsbearing as qs
 from tests.qsbearing.scenes import B218, INNER, SPINDLE, general_scenes, resting, solved, turning
 
-MOVING = [name for name, scene in general_scenes().items() if scene.raceway_control is not None]
+SCENES = {name: scene for name, scene in general_scenes().items() if scene.raceway_control is not None}
+SCENES["rings that grow"] = replace(
+    turning(9e3, axial_load=14e3, radial_load_y=3e3, moment_z=0.0),
+    ring_effects=(qs.RingExpansion(90e-3, 160e-3, inner_ring_temperature=360.0, outer_ring_temperature=340.0),),
+)
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", SCENES)
 def test_motion_is_that_of_rigid_bodies(name: str) -> None:
     """Ball and rings as vectors of rotation: no slip at either contact's centre; spin and rolling are their parts.
 
     Axes: along the bearing, radial, and tangential, which is their cross product.
     """
-    solution = solved(general_scenes()[name])
+    solution = solved(SCENES[name])
     motion = qs.readings.kinematics(solution)
-    operation, bearing = solution.scene.operation, solution.scene.bearing
+    operation, bearing = solution.scene.operation, solution.scene.operating_bearing
     beta, rotation = solution.attitude_angle, solution.rotation_speed
     assert beta is not None
     assert rotation is not None
