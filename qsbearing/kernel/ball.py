@@ -58,7 +58,7 @@ def moving_ball(
     ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
-    s_seen, c_seen, by_inner, by_outer, by_distance = rolling_line(case, ball)
+    s_seen, c_seen, by_inner, by_outer, by_approach = rolling_line(case, ball)
     fc, fc_s, fc_o, mg, mg_s, mg_o = inertia(case, work, ball.control, s_seen, c_seen, so, co)
     fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
     mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
@@ -91,15 +91,15 @@ def moving_ball(
     r1_o = h1_o - qo_a * so + to_o * co - to * so
     r2_o = h2_o - qo_a * co - to_o * so - to * co + fc_o
 
-    # By A (through ai, and as rolling sees it the inner length), then by X (through -W, and ao).
+    # By A (through ai, and where contact has just been lost the approach), then by X (through -W, and ao).
     fi = case.inner_coefficient
     ra11, ra12 = hi11 + r1_i * ei1, hi12 + r1_i * ei2
     ra21, ra22 = hi21 + r2_i * ei1, hi22 + r2_i * ei2
     ha11, ha12 = hi11 + h1_i * ei1, hi12 + h1_i * ei2
     ha21, ha22 = hi21 + h2_i * ei1, hi22 + h2_i * ei2
     ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
-    if by_distance != 0.0:
-        fc_d, mg_d = fc_s * by_distance / li, mg_s * by_distance / li
+    if by_approach != 0.0:
+        fc_d, mg_d = fc_s * by_approach, mg_s * by_approach
         ti_d, to_d = ti_m * mg_d, to_m * mg_d
         h1_d, h2_d = -ti_d * ci, ti_d * si
         r1_d, r2_d = h1_d + to_d * co, h2_d - to_d * so + fc_d

@@ -46,8 +46,9 @@ def inertia(
 @kernel
 def rolling_line(case: recarray, ball: recarray) -> tuple[float, float, float, float, float]:
     """The ball's inner contact line as rolling sees it, with its derivatives."""
-    distance = 1.0 + ball.inner_approach / (case.inner_coefficient - 0.5)
-    return inner_line(ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine, distance)
+    length = case.inner_coefficient - 0.5
+    si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
+    return inner_line(si, ci, so, co, ball.inner_approach, length)
 
 
 @kernel

@@ -20,12 +20,21 @@ SHORTEST = 1e-12
 
 
 @kernel
+def corner_inertia(
+    case: recarray, work: recarray, control: int, si: float, ci: float, so: float, co: float
+) -> tuple[float, float]:
+    """(Fc, Mg) of a ball that both grooves hold."""
+    s_seen, c_seen, _, _, _ = inner_line(si, ci, so, co, 0.0, 1.0)
+    fc, _, _, mg, _, _ = inertia(case, work, control, s_seen, c_seen, so, co)
+    return fc, mg
+
+
+@kernel
 def inertia_force(
     case: recarray, work: recarray, control: int, si: float, ci: float, so: float, co: float
 ) -> tuple[float, float]:
     """f: the inertia force on the ball and the friction that carries its gyroscopic moment."""
-    si, ci, _, _, _ = inner_line(si, ci, so, co, 1.0)
-    fc, _, _, mg, _, _ = inertia(case, work, control, si, ci, so, co)
+    fc, mg = corner_inertia(case, work, control, si, ci, so, co)
     share_i, share_o = friction_shares(case, control)
     return mg * (share_o * co - share_i * ci), mg * (share_i * si - share_o * so) + fc
 
@@ -64,15 +73,14 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
     p1, p2 = (li + lo) * s + a1, (li + lo) * c + a2
     if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
         size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)
-        s_seen, c_seen, _, _, _ = inner_line(p1 / size, (p2 - lo) / size, 0.0, 1.0, 1.0)
+        s_seen, c_seen, _, _, _ = inner_line(p1 / size, (p2 - lo) / size, 0.0, 1.0, size - li, li)
         fc, _, _, _, _, _ = inertia(case, work, ball.control, s_seen, c_seen, 0.0, 1.0)
         set_outer_line(ball, 0.0, 1.0, (fc / case.outer_stiffness) ** (2.0 / 3.0))
         close_loop(case, ball, False, a1, a2)
         return
     if p1 * p1 + (p2 + li) * (p2 + li) < lo * lo:
         approach, so, co, _ = direction(lo, s, c, p1 - lo * s, p2 + li - lo * c)
-        s_seen, c_seen, _, _, _ = inner_line(0.0, -1.0, so, co, 1.0)
-        fc, _, _, _, _, _ = inertia(case, work, ball.control, s_seen, c_seen, so, co)
+        fc, _ = corner_inertia(case, work, ball.control, 0.0, -1.0, so, co)
         set_inner_line(ball, 0.0, -1.0, (fc / case.inner_stiffness) ** (2.0 / 3.0))
         set_outer_line(ball, so, co, approach)
         return
@@ -89,8 +97,7 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
         si, ci = (p1 - lo * so) / li, (p2 - lo * co) / li
         f1, f2 = inertia_force(case, work, ball.control, si, ci, so, co)
         if attempt == 2:
-            s_seen, c_seen, _, _, _ = inner_line(si, ci, so, co, 1.0)
-            f1, f2 = 0.0, inertia(case, work, ball.control, s_seen, c_seen, so, co)[0]
+            f1, f2 = 0.0, corner_inertia(case, work, ball.control, si, ci, so, co)[0]
         sine = so * ci - co * si
         sine = max(sine, STRAIGHT) if sine > 0.0 else min(sine, -STRAIGHT)
         qi, qo = (f1 * co - f2 * so) / sine, (f1 * ci - f2 * si) / sine

@@ -233,10 +233,11 @@ def inertia_loads(
     bearing = scene.bearing
     g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
     by_inner = solution.raceway_control == "inner"
-    # Rolling knows contact lines at most a right angle apart: an inner line seen from further round is mirrored, and
-    # one shorter than half its free length is turned to the outer one, with its length.
-    near = np.clip(1.0 + inner.approach / inner.length, 0.0, 0.5)
-    rolled = outer.angle + 4.0 * near * (1.0 - near) * _mirrored(inner.angle - outer.angle)
+    # A ball that has lost the inner raceway goes over to the orbit of equal contact angles, within 2 % of the inner
+    # line's free length. Lines count as a right angle apart at most: what is seen from further round is mirrored.
+    lost = np.clip(-inner.approach / (0.02 * inner.length), 0.0, 1.0)
+    weight = 1.0 - lost**2 * (3.0 - 2.0 * lost)
+    rolled = outer.angle + weight * _mirrored(inner.angle - outer.angle)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     inner.rolled_sine = inner_sine
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.

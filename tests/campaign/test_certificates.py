@@ -49,8 +49,8 @@ OVER_SHOULDER = HELD | {
     "radial_displacement_y_um": -300.0,
 }
 """The inner groove's centre lies radially inside the outer one's where the first ball is."""
-LOST = HELD | {"axial_displacement_um": -600.0}
-"""No ball is pressed; at speed all lie on the outer raceway."""
+LOST = HELD | {"axial_displacement_um": -232.0}
+"""At speed all balls lie on the outer raceway, and have only just lost the inner one: they still roll on it in part."""
 SLIPPING = {"axial_load_N": 2e3}
 """At 9600 rpm the balls' gyroscopic moment asks the inner raceway for more friction than load."""
 

@@ -47,7 +47,7 @@ SMOOTH = {
         lambda v: resting(DEEP, axial_load=8e3, radial_load_y=v, **UPRIGHT), 0.0, 9e3
     ),
     "unloading at speed": Sweep(
-        lambda v: turning(3000, DEEP, axial_load=4e3, radial_load_y=v, **UPRIGHT), 0.0, 12e3
+        lambda v: turning(3000, DEEP, axial_load=4e3, radial_load_y=v, **UPRIGHT), 0.0, 12e3, 241
     ),
     "unloading, free to tilt": Sweep(
         lambda v: turning(

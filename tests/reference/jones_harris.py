@@ -52,6 +52,12 @@ w_o - w_m = g w_R cos beta u in it and the speeds cancel:
 
 whichever ring turns.
 
+*A ball that has lost the inner race* has no contact line there.  It goes round as with equal contact angles: its inner
+line counts as lying on the outer one.  So that its speeds do not jump where contact is lost, it goes over to that
+within a gap of a fiftieth of the inner line's free length L_i, at the angle
+
+    alpha_o + (1 - 3 t^2 + 2 t^3) (alpha_i - alpha_o),      t = -50 delta_i/L_i,      0 <= t <= 1.             (K3)
+
 Inertia.  The ball's centre needs the centripetal force Fc = m (dm/2) w_m^2.  Its angular momentum J W is carried round
 at w_m about x, which takes the moment  w_m x cross J W = J w_m W_r t = -Mg t  with
 
@@ -65,6 +71,7 @@ is lambda_o (Mg/D) (cos alpha_o, -sin alpha_o) on the ball at the outer contact 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -306,6 +313,23 @@ def ball_speeds(
     return (u * wi + v * wo) / (u + v), -(wi - wo) * secant / (g * (u + v))
 
 
+def rolling_line(
+    inner: tuple[Number, Number], outer: tuple[Number, Number], delta_i: Number, Li: Number
+) -> tuple[Number, Number]:
+    """(sin, cos) of the inner line as a rolling ball has it, by (K3)."""
+    t = -50 * delta_i / Li
+    if t <= 0:
+        return inner
+    if t >= 1:
+        return outer
+    exact = mp if isinstance(t, mp.mpf) else math
+    apart = exact.atan2(
+        inner[0] * outer[1] - inner[1] * outer[0], inner[0] * outer[0] + inner[1] * outer[1]
+    )  # alpha_i - alpha_o
+    angle = exact.atan2(outer[0], outer[1]) + (1 - t) ** 2 * (1 + 2 * t) * apart
+    return exact.sin(angle), exact.cos(angle)
+
+
 def centrifugal_force(scene: Scene, wm: Number) -> Number:
     """Fc = m (dm/2) w_m^2, N."""
     return scene.mass * scene.dm / 2 * wm**2
@@ -358,8 +382,9 @@ def ball_state(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]
     wm = wR = tan_beta = Fc = Mg = zero
     control = scene.control[ball]
     if control is not None:
-        tan_beta = attitude_tangent(control, inner, outer, scene.g)
-        wm, wR = ball_speeds(scene.wi, scene.wo, inner, outer, tan_beta, scene.g)
+        rolled = rolling_line(inner, outer, delta_i, scene.Li)
+        tan_beta = attitude_tangent(control, rolled, outer, scene.g)
+        wm, wR = ball_speeds(scene.wi, scene.wo, rolled, outer, tan_beta, scene.g)
     if scene.centrifugal:
         Fc = centrifugal_force(scene, wm)
     if scene.gyroscopic:

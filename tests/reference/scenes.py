@@ -182,6 +182,16 @@ SCENES: list[Case] = [
         B218, hold(load("0", "8000", "-3000"), x="-0.0002", tilt_y="0", tilt_z="0"), "5000",
     ),
     turning(
+        "b218_idle_balls",
+        "nine balls far off the inner ring go round at the orbit of equal contact angles, beside seven that carry",
+        B218, upright(load("2000", "4000")), "8000",
+    ),
+    turning(
+        "b218_just_idle_balls",
+        "three balls have just lost the inner ring: their orbit lies between the two",
+        B218, upright(load("5000", "6500")), "8000",
+    ),
+    turning(
         "b218_light_combined_20000",
         "inertia forces of thousands of newtons against loads of hundreds",
         B218, upright(load("500", "150", "-50")), "20000",
