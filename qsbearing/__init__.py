@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from qsbearing.messages import message, warnings
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
+    from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
     from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
     from qsbearing.solver import solve
@@ -50,6 +51,7 @@ _HOMES = {
     "scene.bearing": ("BallBearing", "BearingKind"),
     "material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "scene.operation": ("Operation",),
+    "scene.preload": ("Preload",),
     "scene.scene": ("HertzAngle", "Scene", "TiltLever"),
     "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
     "solver": ("solve",),
@@ -60,10 +62,10 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "CentrifugalForce", "ErrorDetail",
     "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N",
-    "Nm", "Nmm", "Operation", "Pa", "PointContact", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion",
-    "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "TiltLever", "deg", "kN", "kg",
-    "kg_m3", "load_scene", "m", "message", "mm", "mrad", "point_contact", "rad", "readings", "rpm", "solve",
-    "stiffness", "subsurface_shear", "um", "warnings", "zero_celsius",
+    "Nm", "Nmm", "Operation", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl", "Reason",
+    "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "TiltLever", "deg",
+    "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "point_contact", "rad", "readings", "rpm",
+    "solve", "stiffness", "subsurface_shear", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

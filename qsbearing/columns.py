@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.scene.keys import BEARING, EFFECT_TABLES, MATERIAL, MATERIALS, OPERATION, SEAT_MATERIALS
+from qsbearing.scene.keys import BEARING, EFFECT_TABLES, MATERIAL, MATERIALS, OPERATION, PRELOAD, SEAT_MATERIALS
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
@@ -104,6 +104,8 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     for row, column in np.ndindex(5, 5):
         values = solution.stiffness[..., row, column]
         out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
+    if solution.preload_at_rest is not None:
+        out["preload_at_rest_N"] = per_case(solution.preload_at_rest)
     for name, values in _expansion(solution).items():
         out[name] = per_case(np.broadcast_to(values, solution.shape))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
@@ -127,6 +129,8 @@ def _expansion(solution: Solution) -> dict[str, Any]:
 def _inputs(scene: Scene) -> dict[str, Any]:
     """The scene's numbers, in the units of a scene file and under its keys."""
     holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
+    if scene.preload is not None:
+        holders.append(("preload_", PRELOAD, scene.preload))
     holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
     for effect in scene.ring_effects:
         holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))

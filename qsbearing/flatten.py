@@ -67,13 +67,17 @@ def _varying(values: dict[str, Any]) -> dict[str, NDArray]:
 class CaseMaker:
     """Flattens a scene to case records, any stretch of its cases at a time (a million need not exist at once).
 
+    Args:
+        scene: what to flatten.
+        axial: the axial load or displacement that the scene's preload makes, under the name of its field.
+
     Raises:
         ValueError: the scene's array fields do not broadcast to common case axes.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, axial: dict[str, Any] | None = None) -> None:
         self.scene = scene
-        self._values = case_arrays(scene)
+        self._values = case_arrays(scene) | (axial or {})
         self._values["axial_datum_shift"] = 0.0
         self._values["cold_ball_diameter"] = scene.bearing.ball_diameter
         if scene.ring_effects:
@@ -108,6 +112,11 @@ class CaseMaker:
                 index = np.unravel_index(np.arange(start, stop), self.shape)
             values[name] = np.broadcast_to(array, self.shape)[index]
         return values
+
+    @property
+    def free_channels(self) -> NDArray:
+        """Numbers of the channels whose load is prescribed."""
+        return np.array([i for i, each in enumerate(CHANNELS) if self._values[each.displacement] is None], int)
 
     def axial_datum_shift(self) -> NDArray | float:
         """By how much further the ring touches than at rest and cold [m], of each flattened case; see `Scene`."""

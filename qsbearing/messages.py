@@ -61,6 +61,13 @@ def message(solution: Solution, index: Index = None) -> str:
             f"Balls and ring are in equilibrium: largest imbalance {result['residual']:.1e} of the largest force, "
             f"after {result['iterations']} iterations."
         )
+    if solution._mounted is not None:
+        mounted = solution._mounted
+        numbers = np.arange(mounted._maker.count).reshape(mounted.shape)
+        number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
+        if mounted._results[number]["status"] != CONVERGED:
+            place = tuple(map(int, np.unravel_index(number, mounted.shape))) if mounted.shape else None
+            return f"At rest and cold, under its preload alone: {message(mounted, place)}"
     if code == NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
     return (

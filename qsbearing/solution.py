@@ -27,7 +27,6 @@ from qsbearing.kernel.admissibility import (
     UNSUPPORTED,
 )
 from qsbearing.kernel.workspace import working_memory
-from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import deg
 
@@ -137,10 +136,12 @@ class Solution:
         positions: NDArray,
         controls: NDArray,
         seconds: float,
+        mounted: Solution | None = None,
     ) -> None:
         self.scene: Scene = maker.scene
         self.shape = maker.shape
         self._maker = maker
+        self._mounted = mounted
         self._cases = cases
         self._results = results
         self._positions = positions
@@ -346,6 +347,18 @@ class Solution:
         return names[index]
 
     @cached_property
+    def preload_at_rest(self) -> Any:
+        """The axial load at rest and cold, nothing else acting; shape (*cases) [N]; None without a preload.
+
+        What it has become in operation is the axial load, `load[..., 0]`.
+        """
+        preload = self.scene.preload
+        if preload is None:
+            return None
+        at_rest = preload.spring if self._mounted is None else self._mounted.load[..., 0]
+        return np.broadcast_to(np.asarray(at_rest, float), self.shape)[()]
+
+    @cached_property
     def inner_ring(self) -> RingState | None:
         """Seat pressure, growth and stress of the inner ring; fields (*cases); None without ring expansion."""
         return self._ring_state(0)
@@ -403,8 +416,7 @@ class Solution:
     @property
     def _free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
-        given = [getattr(self.scene.operation, channel.displacement) for channel in CHANNELS]
-        return np.array([i for i, displacement in enumerate(given) if displacement is None], int)
+        return self._maker.free_channels
 
     def to_dataframe(self) -> pandas.DataFrame:
         """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).

@@ -6,6 +6,7 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,7 +68,8 @@ def solve(
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     began = time.perf_counter()
-    maker = CaseMaker(scene)
+    mounted = None if scene.as_mounted is None else solve(scene.as_mounted, threads=threads)
+    maker = CaseMaker(scene, _preloaded(scene, mounted))
     count = maker.count
     found = _start(start, maker)
     cases: NDArray | None = None
@@ -90,7 +92,16 @@ def solve(
         cases = solve_stretch(0)
     else:
         _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
-    return Solution(maker, cases, *found, seconds=time.perf_counter() - began)
+    return Solution(maker, cases, *found, seconds=time.perf_counter() - began, mounted=mounted)
+
+
+def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
+    """What the preload makes of the axial channel."""
+    if scene.preload is None:
+        return {}
+    if mounted is None:
+        return {"axial_load": scene.preload.spring}
+    return {"axial_displacement": mounted.displacement[..., 0]}
 
 
 def _in_threads(solve_stretch: Callable[[int], NDArray], count: int, workers: int) -> None:

@@ -12,7 +12,7 @@ from qsbearing import __version__, messages
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Place, Solution
-from qsbearing.units import deg
+from qsbearing.units import deg, um
 
 
 def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
@@ -37,6 +37,7 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
         "warnings": messages.warnings(solution, index),
+        "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
         "displacement": _channels(DISPLACEMENT, solution.displacement[index]),
@@ -58,6 +59,18 @@ def choices(scene: Scene) -> dict[str, str | None]:
         "hertz_angle": str(scene.hertz_angle),
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),
+    }
+
+
+def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+    """The preload as mounted and in operation; None where the scene has none."""
+    if solution.scene.preload is None:
+        return None
+    return {
+        "kind": solution.scene.preload.kind,
+        "at_rest_N": number(np.asarray(solution.preload_at_rest)[index]),
+        "in_operation_N": number(solution.load[index][0]),
+        "axial_displacement_um": number(solution.displacement[index][0] / um),
     }
 
 

@@ -92,6 +92,12 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
         lines.append(f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm")
     lines.append(f". {_asked_for(found)}\n")
     solved = found["status"] == "converged"
+    preload = found["preload"]
+    if preload is not None and solved:
+        lines.append(
+            f"Preload ({preload['kind'].replace('_', ' ')}): {preload['at_rest_N']:.6g} N at rest and cold, "
+            f"{preload['in_operation_N']:.6g} N in operation\n"
+        )
     lines.append(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
     if solved:
         lines.append(
@@ -137,7 +143,7 @@ def _ring(solution: Solution, found: dict[str, Any]) -> Table:
             channel.label,
             *(_digits(displacements[i], 1e-9), length),
             *(_digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
-            "load" if getattr(solution.scene.operation, channel.displacement) is None else "displacement",
+            "load" if i in solution._free_channels else "displacement",
         )
     return table
 

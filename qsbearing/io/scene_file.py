@@ -16,8 +16,9 @@ from qsbearing.io.table_checks import Errors, checked, choice_fields, did_you_me
 from qsbearing.io.unknown_key import near, suggest
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
 from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
-from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, OPERATION, SECTIONS
+from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, OPERATION, PRELOAD, SECTIONS
 from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.scene.scene import CHOICES, Scene, effect_errors
 from qsbearing.units import deg, mm
 from qsbearing.validation import SceneError, printable
@@ -30,6 +31,7 @@ tables print both to three or four digits)."""
 
 _BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
 _OPERATION = table_model("operation", OPERATION, {})
+_PRELOAD = table_model("preload", PRELOAD, {})
 _EFFECTS = table_model("effects", (), {"ball": (list[str], [])} | choice_fields("moment_shares", *CHOICES))
 
 
@@ -67,12 +69,13 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     _find_unknown_tables(document, errors)
     bearing = _bearing(document, label, errors)
     operation = _operation(document, errors)
+    preload = _preload(document, operation, errors)
     effects = _effects(document, errors)
     find_unused_expansion(document, errors)
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
-        return Scene(bearing, operation, **effects)
+        return Scene(bearing, operation, preload=preload, **effects)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
 
@@ -204,13 +207,30 @@ def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
     good, unusable = checked(_OPERATION, "operation", table, errors)
     # A number that cannot be used still says that its channel is given: NaN stands for it.
     fields = si(OPERATION, dict.fromkeys(unusable, nan) | good)
-    if isinstance(table, dict) and not any(
-        channel.load in fields or channel.displacement in fields for channel in CHANNELS
+    if (
+        isinstance(table, dict)
+        and "preload" not in document
+        and not any(channel.load in fields or channel.displacement in fields for channel in CHANNELS)
     ):
         cause = "Give a load or a displacement, such as axial_load_N = 1000; if none is meant, axial_load_N = 0"
         errors.append(FileErrorDetail("operation", "neither a load nor a displacement is given", cause=cause))
     try:
         return Operation(**fields)
+    except SceneError as error:
+        errors += map(translate, judged(error))
+        return None
+
+
+def _preload(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
+    if document.get("preload") is None:
+        return None
+    good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
+    if operation is not None:
+        errors += map(translate, beside_preload(operation))
+    if not isinstance(document["preload"], dict):
+        return None
+    try:
+        return Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good))
     except SceneError as error:
         errors += map(translate, judged(error))
         return None

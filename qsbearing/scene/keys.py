@@ -67,6 +67,12 @@ OPERATION = (
     Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
 )
 
+PRELOAD = (
+    Key("spring_N", "spring", "N", N, FORCE),
+    Key("rigid_N", "rigid", "N", N, FORCE),
+    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH),
+)
+
 
 def _celsius(field: str) -> Key:
     return Key(f"{field}_C", field, "C", 1.0, TEMPERATURE, zero_celsius)
@@ -89,12 +95,13 @@ MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
 EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
-NUMBERS = {"bearing": BEARING, "operation": OPERATION, "material": MATERIAL, **EFFECT_TABLES}
+NUMBERS = {"bearing": BEARING, "operation": OPERATION, "preload": PRELOAD, "material": MATERIAL, **EFFECT_TABLES}
 """The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
     "bearing": ("name", "kind", *(key.name for key in BEARING), *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
+    "preload": tuple(key.name for key in PRELOAD),
     "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever", *EFFECT_TABLES),
 }
 """Every key a file may hold, by its table."""

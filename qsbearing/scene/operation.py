@@ -51,7 +51,7 @@ class Operation:
     """Outer ring about +x [rad/s]; None: it stands still."""
     axial_load: ArrayLike | None = None
     axial_displacement: ArrayLike | None = None
-    """From the position where the free contact angle is just reached [m]."""
+    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place."""
     radial_load_y: ArrayLike | None = None
     radial_displacement_y: ArrayLike | None = None
     radial_load_z: ArrayLike | None = None

@@ -14,6 +14,7 @@ from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, Ri
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
+from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.units import mm, rpm
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, raise_if_any, unit_mistake
 
@@ -68,6 +69,8 @@ class Scene:
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
     ring_effects: tuple[RingEffect, ...] = ()
     """What changes the bearing before it is loaded."""
+    preload: Preload | None = None
+    """In place of an axial load or displacement of the operation."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -77,6 +80,8 @@ class Scene:
                 object.__setattr__(self, name, choice)
                 errors += wrong
         errors += effect_errors(self.ball_effects, self.raceway_control)
+        if self.preload is not None:
+            errors += _beside(self.preload, self.operation)
         errors += ring_effect_errors(self.ring_effects, self.bearing)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
@@ -107,6 +112,21 @@ class Scene:
         return self.operating_bearing.touching_offset - self.bearing.touching_offset
 
     @property
+    def as_mounted(self) -> Scene | None:
+        """The bearing at rest and cold under its preload, straight and centred, by the same Hertz contacts.
+
+        None without a preload, and with a spring, whose force says all that there is to know.
+        """
+        if self.preload is None or self.preload.kind == "spring":
+            return None
+        straight = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
+        operation = Operation(
+            axial_load=self.preload.rigid, axial_displacement=self.preload.axial_displacement, **straight
+        )
+        choices = {name: getattr(self, name) for name in ("hertz_angle", "hertz_form", "tilt_lever")}
+        return Scene(self.bearing, operation, **choices)
+
+    @property
     def ring_expansion(self) -> RingExpansion | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
@@ -120,6 +140,13 @@ class Scene:
     def gyroscopic_moment(self) -> GyroscopicMoment | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
+    if isinstance(preload, Preload):
+        return beside_preload(operation)
+    cause = "qs.Preload(spring=...), qs.Preload(rigid=...) or qs.Preload(axial_displacement=...)"
+    return [ErrorDetail("preload", "is not a preload", preload, cause=cause)]
 
 
 def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[ErrorDetail]:

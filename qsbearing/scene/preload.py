@@ -1,0 +1,63 @@
+"""Preload: how the bearing is pressed together before anything else acts on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from qsbearing.validation import FORCE, LENGTH, ErrorDetail, raise_if_any, within
+
+KINDS = ("spring", "rigid", "axial_displacement")
+
+
+@dataclass(frozen=True)
+class Preload:
+    """A preload in +x, in one of three ways; SI units, which may be arrays that span cases.
+
+    Raises:
+        SceneError: none of them, several, or one out of its range.
+    """
+
+    spring: ArrayLike | None = None
+    """The force of a spring, which stays what it is whatever the rings do [N]."""
+    rigid: ArrayLike | None = None
+    """The axial load at rest and cold [N]; the rings are then held at the axial displacement that it takes."""
+    axial_displacement: ArrayLike | None = None
+    """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(preload_errors(self))
+
+    @property
+    def kind(self) -> str:
+        """The way that is given: spring, rigid or axial_displacement."""
+        return next(kind for kind in KINDS if getattr(self, kind) is not None)
+
+
+def preload_errors(preload: Preload) -> list[ErrorDetail]:
+    """Every error of a preload."""
+    given = [kind for kind in KINDS if getattr(preload, kind) is not None]
+    if len(given) != 1:
+        problem = f"is given beside {', '.join(given[1:])}" if given else "is missing"
+        cause = f"A preload is one of {', '.join(KINDS)}"
+        return [ErrorDetail(f"preload.{given[0] if given else KINDS[0]}", problem, cause=cause)]
+    (kind,) = given
+    if kind == "axial_displacement":
+        return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)
+    errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
+    if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
+        cause = "A preload presses in +x; one the other way is axial_load or axial_displacement of the operation"
+        return [ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause)]
+    return errors
+
+
+def beside_preload(operation: object) -> list[ErrorDetail]:
+    """Errors of an operation that has an axial load or displacement of its own beside a preload."""
+    problem = "is given beside a preload, which sets the axial channel"
+    cause = "Keep one of the two: with both it would not be said which load the ring carries"
+    return [
+        ErrorDetail(f"operation.{name}", problem, cause=cause)
+        for name in ("axial_load", "axial_displacement")
+        if getattr(operation, name) is not None
+    ]
