@@ -195,9 +195,7 @@ def test_a_dataframe_holds_results_status_and_inputs(many: qs.Solution) -> None:
 def test_an_array_that_no_result_depends_on_spans_cases_like_any_other() -> None:
     """The ring's density: one case for each, and a row of the table for each ball of them."""
     rings = dataclasses.replace(qs.STEEL, density=np.array([7800.0, 7900.0]))
-    solution = qs.solve(
-        dataclasses.replace(COMBINED, bearing=dataclasses.replace(B218, ring_material=rings))
-    )
+    solution = qs.solve(dataclasses.replace(COMBINED, bearing=dataclasses.replace(B218, ring_material=rings)))
     assert solution.shape == (2,)
     assert np.array_equal(solution.inner.load[0], solution.inner.load[1])
     assert len(pytest.importorskip("pandas") and solution.to_dataframe()) == 32
@@ -205,9 +203,7 @@ def test_an_array_that_no_result_depends_on_spans_cases_like_any_other() -> None
 
 def test_a_dataframe_has_no_column_for_what_is_not_asked_for() -> None:
     pytest.importorskip("pandas")
-    solution = qs.solve(
-        qs.Scene(dataclasses.replace(B218, ball_count=np.array([9, 12])), qs.Operation(axial_load=1e3))
-    )
+    solution = qs.solve(qs.Scene(dataclasses.replace(B218, ball_count=np.array([9, 12])), qs.Operation(axial_load=1e3)))
     frame = solution.to_dataframe()
     assert len(frame) == 9 + 12
     left_out = {"centrifugal_force_N", "raceway_control", "inner_required_friction", "radial_load_y_N", "tilt_z_mrad"}
