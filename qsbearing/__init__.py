@@ -37,6 +37,9 @@ if TYPE_CHECKING:
     from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
     from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
     from qsbearing.solver import solve
+    from qsbearing.studies.store import open_results
+    from qsbearing.studies.study import Study
+    from qsbearing.studies.sweep import sweep
     from qsbearing.validation import ErrorDetail, SceneError
 
 # fmt: off
@@ -55,6 +58,9 @@ _HOMES = {
     "scene.scene": ("HertzAngle", "Scene", "TiltLever"),
     "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
     "solver": ("solve",),
+    "studies.store": ("open_results",),
+    "studies.study": ("Study",),
+    "studies.sweep": ("sweep",),
     "validation": ("ErrorDetail", "SceneError"),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
@@ -63,9 +69,10 @@ __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "CentrifugalForce", "ErrorDetail",
     "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N",
     "Nm", "Nmm", "Operation", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl", "Reason",
-    "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "TiltLever", "deg",
-    "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "point_contact", "rad", "readings", "rpm",
-    "solve", "stiffness", "subsurface_shear", "um", "warnings", "zero_celsius",
+    "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "Study",
+    "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "open_results",
+    "point_contact", "rad", "readings", "rpm", "solve", "stiffness", "subsurface_shear", "sweep", "um", "warnings",
+    "zero_celsius",
 ]
 # fmt: on
 

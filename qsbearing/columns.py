@@ -109,7 +109,7 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     for name, values in _expansion(solution).items():
         out[name] = per_case(np.broadcast_to(values, solution.shape))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
-    return out | {key: per_case(values) for key, values in _inputs(solution.scene).items()}
+    return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
 
 
 def _expansion(solution: Solution) -> dict[str, Any]:
@@ -126,7 +126,7 @@ def _expansion(solution: Solution) -> dict[str, Any]:
     return out
 
 
-def _inputs(scene: Scene) -> dict[str, Any]:
+def scene_numbers(scene: Scene) -> dict[str, Any]:
     """The scene's numbers, in the units of a scene file and under its keys."""
     holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
     if scene.preload is not None:

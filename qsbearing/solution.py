@@ -32,6 +32,7 @@ from qsbearing.units import deg
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 Place = tuple[int, ...]
 """The index of one case along each case axis of its solution."""
@@ -428,6 +429,16 @@ class Solution:
         import pandas
 
         return pandas.DataFrame(columns(self))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All results, labelled, in the units of files (`units` on each); needs xarray (the `studies` extra).
+
+        The numbers of the scene, under the keys of a scene file, are its coordinates. A case that is not solved holds
+        NaN and, in `status` and `reason`, why.
+        """
+        from qsbearing import quantities
+
+        return quantities.dataset(self)
 
 
 def _unit(cases: NDArray, unit: str) -> NDArray:

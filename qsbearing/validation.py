@@ -6,6 +6,7 @@ file, with units in its keys) translates names and units and nothing else.
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -70,6 +71,8 @@ class ErrorDetail:
     """Inclusive range, SI."""
     cause: str = ""
     """What is likely meant, or what to write instead."""
+    where: NDArray | None = dataclasses.field(default=None, compare=False, repr=False)
+    """Which cases it concerns, broadcasting to the case axes; None: all of them."""
 
     def __str__(self) -> str:
         unit = f" {self.quantity.unit}" if self.quantity and self.quantity.unit != "-" else ""
@@ -88,6 +91,15 @@ class SceneError(ValueError):
     def __init__(self, errors: Iterable[ErrorDetail]) -> None:
         self.errors = tuple(errors)
         super().__init__("\n".join(map(str, self.errors)))
+
+
+def all_where(errors: Iterable[ErrorDetail]) -> NDArray | None:
+    """Which cases these errors concern together; None: all."""
+    masks = [error.where for error in errors]
+    given = [mask for mask in masks if mask is not None]
+    if len(given) < len(masks) or not given:
+        return None
+    return np.asarray(np.logical_or.reduce(np.broadcast_arrays(*given)))
 
 
 def raise_if_any(errors: list[ErrorDetail]) -> None:
@@ -129,7 +141,7 @@ def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None,
     infinite = ~np.isfinite(array)
     if infinite.any():
         (wrong,) = first(infinite, array)
-        return None, [ErrorDetail(field, "is not a finite number", wrong, quantity)]
+        return None, [ErrorDetail(field, "is not a finite number", wrong, quantity, where=infinite)]
     return array, []
 
 
@@ -156,7 +168,8 @@ def within(field: str, value: Any, quantity: Quantity, low: float, high: float, 
         return []
     (wrong,) = first(outside, array)
     problem = meaning or ("is negative" if wrong < 0.0 <= low else "is too small" if wrong < low else "is too large")
-    return [ErrorDetail(field, problem, wrong, quantity, (low, high), unit_mistake(wrong, quantity, low, high))]
+    cause = unit_mistake(wrong, quantity, low, high)
+    return [ErrorDetail(field, problem, wrong, quantity, (low, high), cause, outside)]
 
 
 def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> str:

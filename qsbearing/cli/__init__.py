@@ -19,6 +19,7 @@ from qsbearing.cli.cost import cost
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.run import run
+from qsbearing.cli.sweep import sweep
 
 
 class _Commands(click.Group):
@@ -52,7 +53,7 @@ def cli() -> None:
     """
 
 
-for command in (run, cost, init, catalogue):
+for command in (run, sweep, cost, init, catalogue):
     cli.add_command(command)
 
 

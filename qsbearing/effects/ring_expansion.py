@@ -138,7 +138,9 @@ class RingExpansion:
                     f"{stress / MPa:.5g} MPa, beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
                 )
                 most = found * self.yield_strength / stress
-                errors.append(ErrorDetail(f"{self.name}.{seat}_interference", problem, found, LENGTH, (-most, most)))
+                errors.append(
+                    ErrorDetail(f"{self.name}.{seat}_interference", problem, found, LENGTH, (-most, most), "", beyond)
+                )
         return errors
 
     def states(self, bearing: BallBearing, operation: Operation) -> tuple[RingState, RingState]:

@@ -31,7 +31,11 @@ def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
     cold = errors and isinstance(errors[0].value, float) and errors[0].value < 0.0
     if not cold:
         return errors
-    return [ErrorDetail(field, "is below absolute zero", errors[0].value, TEMPERATURE, (0.0, HOTTEST))]
+    return [
+        ErrorDetail(
+            field, "is below absolute zero", errors[0].value, TEMPERATURE, (0.0, HOTTEST), where=errors[0].where
+        )
+    ]
 
 
 def expansion_errors(effect: RingExpansion) -> list[ErrorDetail]:
@@ -103,7 +107,7 @@ def _inside(field: str, found: NDArray, other: NDArray, what: str) -> list[Error
     if not bad.any():
         return []
     value, limit = first(bad, found, other)
-    return [ErrorDetail(field, f"is not within {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (0.0, limit))]
+    return [ErrorDetail(field, f"is not within {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (0.0, limit), where=bad)]
 
 
 def _outside(field: str, found: NDArray, other: NDArray, what: str) -> list[ErrorDetail]:
@@ -111,7 +115,7 @@ def _outside(field: str, found: NDArray, other: NDArray, what: str) -> list[Erro
     if not bad.any():
         return []
     value, limit = first(bad, found, other)
-    return [ErrorDetail(field, f"is not around {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (limit, 20.0))]
+    return [ErrorDetail(field, f"is not around {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (limit, 20.0), where=bad)]
 
 
 def _expansion_missing(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:

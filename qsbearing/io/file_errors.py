@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
+
+from numpy.typing import NDArray
 
 from qsbearing.scene.keys import Key, find, path_in_file, with_file_keys
 from qsbearing.validation import ErrorDetail, SceneError, printable, shown, unit_mistake
@@ -26,6 +28,8 @@ class FileErrorDetail:
     """What is likely meant, or what to write instead."""
     note: str = ""
     """Where the value came from, if not from the file itself."""
+    where: NDArray | None = field(default=None, compare=False, repr=False)
+    """Which cases of a study it concerns; None: all of them."""
 
     def __str__(self) -> str:
         head = self.key
@@ -67,7 +71,7 @@ def translate(error: ErrorDetail) -> FileErrorDetail:
         allowed = (key.in_file(allowed[0]), key.in_file(allowed[1]))
     value = key.in_file(value) if is_number else value
     problem, cause = with_file_keys(error.problem), with_file_keys(cause)
-    return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause)
+    return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause, where=error.where)
 
 
 def _unit_mistake(key: Key, value: float, allowed: tuple[float, float]) -> str:

@@ -7,6 +7,8 @@ from math import nan
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, MomentShares
 from qsbearing.io import catalogue
 from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
@@ -44,6 +46,15 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
     """
+    return scene_of(*document_of(source))
+
+
+def document_of(source: str | os.PathLike[str]) -> tuple[dict[str, Any], str, str]:
+    """The tables of a file or of a built-in example, what to call it in errors, and the label of its bearing.
+
+    Raises:
+        SceneFileError: it cannot be read.
+    """
     path = Path(source)
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not _is_file(path):
         entry = catalogue.find(source)
@@ -51,8 +62,8 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
-        return scene_of({"bearing": {"name": entry.name}, **entry.example}, entry.name)
-    return scene_of(read_toml(path), str(source), printable(path.stem))
+        return {"bearing": {"name": entry.name}, **entry.example}, entry.name, ""
+    return read_toml(path), str(source), printable(path.stem)
 
 
 def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
@@ -173,6 +184,8 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     except SceneError as error:
         return None, list(map(translate, judged(error)))
     wrong: Errors = []
+    if np.ndim(angle) or np.ndim(clearance):
+        return bearing, wrong  # of a study, which varies one of the two alone
     if has_angle and bearing.kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle / deg <= FREE_ANGLE_MAX:
         given = good["free_contact_angle_deg"]
         cause = (

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import StrEnum
 from math import isnan, nan
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator, create_model
 
 from qsbearing.effects import MomentShares
 from qsbearing.io.file_errors import FileErrorDetail
@@ -22,12 +23,18 @@ _CHOICES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": Mome
 Errors = list[FileErrorDetail]
 
 
+def _or_array(value: Any, check: Any) -> Any:
+    """A study puts an array, over its cases, where a file has one number."""
+    return value if isinstance(value, np.ndarray) else check(value)
+
+
 def table_model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> type[BaseModel]:
     """How a table is built: numbers under its keys, and what else it has.
 
     Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
     """
-    fields: dict[str, Any] = {key.name: (float | None, None) for key in keys}
+    number = Annotated[float | None, WrapValidator(_or_array)]
+    fields: dict[str, Any] = {key.name: (number, None) for key in keys}
     config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
     return create_model(section, __config__=config, **fields | others)
 

@@ -52,16 +52,18 @@ def clearance_errors(diametral_clearance: ArrayLike, groove_centre_distance: NDA
         else "is larger than these grooves allow: the free contact angle would pass "
         f"{np.degrees(FREE_ANGLE_MAX):.0f} degrees"
     )
-    return [ErrorDetail(field, problem, found, LENGTH, (0.0, limit), unit_mistake(found, LENGTH, 0.0, limit))]
+    return [ErrorDetail(field, problem, found, LENGTH, (0.0, limit), unit_mistake(found, LENGTH, 0.0, limit), bad)]
 
 
 def bearing_errors(bearing: BallBearing) -> list[ErrorDetail]:
     """Every error of a bearing: single fields first, then what the fields say together."""
     errors = within("bearing.ball_count", bearing.ball_count, COUNT, *BALL_COUNT_RANGE)
     count = np.ones(()) if errors else np.asarray(bearing.ball_count, float)
-    if (count != np.rint(count)).any():
-        (broken,) = first(count != np.rint(count), count)
-        errors.append(ErrorDetail("bearing.ball_count", "is not a whole number", broken, COUNT, BALL_COUNT_RANGE))
+    broken = count != np.rint(count)
+    if broken.any():
+        (number,) = first(broken, count)
+        problem = "is not a whole number"
+        errors.append(ErrorDetail("bearing.ball_count", problem, number, COUNT, BALL_COUNT_RANGE, where=broken))
     lengths: dict[str, NDArray] = {}  # those that are good by themselves
     for name, (low, high) in _LENGTH_RANGES.items():
         wrong = within(f"bearing.{name}", getattr(bearing, name), LENGTH, low, high)
@@ -95,7 +97,8 @@ def _interference_errors(bearing: BallBearing, errors: list[ErrorDetail]) -> lis
     if not bad.any():
         return []
     problem = "is given beside a free contact angle, of which there is none where balls are wedged"
-    return [ErrorDetail(field, problem, first(bad, interference)[0], LENGTH, cause="Let free_contact_angle be 0 there")]
+    cause = "Let free_contact_angle be 0 there"
+    return [ErrorDetail(field, problem, first(bad, interference)[0], LENGTH, cause=cause, where=bad)]
 
 
 def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[ErrorDetail]:
@@ -116,7 +119,7 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
         cause = "Was the groove's diameter given, not its radius? 0.515 to 0.54 is usual for f"
         if not 0.5 < f / 2.0 <= 0.6:
             cause = "Given in another unit than the ball diameter?"
-    return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause)]
+    return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause, bad)]
 
 
 def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[ErrorDetail]:
@@ -134,4 +137,4 @@ def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[Err
         )
     if least < 1e3 * dm < 50.0 * least:
         cause = "Given in another unit than the ball diameter?"
-    return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause)]
+    return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause, tight)]

@@ -16,7 +16,7 @@ from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.units import mm, rpm
-from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, raise_if_any, unit_mistake
+from qsbearing.validation import SPEED, ErrorDetail, SceneError, all_where, choose, raise_if_any, unit_mistake
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
@@ -100,7 +100,7 @@ class Scene:
                 bearing = effect.reshape(bearing, self.operation)
             except SceneError as error:
                 problem = f"leaves no bearing: {'; '.join(map(str, error.errors))}"
-                raise SceneError([ErrorDetail(effect.name, problem)]) from None
+                raise SceneError([ErrorDetail(effect.name, problem, where=all_where(error.errors))]) from None
         return bearing
 
     @property
@@ -190,7 +190,8 @@ def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail
             np.asarray(bearing.pitch_diameter, float), np.asarray(0.0 if speed is None else speed, float)
         )
         parameter = pitch / mm * np.abs(value) / rpm
-        if (parameter > SPEED_PARAMETER_MAX).any():
+        too_fast = parameter > SPEED_PARAMETER_MAX
+        if too_fast.any():
             worst = parameter.argmax()
             most = float(SPEED_PARAMETER_MAX * rpm * mm / pitch.flat[worst])
             found = float(value.flat[worst])
@@ -199,5 +200,5 @@ def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail
                 f"({SPEED_PARAMETER_MAX:g})"
             )
             cause = unit_mistake(found, SPEED, -most, most)
-            errors.append(ErrorDetail(name, problem, found, SPEED, (-most, most), cause))
+            errors.append(ErrorDetail(name, problem, found, SPEED, (-most, most), cause, too_fast))
     return errors

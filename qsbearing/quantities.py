@@ -1,0 +1,194 @@
+"""The results of a solution by name: what each is, its unit in files and pictures, and how it is read off.
+
+A name and its unit joined are the column's name in a table: `inner_load` in N is `inner_load_N`.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import __version__
+from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, scene_numbers
+from qsbearing.units import deg
+
+if TYPE_CHECKING:
+    import xarray
+
+    from qsbearing.solution import Solution
+
+_WORDS = {
+    "N_per_um": "N/um",
+    "Nm_per_mrad": "N m/mrad",
+    "Nm": "N m",
+    "Nmm": "N mm",
+    "": "1",
+}
+STIFFNESSES = ("locked", "effective")
+_OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One result."""
+
+    name: str
+    unit: str
+    """In files and pictures; "1" where it has none."""
+    is_per_ball: bool
+    read: Callable[[Solution], NDArray | None]
+    """Shape (*cases) or (*cases, ball), in `unit`; None where the scene does not call for it."""
+
+    @property
+    def column(self) -> str:
+        """Its name in a table, with the unit."""
+        known = {shown: ending for ending, shown in _WORDS.items()}
+        ending = known.get(self.unit, self.unit)
+        return f"{self.name}_{ending}" if ending else self.name
+
+
+def _per_ball(name: str, key: str, own: str, size: float, side: str = "") -> Quantity:
+    def read(solution: Solution) -> NDArray | None:
+        values = getattr(getattr(solution, side) if side else solution, own)
+        return None if values is None else values / size
+
+    return Quantity(name, _unit(key, own), True, read)
+
+
+def _of_channel(kind: str, number: int, key: str, size: float) -> Quantity:
+    stem, unit = _split(key)
+
+    def read(solution: Solution) -> NDArray:
+        return np.asarray(getattr(solution, kind)[..., number] / size)
+
+    return Quantity(f"ring_{kind}_{stem}", unit, False, read)
+
+
+def _of_geometry(key: str, own: str, size: float) -> Quantity:
+    def read(solution: Solution) -> NDArray | None:
+        if not solution.scene.ring_effects:
+            return None
+        return np.broadcast_to(getattr(solution.scene.operating_bearing, own) / size, solution.shape)
+
+    return Quantity(f"operating_{own}", _unit(key, own), False, read)
+
+
+def _of_ring(side: str, key: str, own: str, size: float) -> Quantity:
+    def read(solution: Solution) -> NDArray | None:
+        values = getattr(getattr(solution, f"{side}_ring"), own, None)
+        return None if values is None else np.broadcast_to(values / size, solution.shape)
+
+    return Quantity(f"{side}_ring_{own}", _unit(key, own), False, read)
+
+
+def _unit(key: str, name: str) -> str:
+    ending = key.removeprefix(name).lstrip("_")
+    return _WORDS.get(ending, ending)
+
+
+def _split(key: str) -> tuple[str, str]:
+    """`tilt_y_Nm_per_mrad` is tilt_y in N m/mrad."""
+    for ending in ("N_per_um", "Nm_per_mrad", "um", "mrad", "Nm", "N"):
+        if key.endswith(f"_{ending}"):
+            return key.removesuffix(f"_{ending}"), _WORDS.get(ending, ending)
+    raise ValueError(key)
+
+
+def _unloaded(solution: Solution) -> NDArray:
+    """Balls that have lost the inner raceway; NaN where not solved."""
+    lost = (solution.inner.load == 0.0).sum(axis=-1)
+    return np.where(solution.converged, lost, np.nan)
+
+
+def _control(solution: Solution) -> NDArray | None:
+    if solution.raceway_control is None:
+        return None
+    return np.where(np.isnan(solution.inner.load), np.nan, solution.raceway_control == "inner")
+
+
+def _all() -> dict[str, Quantity]:
+    found = [
+        _per_ball(f"{side}_{own}", key, own, size, side) for side in ("inner", "outer") for key, own, size in CONTACT
+    ]
+    found += [_per_ball(own, key, own, size) for key, own, size in BALL]
+    found.append(Quantity("inner_raceway_controls", "1", True, _control))
+    kinds = ("displacement", DISPLACEMENT), ("load", LOAD), *((f"{kind}_stiffness", STIFFNESS) for kind in STIFFNESSES)
+    for kind, channels in kinds:
+        found += [_of_channel(kind, number, key, size) for number, (key, size) in enumerate(channels)]
+    found += [_of_geometry(key, own, size) for key, own, size in GEOMETRY]
+    found += [_of_ring(side, key, own, size) for side in ("inner", "outer") for key, own, size in RING_STATE]
+    found.append(Quantity("balls_off_inner", "balls", False, _unloaded))
+    found.append(Quantity("azimuth", "deg", True, lambda solution: solution.azimuth / deg))
+    return {each.name: each for each in found}
+
+
+ALL = _all()
+"""Every result that is read off a solution, by its name."""
+
+
+def find(name: str) -> Quantity | None:
+    """The quantity of a name; one per ball with `_max` or `_min` after it is its largest or smallest over the balls."""
+    if name in ALL:
+        return ALL[name]
+    stem, _, ending = name.rpartition("_")
+    per_ball = ALL.get(stem)
+    if per_ball is None or not per_ball.is_per_ball or ending not in _OVER_BALLS:
+        return None
+    reduce: Callable[..., Any] = _OVER_BALLS[ending]
+
+    def read(solution: Solution) -> NDArray | None:
+        values = per_ball.read(solution)
+        return None if values is None else np.asarray(reduce(values, axis=-1))
+
+    return Quantity(name, per_ball.unit, False, read)
+
+
+def suggestion(name: str) -> str:
+    """What is likely meant by a name that no result has."""
+    names = [*ALL, *(f"{each}_{ending}" for each in ALL if ALL[each].is_per_ball for ending in _OVER_BALLS)]
+    near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+    return f"Did you mean {near[0]}?" if near else f"There are {', '.join(ALL)}; with _max or _min for all balls of one"
+
+
+def dataset(solution: Solution) -> xarray.Dataset:
+    """Everything that a solution holds, labelled; what the scene does not call for is left out.
+
+    The scene's numbers that vary are coordinates; an axis along which one alone varies bears its name.
+    """
+    import xarray
+
+    inputs = {name: values for name, values in scene_numbers(solution.scene).items() if name != "bearing"}
+    dims = _case_dims(inputs, solution.shape)
+    found: dict[str, Any] = {
+        "status": (dims, np.asarray(solution.status, str)),
+        "reason": (dims, np.asarray(solution.reason, str)),
+        "iterations": (dims, np.asarray(solution.iterations)),
+        "residual": (dims, np.asarray(solution.residual)),
+    }
+    for quantity in ALL.values():
+        values = quantity.read(solution)
+        if values is not None:
+            own = (*dims, "ball") if quantity.is_per_ball else dims
+            found[quantity.name] = (own, values, {"units": quantity.unit})
+    coordinates = {}
+    for name, values in inputs.items():
+        axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]
+        own = tuple(dims[-1 - axis] for axis in axes)
+        coordinates[name] = (own, np.squeeze(values))
+    title = f"Solution of {solution.scene.bearing.name or 'a bearing'}"
+    return xarray.Dataset(found, coordinates, {"title": title, "qsbearing_version": __version__})
+
+
+def _case_dims(inputs: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """Names of the case axes: case_0, ..., or the number that alone varies along one."""
+    alone: dict[int, list[str]] = {}
+    for name, values in inputs.items():
+        axes = [len(shape) - 1 - axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1]
+        if axes:
+            alone.setdefault(axes[0] if len(axes) == 1 else -1, []).append(name)
+    return tuple(alone[i][0] if len(alone.get(i, [])) == 1 else f"case_{i}" for i in range(len(shape)))

@@ -1,0 +1,123 @@
+"""The results of a study as one xarray Dataset: units, coordinates, and what it was made from."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import __version__, quantities
+from qsbearing.solution import Reason
+from qsbearing.studies import keys
+from qsbearing.studies.chunk import STATUSES, Chunk, Plan
+from qsbearing.studies.points import Points
+
+if TYPE_CHECKING:
+    import xarray
+
+BALL = "ball"
+NO_SAMPLES = slice(0, 0)
+FORMAT = 1
+"""Of a results file; another number is refused by what reads it."""
+
+
+def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]:
+    """For each variable of the results its dimensions, type and attributes."""
+    dims = points.dims
+    found: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
+        "status": (dims, np.int8, _flags(STATUSES)),
+        "reason": (dims, np.int16, {"long_name": "why there is no equilibrium, or no bearing"}),
+        "iterations": (dims, np.int32, {"units": "1"}),
+        "residual": (dims, np.float64, {"units": "1", "long_name": "largest imbalance over the largest force"}),
+    }
+    for name in plan.quantities:
+        quantity = quantities.find(name)
+        assert quantity is not None
+        own = (*dims, BALL) if quantity.is_per_ball else dims
+        found[name] = (own, np.float64, {"units": quantity.unit, "column": quantity.column})
+    return found
+
+
+def arrays_of(chunk: Chunk, reasons: tuple[str, ...]) -> dict[str, NDArray]:
+    """A chunk's arrays under the variables' names; reasons counted along those of the whole study."""
+    number = np.array([reasons.index(reason) for reason in chunk.reasons], np.int16)
+    return {
+        "status": chunk.status,
+        "reason": number[chunk.reason],
+        "iterations": chunk.iterations,
+        "residual": chunk.residual,
+        **chunk.results,
+    }
+
+
+def all_reasons(chunks: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
+    """The reasons of all chunks in one order, whatever the order of the chunks."""
+    known = ("", *map(str, Reason))
+    return (*known, *sorted({reason for reasons in chunks for reason in reasons} - set(known)))
+
+
+def attributes(plan: Plan, scene_label: str) -> dict[str, Any]:
+    """What the results were made from."""
+    found = {
+        "Conventions": "CF-1.11",
+        "title": f"Study of {scene_label}",
+        "source": f"qsbearing {__version__}",
+        "qsbearing_format": FORMAT,
+        "qsbearing_version": __version__,
+        "study": json.dumps(plan.study.as_data()),
+    }
+    revision = commit()
+    return found | ({"commit": revision} if revision else {})
+
+
+def reason_attributes(reasons: tuple[str, ...]) -> dict[str, Any]:
+    """Flags of the reasons, a word each as the convention has it; `summary.words` makes sentences of them again."""
+    return _flags([reason.replace(" ", "_") or "none" for reason in reasons])
+
+
+def coordinates(
+    points: Points, samples: slice = slice(0, 0)
+) -> dict[str, tuple[tuple[str, ...], NDArray, dict[str, Any]]]:
+    """Every varied key: dimensions, values (of the random ones, at these samples), attributes."""
+    found = {}
+    for name, (dims, values) in points.coordinates(samples).items():
+        found[name] = (dims, values, {"units": keys.ALL[name].unit or "1"})
+    return found
+
+
+def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str) -> xarray.Dataset:
+    """All chunks, in memory."""
+    import xarray
+
+    reasons = all_reasons(chunk.reasons for chunk in chunks.values())
+    made = {}
+    for name, (dims, kind, attrs) in variables_of(plan, points).items():
+        shape = (*points.shape, plan.ball_axis) if dims[-1:] == (BALL,) else points.shape
+        made[name] = (dims, np.empty(shape, kind), attrs | (reason_attributes(reasons) if name == "reason" else {}))
+    for number, chunk in chunks.items():
+        for name, values in arrays_of(chunk, reasons).items():
+            block = made[name][1][points.chunk(number)]
+            block[...] = values.reshape(block.shape)
+    return xarray.Dataset(made, coordinates(points, slice(0, points.study.samples)), attributes(plan, label))
+
+
+def _flags(meanings: Iterable[str]) -> dict[str, Any]:
+    words = list(meanings)
+    return {"flag_values": np.arange(len(words), dtype=np.int16), "flag_meanings": " ".join(words)}
+
+
+def commit() -> str:
+    """Of the source tree that runs; empty where it is none, as in an installed package."""
+    folder = Path(__file__).parents[2]
+    if not (folder / ".git").exists():
+        return ""
+    try:
+        asked = ["git", "-C", str(folder), "rev-parse", "HEAD"]
+        return subprocess.run(asked, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
+    except (OSError, subprocess.SubprocessError):
+        return ""

@@ -1,0 +1,70 @@
+"""The numeric keys that a study may vary: every one of a scene file, and the groove coefficients beside the radii."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qsbearing.io.unknown_key import near
+from qsbearing.scene.keys import MATERIALS, NUMBERS, SECTIONS
+from qsbearing.scene.operation import CHANNELS
+
+COEFFICIENTS = {f"{side}_groove_radius_coefficient": f"{side}_groove_radius_mm" for side in ("inner", "outer")}
+"""f = r/D of a groove, with the ball diameter of the same point; it stands for the radius."""
+
+_REPLACES = {"free_contact_angle": "diametral_clearance"} | {each.load: each.displacement for each in CHANNELS}
+
+
+@dataclass(frozen=True)
+class StudyKey:
+    """One number of a scene, as a study names it."""
+
+    name: str
+    """Of the axis: the key itself, a material's with the material before it."""
+    path: tuple[str, ...]
+    """Where it stands in a scene file."""
+    unit: str
+    replaces: tuple[str, ...] = ()
+    """Paths of the keys that it stands in place of: a load for a displacement, an angle for a clearance."""
+
+
+def _all() -> dict[str, StudyKey]:
+    tables: list[tuple[tuple[str, ...], str]] = []
+    for table in NUMBERS:
+        if table == "material":
+            tables += [(("bearing", material), table) for material in MATERIALS]
+        else:
+            tables.append(((table,) if table in SECTIONS else ("effects", table), table))
+    found: dict[str, StudyKey] = {}
+    for path, table in tables:
+        own = {key.field: key.name for key in NUMBERS[table]}
+        for key in NUMBERS[table]:
+            name = f"{path[-1]}_{key.name}" if table == "material" or key.name in found else key.name
+            others = [other for pair in _REPLACES.items() if key.field in pair for other in pair if other != key.field]
+            replaces = tuple(".".join((*path, own[other])) for other in others if other in own)
+            found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
+    for name, radius in COEFFICIENTS.items():
+        found[name] = StudyKey(name, ("bearing", radius), "1", ())
+    return found
+
+
+ALL = _all()
+"""Every key by its name."""
+TABLES = {table for key in ALL.values() for table in key.path[:-1]}
+"""Names of the tables, and tables within, that hold them."""
+
+
+def find(name: str) -> StudyKey | None:
+    """The key of a name: `speed_rpm`, `operation.speed_rpm`, `ball_material.density_kg_m3`; None: there is none."""
+    if name in ALL:
+        return ALL[name]
+    parts = tuple(name.split("."))
+    return next((key for key in ALL.values() if len(parts) > 1 and key.path[-len(parts) :] == parts), None)
+
+
+def suggestion(name: str) -> str:
+    """What is likely meant by a name that no key has."""
+    stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
+    fields = {field.field: field.name for fields in NUMBERS.values() for field in fields}
+    word = name.rpartition(".")[2]
+    meant = near(word, ALL, 0.6) or fields.get(near(word, fields, 0.5), "") or stems.get(near(name, stems, 0.6), "")
+    return f"Did you mean {meant}?" if meant else "Any numeric key of a scene file, such as speed_rpm or axial_load_N"

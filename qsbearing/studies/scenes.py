@@ -1,0 +1,183 @@
+"""From the values of a chunk's points to one scene that holds the possible ones, and why the others are none."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.io import catalogue
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.scene_file import scene_of
+from qsbearing.material import BY_NAME
+from qsbearing.scene.keys import MATERIAL, MATERIALS
+from qsbearing.scene.scene import Scene
+from qsbearing.studies import keys
+from qsbearing.studies.study import Study
+from qsbearing.studies.variables import Axis, Distribution
+
+TAIL = 0.01
+"""A distribution must leave possible what lies between its quantiles of 1 % and 99 % (chosen: beyond these a normal
+distribution without limits goes where it means nothing)."""
+
+
+class PossibleScene(NamedTuple):
+    """The scene of those points of a chunk that describe a bearing."""
+
+    scene: Scene | None
+    """Over the possible points, one case axis; None where no point is possible."""
+    possible: NDArray
+    """Which they are; shape (point,)."""
+    reason: NDArray
+    """Why a point is impossible, as an index of `reasons`, from 1; 0 where it is possible; shape (point,)."""
+    reasons: tuple[str, ...]
+    """`key: what is wrong with it`."""
+
+
+def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> PossibleScene:
+    """The scene of these points.
+
+    Raises:
+        SceneFileError: what is wrong with the study whatever the point.
+    """
+    possible = np.ones(count, bool)
+    reason = np.zeros(count, np.int16)
+    reasons: list[str] = []
+    while possible.any():
+        kept = {key: array[possible] if array.ndim else array for key, array in values.items()}
+        try:
+            # Over one axis even where nothing varies along it.
+            return PossibleScene(_scene(study, kept), possible, reason, tuple(reasons))
+        except SceneFileError as error:
+            wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
+            if any(each.where is None for each in wrong):
+                raise
+            numbers = np.flatnonzero(possible)
+            for each in wrong:
+                concerned = numbers[np.broadcast_to(np.asarray(each.where), numbers.shape)]
+                text = f"{each.key}: {each.problem.partition(':')[0]}"
+                if text not in reasons:
+                    reasons.append(text)
+                fresh = concerned[possible[concerned]]
+                reason[fresh] = reasons.index(text) + 1
+                possible[fresh] = False
+    return PossibleScene(None, possible, reason, tuple(reasons))
+
+
+def base_scene(study: Study) -> Scene:
+    """The study's scene at one of its points; the first possible of its first, middle and last.
+
+    Raises:
+        SceneFileError: what is wrong with the study.
+    """
+    first: SceneFileError | None = None
+    for at in (0.0, 0.5, 1.0):
+        values = {each.key: _value(each, at) for each in study.variables}
+        try:
+            return _scene(study, values)
+        except SceneFileError as error:
+            first = first or error
+    assert first is not None
+    raise first
+
+
+def check_distributions(study: Study) -> None:
+    """See that each distribution stays, but for its tails, within what is possible.
+
+    Raises:
+        SceneFileError: every distribution that does not.
+    """
+    errors: list[FileErrorDetail] = []
+    middle = {each.key: _value(each, 0.5) for each in study.variables}
+    for each in study.distributions:
+        for end, name in ((TAIL, "1 %"), (1.0 - TAIL, "99 %")):
+            value = each.at(np.asarray(end))
+            try:
+                _scene(study, middle | {each.key: value})
+            except SceneFileError as error:
+                problem = f"the distribution leaves the possible: at its {name} quantile, {float(value):.6g}"
+                errors.append(FileErrorDetail(f"vary.{each.key}", problem, cause=_in_short(error)))
+    if errors:
+        raise SceneFileError(study.file, errors)
+
+
+def _in_short(error: SceneFileError) -> str:
+    first = error.errors[0]
+    return f"{first.key}: {first.problem}" if isinstance(first, FileErrorDetail) else str(first)
+
+
+def check(study: Study) -> Scene:
+    """The study's scene at one point, after a look at all that can be wrong with the study as a whole.
+
+    Raises:
+        SceneFileError: everything found.
+    """
+    scene = base_scene(study)
+    check_distributions(study)
+    return scene
+
+
+def _value(variable: Axis | Distribution, at: float) -> NDArray:
+    if isinstance(variable, Distribution):
+        return variable.at(np.asarray(0.5))
+    return np.asarray(variable.values[round(at * (len(variable.values) - 1))])
+
+
+def _scene(study: Study, values: dict[str, NDArray]) -> Scene:
+    document = copy.deepcopy(study.document)
+    coefficients: dict[str, NDArray] = {}
+    for name, value in values.items():
+        if name in keys.COEFFICIENTS:
+            coefficients[keys.COEFFICIENTS[name]] = value
+        else:
+            _put(document, study, keys.ALL[name], value)
+    if coefficients:
+        diameter = _ball_diameter(document, study)
+        for radius, value in coefficients.items():
+            document["bearing"][radius] = _plain(value * diameter)
+    return scene_of(document, study.file, study.label)
+
+
+def _ball_diameter(document: dict[str, Any], study: Study) -> ArrayLike:
+    """In the file's unit; from the scene's own table, or else from its catalogue entry."""
+    name = "ball_diameter_mm"
+    given = document.setdefault("bearing", {}).get(name, _from_catalogue(study, name))
+    return given if isinstance(given, float | int | np.ndarray) else np.nan
+
+
+def _from_catalogue(study: Study, key: str) -> Any:
+    bearing = study.document.get("bearing", {})
+    name = bearing.get("name") if isinstance(bearing, dict) else None
+    entry = catalogue.find(name) if isinstance(name, str) else None
+    return entry.bearing.get(key) if entry else None
+
+
+def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDArray) -> None:
+    table = document
+    for step in key.path[:-1]:
+        inner = table.get(step)
+        if step in MATERIALS and not isinstance(inner, dict):
+            inner = _material_table(study, step)
+        table[step] = table = inner if isinstance(inner, dict) else {}
+    table[key.path[-1]] = _plain(value)
+    for path in key.replaces:
+        table.pop(path.rpartition(".")[2], None)
+
+
+def _plain(value: ArrayLike) -> Any:
+    array = np.asarray(value)
+    return array if array.ndim else float(array)
+
+
+def _material_table(study: Study, side: str) -> dict[str, Any]:
+    """The numbers of a material that the file, or the catalogue, calls by name."""
+    name = study.document.get("bearing", {}).get(side, _from_catalogue(study, side))
+    material = BY_NAME.get(name.lower()) if isinstance(name, str) else None
+    if material is None:
+        return {}
+    grows = any(isinstance(table, dict) for table in study.document.get("effects", {}).values())
+    given = MATERIAL if grows else MATERIAL[:3]  # a thermal expansion that nothing uses is an error
+    found = {key: getattr(material, key.field) for key in given}
+    return {key.name: key.in_file(value) for key, value in found.items() if value is not None}

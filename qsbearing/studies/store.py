@@ -1,0 +1,174 @@
+"""A study's results on the disk: each finished chunk as a file of its own, then one netCDF file, written whole."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.studies import dataset
+from qsbearing.studies.chunk import Chunk, Plan
+from qsbearing.studies.points import BLOCK, SAMPLE, Points
+
+if TYPE_CHECKING:
+    import xarray
+
+PLAN = "plan.json"
+
+
+def _refused(file: Path, problem: str, cause: str = "") -> SceneFileError:
+    return SceneFileError(str(file), [FileErrorDetail("", problem, cause=cause)])
+
+
+class Store:
+    """Finished chunks in a folder beside the file that they will be joined to."""
+
+    def __init__(self, out: str | os.PathLike[str], plan: Plan, points: Points, *, resume: bool) -> None:
+        """Claim the place.
+
+        Raises:
+            SceneFileError: it cannot be written, there is too little room, or it holds another study.
+        """
+        self.out = Path(out)
+        self.plan = plan
+        self.points = points
+        self.folder = self.out.with_name(f"{self.out.name}.parts")
+        if self.out.is_dir():
+            raise _refused(self.out, "is a folder")
+        if not self.out.parent.is_dir():
+            raise _refused(self.out, f"there is no folder {self.out.parent}")
+        self._check_room()
+        kept = self.folder / PLAN
+        identity = {"fingerprint": plan.study.fingerprint, "quantities": plan.quantities}
+        if kept.exists():
+            if not resume:
+                problem = f"an unfinished run has {len(self.finished())} of {points.chunk_count} chunks done"
+                raise _refused(self.folder, problem, "--resume goes on with it; or delete that folder")
+            if json.loads(kept.read_text("utf-8")) != json.loads(json.dumps(identity)):
+                problem = "holds chunks of another study, or of another version of qsbearing"
+                raise _refused(self.folder, problem, "Delete that folder, or choose another --out")
+            return
+        try:
+            self.folder.mkdir(exist_ok=True)
+            _write(kept, json.dumps(identity).encode())
+        except OSError as error:
+            raise _refused(self.out, f"cannot be written: {error.strerror}") from None
+
+    def _check_room(self) -> None:
+        per_point = 16.0
+        for name in self.plan.quantities:
+            quantity = dataset.quantities.find(name)
+            per_point += 8.0 * (self.plan.ball_axis if quantity is not None and quantity.is_per_ball else 1)
+        needed = 2.0 * per_point * self.points.count  # the chunks, and the file that they are joined to
+        free = shutil.disk_usage(self.out.parent or Path()).free
+        if needed > free:
+            problem = f"needs {needed / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left"
+            raise _refused(self.out, problem, "Name fewer quantities, or fewer points")
+
+    def finished(self) -> set[int]:
+        """Numbers of the chunks that are there."""
+        return {int(file.stem) for file in self.folder.glob("*.npz") if file.stem.isdecimal()}
+
+    def put(self, number: int, chunk: Chunk) -> None:
+        """Keep a finished chunk."""
+        fields: dict[str, Any] = chunk._asdict() | {"reasons": np.array(chunk.reasons)}
+        fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
+        temporary = self.folder / f"{number}.part"
+        with temporary.open("wb") as file:
+            np.savez(file, **fields)
+        temporary.replace(self.folder / f"{number}.npz")
+
+    def get(self, number: int) -> Chunk:
+        """A chunk that was kept."""
+        with np.load(self.folder / f"{number}.npz") as file:
+            fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons")}
+            results = {name: file[f"result_{name}"] for name in self.plan.quantities}
+            return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
+
+    def join(self, label: str) -> None:
+        """Write the file from all chunks, in one step as its reader sees it, and remove them."""
+        temporary = self.out.with_name(f".{self.out.name}.part")
+        try:
+            self._write_netcdf(temporary, label)
+            temporary.replace(self.out)
+        finally:
+            temporary.unlink(missing_ok=True)
+        shutil.rmtree(self.folder)
+
+    def _chunks(self) -> Iterator[tuple[int, Chunk]]:
+        for number in range(self.points.chunk_count):
+            yield number, self.get(number)
+
+    def _write_netcdf(self, place: Path, label: str) -> None:
+        import h5netcdf
+
+        plan, points = self.plan, self.points
+        reasons = dataset.all_reasons(chunk.reasons for _, chunk in self._chunks())
+        with h5netcdf.File(place, "w") as file:
+            for name, length in zip(points.dims, points.shape, strict=True):
+                file.dimensions[name] = length
+            file.dimensions[dataset.BALL] = plan.ball_axis
+            file.attrs.update(dataset.attributes(plan, label))
+            beside = self._write_coordinates(file)
+            variables = dataset.variables_of(plan, points)
+            for name, (dims, kind, attrs) in variables.items():
+                variable = file.create_variable(name, dims, kind)
+                variable.attrs.update(attrs | (dataset.reason_attributes(reasons) if name == "reason" else {}))
+                if beside:
+                    variable.attrs["coordinates"] = beside
+            for number, chunk in self._chunks():
+                block = points.chunk(number)
+                shape = tuple(part.stop - part.start for part in block)
+                for name, values in dataset.arrays_of(chunk, reasons).items():
+                    file[name][block] = values.reshape(*shape, *values.shape[1:])
+
+    def _write_coordinates(self, file: Any) -> str:
+        """The varied keys; and the names of those that are not an axis themselves."""
+        beside = []
+        for name, (dims, values, attrs) in dataset.coordinates(self.points).items():
+            variable = file.create_variable(name, dims, np.float64)
+            variable.attrs.update(attrs)
+            if dims != (name,):
+                beside.append(name)
+            if dims != (SAMPLE,):
+                variable[...] = values
+        for start in range(0, self.points.study.samples, BLOCK):
+            part = slice(start, min(start + BLOCK, self.points.study.samples))
+            for name, values in self.points.samples(part).items():
+                file[name][part] = values
+        return " ".join(beside)
+
+
+def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
+    """The results of a sweep, read from the disk as they are used.
+
+    Raises:
+        SceneFileError: no file, or none that this version reads.
+    """
+    import xarray
+
+    place = Path(file)
+    if not place.is_file():
+        raise _refused(place, "no such file")
+    try:
+        found = xarray.open_dataset(place, engine="h5netcdf")
+    except (OSError, ValueError, KeyError) as error:
+        raise _refused(place, f"is not a results file, or damaged: {error}") from None
+    version = found.attrs.get("qsbearing_format")
+    if version != dataset.FORMAT:
+        found.close()
+        made = found.attrs.get("qsbearing_version", "another program")
+        raise _refused(place, f"is no results file of this version (made by {made})", "Run the sweep again")
+    return found
+
+
+def _write(place: Path, data: bytes) -> None:
+    temporary = place.with_suffix(".part")
+    temporary.write_bytes(data)
+    temporary.replace(place)

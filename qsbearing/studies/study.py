@@ -1,0 +1,188 @@
+"""A study: a scene, the keys that vary, and how those that vary at random are sampled."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import cached_property
+from typing import Any
+
+from qsbearing import __version__
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.scene_file import document_of
+from qsbearing.io.unknown_key import near
+from qsbearing.studies import keys
+from qsbearing.studies.variables import Axis, Distribution, Variable, VariableError, error_of, variable_of
+
+MOST_SAMPLES = 1_000_000_000
+
+
+class Sampling(StrEnum):
+    """How random keys are sampled together."""
+
+    RANDOM = "random"
+    """Independent points."""
+    LATIN_HYPERCUBE = "latin_hypercube"
+    """Each key's values spread evenly over its distribution; in blocks of at most 65,536 points."""
+    SOBOL = "sobol"
+    """Scrambled Sobol points: the most even; best for a power of two."""
+
+
+@dataclass(frozen=True)
+class Study:
+    """What a sweep solves: every combination of the axes' values, each with all the samples.
+
+    Make one with `Study.of`; a study file is a scene file with the tables [vary] and, if wanted, [study].
+    """
+
+    document: dict[str, Any]
+    """The tables of the scene file."""
+    variables: tuple[Variable, ...]
+    label: str = ""
+    """Name of the bearing where the catalogue gives none."""
+    file: str = "study"
+    """What to call it in errors."""
+    samples: int = 0
+    sampling: Sampling = Sampling.SOBOL
+    seed: int = 0
+    quantities: tuple[str, ...] = ()
+    """Names of the results to keep; none: all, or the main ones of many points."""
+
+    @classmethod
+    def of(
+        cls,
+        source: str | os.PathLike[str] | dict[str, Any],
+        vary: dict[str, Any] | None = None,
+        *,
+        samples: int | None = None,
+        sampling: str | None = None,
+        seed: int | None = None,
+        quantities: Iterable[str] | None = None,
+    ) -> Study:
+        """A study of a scene file, a study file, a catalogue bearing's name, or the tables of such a file.
+
+        Args:
+            vary: for each key what it takes: a list, "START:STOP:COUNT", "normal(MEAN,SD)", ...; beside what the
+                file's [vary] says, or in its place.
+            samples: points of the random keys; 1024 if not given.
+            sampling: random, latin_hypercube or sobol.
+            quantities: names of the results to keep.
+
+        Raises:
+            SceneFileError: everything that is wrong with the study, at once; what its points find is found by `sweep`.
+        """
+        document, file, label = (dict(source), "study", "") if isinstance(source, dict) else document_of(source)
+        errors: list[FileErrorDetail] = []
+        varied = _table(document, "vary", errors) | (vary or {})
+        options = _table(document, "study", errors)
+        given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}
+        options |= {name: value for name, value in given.items() if value is not None}
+        variables = _variables(varied, errors)
+        chosen = _options(options, errors)
+        if not variables and not errors:
+            cause = "Such as speed_rpm = {start = 0, stop = 15000, count = 61}; --vary speed_rpm=0:15000:61"
+            errors.append(FileErrorDetail("vary", "nothing varies", cause=cause))
+        if errors:
+            raise SceneFileError(file, errors)
+        random = any(isinstance(variable, Distribution) for variable in variables)
+        chosen["samples"] = chosen.get("samples", 1024) if random else 0
+        return cls(document, variables, label, file, **chosen)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Keys over given values, in their order; those of a single value are no axis."""
+        return tuple(each for each in self.variables if isinstance(each, Axis) and len(each.values) > 1)
+
+    @property
+    def distributions(self) -> tuple[Distribution, ...]:
+        """Keys that vary at random."""
+        return tuple(each for each in self.variables if isinstance(each, Distribution))
+
+    def replaced(self, **changes: Any) -> Study:
+        """A study that differs in these fields."""
+        return replace(self, **changes)
+
+    def as_data(self) -> dict[str, Any]:
+        """All of it as plain data."""
+        return {
+            "scene": self.document,
+            "vary": {
+                each.key: list(each.values) if isinstance(each, Axis) else {each.kind: list(each.parameters)}
+                for each in self.variables
+            },
+            "study": {
+                "samples": self.samples,
+                "sampling": str(self.sampling),
+                "seed": self.seed,
+                "quantities": list(self.quantities),
+            },
+        }
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """Tells this study, under this version of the package, from every other."""
+        text = json.dumps([__version__, self.label, self.as_data()], sort_keys=True, default=str)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _table(document: dict[str, Any], name: str, errors: list[FileErrorDetail]) -> dict[str, Any]:
+    table = document.pop(name, {})
+    if isinstance(table, dict):
+        return table
+    errors.append(FileErrorDetail(name, "is not a table", table, cause=f"Write it as [{name}], keys below it"))
+    return {}
+
+
+def _variables(varied: dict[str, Any], errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
+    found: dict[str, Variable] = {}
+    for name, given in _flattened(varied):
+        try:
+            variable = variable_of(name, given)
+            if variable.key in found:
+                raise VariableError("is varied twice")
+            found[variable.key] = variable
+        except VariableError as error:
+            errors.append(error_of(name, given, error))
+    return tuple(found.values())
+
+
+def _flattened(table: dict[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
+    """Names as paths: TOML reads `ball_material.density_kg_m3` as a table within."""
+    for name, given in table.items():
+        if isinstance(given, dict) and name in keys.TABLES:
+            yield from _flattened(given, f"{prefix}{name}.")
+        else:
+            yield prefix + name, given
+
+
+def _options(table: dict[str, Any], errors: list[FileErrorDetail]) -> dict[str, Any]:
+    chosen: dict[str, Any] = {}
+    known = ("samples", "sampling", "seed", "quantities")
+    for name, given in table.items():
+        whole = isinstance(given, int) and not isinstance(given, bool)
+        if name not in known:
+            meant = near(name, known, 0.5)
+            cause = f"Did you mean {meant}?" if meant else f"One of {', '.join(known)}"
+            errors.append(FileErrorDetail(f"study.{name}", "unknown key", cause=cause))
+        elif name == "sampling":
+            if given not in list(Sampling):
+                cause = f"One of {', '.join(Sampling)}"
+                errors.append(FileErrorDetail("study.sampling", "is none of the choices", given, cause=cause))
+            else:
+                chosen[name] = Sampling(given)
+        elif name == "quantities":
+            words = [given] if isinstance(given, str) else list(given) if isinstance(given, list | tuple) else [None]
+            if not all(isinstance(word, str) for word in words):
+                errors.append(FileErrorDetail("study.quantities", "is not a list of names", given))
+            else:
+                chosen[name] = tuple(words)
+        elif not whole or not (1 if name == "samples" else 0) <= given <= MOST_SAMPLES:
+            allowed = (1.0 if name == "samples" else 0.0, float(MOST_SAMPLES))
+            errors.append(FileErrorDetail(f"study.{name}", "is not a whole number in its range", given, "", allowed))
+        else:
+            chosen[name] = given
+    return chosen

@@ -1,0 +1,87 @@
+"""`qsbearing sweep` as its user meets it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.studies import sweep as sweeping
+
+
+def run(*arguments: object) -> Result:
+    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
+    return result
+
+
+def test_a_quick_look_says_how_points_ended_and_what_came_out() -> None:
+    result = run("sweep", "b218", "--vary", "ball_count=16,17,18", "-y", "inner_load_max", "-y", "inner_angle_max")
+    assert result.exit_code == 0
+    assert "balls do not" in result.stdout
+    assert "ball_count 18" in result.stdout
+    load = qs.solve(qs.load_scene("b218")).inner.load[0]
+    (line,) = (line for line in result.stdout.splitlines() if line.startswith("inner_load_max"))
+    assert line.split()[-1] == "N"
+    assert f"{load:.5g}" in line.split()
+
+
+def test_files_of_every_kind_hold_the_same(tmp_path: Path) -> None:
+    given = ("sweep", "b218", "--vary", "ball_count=3,18", "--vary", "speed_rpm=0:1:2", "--out")
+    for name in ("r.nc", "r.csv", "r.parquet"):
+        assert run(*given, tmp_path / name).exit_code == 0
+    table = pandas.read_csv(tmp_path / "r.csv")
+    assert len(table) == 2 * 3 + 2, "a row per ball, and one of each point without balls"
+    assert set(table["status"]) == {"converged", "impossible"}
+    with qs.open_results(tmp_path / "r.nc") as results:
+        found = table[(table.ball_count == 3) & (table.speed_rpm == 1)]
+        assert found["inner_load_N"].tolist() == pytest.approx(
+            results["inner_load"][0, 1].values.tolist()[:3], rel=1e-9
+        )
+    parquet = pandas.read_parquet(tmp_path / "r.parquet").fillna({"reason": ""})
+    pandas.testing.assert_frame_equal(parquet, table.fillna({"reason": ""}), check_dtype=False)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("b218",), "nothing varies"),
+        (("b218", "--vary", "speed_rpm"), "has no values"),
+        (("b218", "--vary", "speed_rpm=1,2", "--vary", "speed_rpm=1,3"), "varied twice"),
+        (("b218", "--vary", "speed=0:1:3"), "Did you mean speed_rpm"),
+        (("b217", "--vary", "speed_rpm=0:1:3"), "Did you mean B218"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--out", "r.txt"), "must end in"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--resume"), "--resume needs"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--out", "none/r.nc"), "no folder"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--sampling", "sobel"), "none of the choices"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--scheduler", "nowhere"), "cannot be reached"),
+    ],
+)
+def test_bad_input_is_a_sentence(
+    arguments: tuple[str, ...], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = run("sweep", *arguments)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert "Traceback" not in result.output
+    assert not list(tmp_path.iterdir())
+
+
+def test_no_point_solved_is_exit_code_1() -> None:
+    assert run("sweep", "b218", "--vary", "axial_load_N=-1,-2").exit_code == 1
+
+
+def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*given: object) -> object:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(sweeping, "solved_chunks", interrupted)
+    result = run("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / "r.nc")
+    assert result.exit_code == 130
+    assert "--resume goes on" in result.stderr
+    assert [file.name for file in tmp_path.iterdir()] == ["r.nc.parts"]

@@ -1,0 +1,279 @@
+"""A sweep is what its points are alone; impossible points stay; files, executors and resuming change nothing."""
+
+from __future__ import annotations
+
+import copy
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.io.scene_file import document_of, scene_of
+from qsbearing.studies import chunk as chunks
+from qsbearing.studies import keys, points
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+
+xarray = pytest.importorskip("xarray")
+
+B218 = {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 8000, "speed_rpm": 9000}}
+COMBINED = copy.deepcopy(B218) | {
+    "operation": {
+        "axial_load_N": 8000.0,
+        "speed_rpm": 9000,
+        "radial_load_y_N": 3000,
+        "tilt_z_mrad": 0,
+        "tilt_y_mrad": 0,
+    },
+    "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
+}
+RINGS = copy.deepcopy(COMBINED)
+RINGS["effects"]["ring_expansion"] = {
+    "bore_diameter_mm": 90.0,
+    "outside_diameter_mm": 160.0,
+    "shaft_interference_um": 5.0,
+    "shaft_bore_diameter_mm": 20.0,
+    "housing_interference_um": 0.0,
+    "housing_outside_diameter_mm": 200.0,
+    "inner_ring_temperature_C": 60.0,
+}
+RINGS["effects"]["ball_expansion"] = {"ball_temperature_C": 50.0}
+
+
+def document_with(document: dict, path: tuple[str, ...], value: float) -> dict:
+    changed = copy.deepcopy(document)
+    table = changed
+    for step in path[:-1]:
+        table = table.setdefault(step, {})
+    table[path[-1]] = value
+    return changed
+
+
+def test_points_are_their_single_solves() -> None:
+    results = sweep(Study.of(COMBINED, {"speed_rpm": "0:15000:4", "axial_load_N": "2000,17800"}))
+    assert results["inner_angle"].dims == ("speed_rpm", "axial_load_N", "ball")
+    for speed in (0.0, 5000.0, 15000.0):
+        document = document_with(COMBINED, ("operation", "speed_rpm"), speed)
+        document["operation"]["axial_load_N"] = 17800
+        alone = qs.solve(scene_of(document, ""))
+        point = results.sel(speed_rpm=speed, axial_load_N=17800)
+        np.testing.assert_allclose(point["inner_angle"], alone.inner.angle / qs.deg, rtol=1e-10)
+        np.testing.assert_allclose(point["outer_load"], alone.outer.load, rtol=1e-10)
+        np.testing.assert_allclose(point["ring_displacement_axial"], alone.displacement[0] / qs.um, rtol=1e-9)
+        stiffness = alone.locked_stiffness[1] * qs.um
+        np.testing.assert_allclose(point["ring_locked_stiffness_radial_y"], stiffness, rtol=1e-10)
+
+
+CANNOT_STAND_ALONE = {
+    "first_ball_azimuth_deg": 3.0,
+    "outer_speed_rpm": 100.0,
+    "yield_strength_MPa": 2000.0,
+    "reference_temperature_C": 25.0,
+}
+"""Values of keys that the scene leaves out."""
+
+
+@pytest.mark.parametrize("name", keys.ALL)
+def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
+    """Two values of each key: the scene's own, a little changed, give what two files give."""
+    key = keys.ALL[name]
+    document = RINGS
+    if key.path[:-1] == ("operation",):
+        document = copy.deepcopy(RINGS)
+        for path in key.replaces:
+            document["operation"].pop(path.rpartition(".")[2], None)
+    if key.path[-1].startswith("thermal_expansion"):
+        value = 11e-6
+    elif name in keys.COEFFICIENTS:
+        value = 0.53
+    else:
+        value = _own_value(document, key.path, name)
+    values = [value, value + 1.0] if name == "ball_count" else [value, 1.01 * value if value else 1.0]
+    results = sweep(Study.of(document, {name: values}, quantities=["inner_load"]))
+    assert (results["status"] == 0).all(), results["reason"].attrs
+    for given, found in zip(values, results["inner_load"], strict=True):
+        if name in keys.COEFFICIENTS:
+            given *= 22.225
+        alone = document_with(_with_tables(document, key), key.path, given)
+        for path in key.replaces:
+            alone["operation"].pop(path.rpartition(".")[2], None)
+        solution = qs.solve(scene_of(alone, ""))
+        np.testing.assert_allclose(found[: solution.inner.load.size], solution.inner.load, rtol=1e-8, atol=1e-6)
+
+
+def _own_value(document: dict, path: tuple[str, ...], name: str) -> float:
+    table = document
+    for step in path[:-1]:
+        table = table.get(step, {}) if isinstance(table.get(step), dict) else {}
+    bearing = qs.load_scene("b218").bearing
+    known = {
+        "ball_count": 14.0,
+        "diametral_clearance_mm": 0.48,
+        "elastic_modulus_GPa": 208.0,
+        "poisson_ratio": 0.3,
+        "density_kg_m3": 7800.0,
+        "free_contact_angle_deg": 40.0,
+        "shaft_temperature_C": 40.0,
+        "outer_ring_temperature_C": 45.0,
+        "housing_temperature_C": 30.0,
+        **CANNOT_STAND_ALONE,
+    }
+    for each in ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"):
+        known[f"{each}_mm"] = getattr(bearing, each) / qs.mm
+    return float(table.get(path[-1], known.get(path[-1], 0.0)))
+
+
+def _with_tables(document: dict, key: keys.StudyKey) -> dict:
+    """A material by its numbers, where one of them varies."""
+    changed = copy.deepcopy(document)
+    for side in ("ball_material", "ring_material"):
+        if side in key.path:
+            changed["bearing"][side] = {
+                **{"elastic_modulus_GPa": 208.0, "poisson_ratio": 0.3, "density_kg_m3": 7800.0},
+                "thermal_expansion_per_K": 12e-6,
+            }
+    return changed
+
+
+def test_impossible_and_unsupported_points_stay_with_their_reason() -> None:
+    results = sweep(Study.of(B218, {"ball_count": [10, 17, 18, 40], "axial_load_N": [-5, 1000]}))
+    assert results["status"].values.tolist() == [[1, 0], [1, 0], [3, 3], [3, 3]]
+    reasons = results["reason"].attrs["flag_meanings"].split(" ")
+    assert reasons[int(results["reason"][2, 0])].endswith("the_balls_do_not_fit_on_the_pitch_circle")
+    assert reasons[int(results["reason"][0, 0])] == "open_side"
+    assert np.isnan(results["inner_load"].values[2:]).all()
+    assert np.isfinite(results["inner_load"].sel(ball_count=17, axial_load_N=1000)[:17]).all()
+    assert np.isnan(results["inner_load"].sel(ball_count=10, axial_load_N=1000)[10:]).all()
+
+
+def test_each_point_has_its_own_reason() -> None:
+    results = sweep(Study.of(B218, {"ball_diameter_mm": [22, 23.3, 25, 5000], "ball_count": [10, 10.5]}))
+    why = np.array(results["reason"].attrs["flag_meanings"].split(" "))[results["reason"]]
+    assert why[0, 0] == "none"
+    assert "not_a_whole_number" in why[0, 1]
+    assert "smaller_than_the_ball" in why[1, 0]
+    assert "too_large" in why[3, 0]
+
+
+def test_a_study_that_is_wrong_at_every_point_is_refused() -> None:
+    with pytest.raises(qs.SceneError, match="tilt it causes must be stated"):
+        sweep(Study.of(B218, {"radial_load_y_N": "0:10:3"}))
+    with pytest.raises(qs.SceneError, match="leaves the possible"):
+        sweep(Study.of(B218, {"ball_diameter_mm": "normal(22,3)"}))
+    with pytest.raises(qs.SceneError, match="Did you mean inner_angle"):
+        sweep(Study.of(B218, {"speed_rpm": [0, 1]}, quantities=["iner_angle"]))
+    with pytest.raises(qs.SceneError, match="not called for"):
+        sweep(Study.of(B218, {"speed_rpm": [0, 1]}, quantities=["gyroscopic_moment"]))
+
+
+MANY = {"speed_rpm": [1000, 9000], "ball_diameter_mm": "normal(22.2,0.01)", "ball_count": [12, 18]}
+
+
+@pytest.fixture
+def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(points, "CHUNK", 7)
+
+
+@pytest.fixture(scope="module")
+def whole() -> object:
+    return sweep(Study.of(COMBINED, MANY, samples=20))
+
+
+def test_chunks_and_executors_change_nothing(small_chunks: None, whole: object) -> None:
+    study = Study.of(COMBINED, MANY, samples=20)
+    with ThreadPoolExecutor(2) as pool:
+        for executor in (None, pool):
+            # Digits may differ in the last place: a chunk's other points decide how balls of equal loads are shared.
+            xarray.testing.assert_allclose(
+                sweep(study, executor).drop_vars(["residual", "iterations"]),
+                whole.drop_vars(["residual", "iterations"]),  # type: ignore[attr-defined]
+                rtol=1e-9,
+                atol=1e-9,
+            )
+
+
+def test_progress_counts_the_points(small_chunks: None) -> None:
+    told: list[tuple[int, int]] = []
+    sweep(Study.of(B218, {"speed_rpm": "0:9:20"}), progress=lambda *given: told.append(given))
+    assert told[0] == (0, 20)
+    assert told[-1] == (20, 20)
+    assert [done for done, _ in told] == sorted({done for done, _ in told})
+
+
+def test_a_file_holds_what_memory_holds(tmp_path: Path, whole: object) -> None:
+    with sweep(Study.of(COMBINED, MANY, samples=20), out=tmp_path / "r.nc") as results:
+        xarray.testing.assert_identical(results.load(), whole)
+    assert [file.name for file in tmp_path.iterdir()] == ["r.nc"]
+
+
+def test_an_interrupted_sweep_goes_on_to_the_identical_file(
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = Study.of(COMBINED, MANY, samples=20)
+    sweep(study, out=tmp_path / "whole.nc").close()
+    solve = chunks.solve_points
+    left = [5]
+
+    def until_stopped(*given, **named):  # type: ignore[no-untyped-def]
+        left[0] -= 1
+        if left[0] < 0:
+            raise KeyboardInterrupt
+        return solve(*given, **named)
+
+    monkeypatch.setattr(chunks, "solve_points", until_stopped)
+    with pytest.raises(KeyboardInterrupt):
+        sweep(study, out=tmp_path / "r.nc")
+    kept = list((tmp_path / "r.nc.parts").glob("*.npz"))
+    assert 0 < len(kept) <= 5
+    with pytest.raises(qs.SceneError, match="--resume goes on"):
+        sweep(study, out=tmp_path / "r.nc")
+    with pytest.raises(qs.SceneError, match="another study"):
+        sweep(study.replaced(seed=1), out=tmp_path / "r.nc", resume=True)
+    left[0] = 1000
+    sweep(study, out=tmp_path / "r.nc", resume=True).close()
+    assert left[0] == 1000 - (len(list_chunks(study)) - len(kept)), "only what was missing is solved"
+    assert (tmp_path / "r.nc").read_bytes() == (tmp_path / "whole.nc").read_bytes()
+
+
+def list_chunks(study: Study) -> range:
+    return range(points.Points(study).chunk_count)
+
+
+def test_places_that_cannot_be_written_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    study = Study.of(B218, {"speed_rpm": [0, 1]})
+    with pytest.raises(qs.SceneError, match="there is no folder"):
+        sweep(study, out=tmp_path / "none" / "r.nc")
+    with pytest.raises(qs.SceneError, match="is a folder"):
+        sweep(study, out=tmp_path)
+    monkeypatch.setattr("shutil.disk_usage", lambda place: type("Usage", (), {"free": 100}))
+    with pytest.raises(qs.SceneError, match="GB left"):
+        sweep(study, out=tmp_path / "r.nc")
+    assert not list(tmp_path.iterdir())
+
+
+def test_files_that_are_no_results_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(qs.SceneError, match="no such file"):
+        qs.open_results(tmp_path / "r.nc")
+    with sweep(Study.of(B218, {"speed_rpm": [0, 1]}), out=tmp_path / "r.nc"):
+        pass
+    whole = (tmp_path / "r.nc").read_bytes()
+    (tmp_path / "cut.nc").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(qs.SceneError, match="damaged"):
+        qs.open_results(tmp_path / "cut.nc")
+    xarray.Dataset({"x": 1}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
+    with pytest.raises(qs.SceneError, match="another program"):
+        qs.open_results(tmp_path / "other.nc")
+
+
+def test_a_solution_as_a_labelled_dataset() -> None:
+    speed, load = np.array([0.0, 5e3]) * qs.rpm, np.array([[2e3], [8e3], [9e3]])
+    scene = scene_of(document_of("b218")[0], "")
+    many = qs.solve(qs.Scene(scene.bearing, qs.Operation(speed=speed, axial_load=load)))
+    found = many.to_xarray()
+    assert found["inner_angle"].dims == ("axial_load_N", "speed_rpm", "ball")
+    np.testing.assert_allclose(found["inner_load"].sel(speed_rpm=5e3, axial_load_N=8e3), many.inner.load[1, 1])
+    assert found["inner_load"].attrs["units"] == "N"
+    assert "gyroscopic_moment" not in found
+    assert str(qs.solve(scene).to_xarray()["status"].item()) == "converged"
