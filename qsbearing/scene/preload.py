@@ -48,7 +48,9 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
     errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
     if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
         cause = "A preload presses in +x; one the other way is axial_load or axial_displacement of the operation"
-        return [ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause)]
+        return [
+            ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause, errors[0].where)
+        ]
     return errors
 
 

@@ -5,13 +5,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import MATERIALS, NUMBERS, SECTIONS
+from qsbearing.scene.keys import MATERIALS, NUMBERS, OPERATION, PRELOAD, SECTIONS
 from qsbearing.scene.operation import CHANNELS
 
 COEFFICIENTS = {f"{side}_groove_radius_coefficient": f"{side}_groove_radius_mm" for side in ("inner", "outer")}
 """f = r/D of a groove, with the ball diameter of the same point; it stands for the radius."""
 
-_REPLACES = {"free_contact_angle": "diametral_clearance"} | {each.load: each.displacement for each in CHANNELS}
+_EITHER = (
+    ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),
+    *(
+        tuple(f"operation.{key.name}" for key in OPERATION if key.field in (each.load, each.displacement))
+        for each in CHANNELS[1:]
+    ),
+    (
+        *(f"operation.{key.name}" for key in OPERATION if key.field in (CHANNELS[0].load, CHANNELS[0].displacement)),
+        *(f"preload.{key.name}" for key in PRELOAD),
+    ),
+)
+"""Of these a scene has one."""
 
 
 @dataclass(frozen=True)
@@ -36,11 +47,10 @@ def _all() -> dict[str, StudyKey]:
             tables.append(((table,) if table in SECTIONS else ("effects", table), table))
     found: dict[str, StudyKey] = {}
     for path, table in tables:
-        own = {key.field: key.name for key in NUMBERS[table]}
         for key in NUMBERS[table]:
             name = f"{path[-1]}_{key.name}" if table == "material" or key.name in found else key.name
-            others = [other for pair in _REPLACES.items() if key.field in pair for other in pair if other != key.field]
-            replaces = tuple(".".join((*path, own[other])) for other in others if other in own)
+            own = ".".join((*path, key.name))
+            replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
             found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
     for name, radius in COEFFICIENTS.items():
         found[name] = StudyKey(name, ("bearing", radius), "1", ())

@@ -163,7 +163,10 @@ def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDAr
         table[step] = table = inner if isinstance(inner, dict) else {}
     table[key.path[-1]] = _plain(value)
     for path in key.replaces:
-        table.pop(path.rpartition(".")[2], None)
+        name, _, replaced = path.partition(".")
+        other = document.get(name)
+        if isinstance(other, dict) and other.pop(replaced, None) is not None and not other:
+            del document[name]
 
 
 def _plain(value: ArrayLike) -> Any:
