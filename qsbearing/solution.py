@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from enum import StrEnum
 from functools import cached_property
@@ -419,16 +420,19 @@ class Solution:
         """Numbers of the channels whose load is prescribed."""
         return self._maker.free_channels
 
-    def to_dataframe(self) -> pandas.DataFrame:
+    def to_dataframe(self, more: Mapping[str, NDArray] | None = None) -> pandas.DataFrame:
         """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).
 
         Contacts and motion of the ball; displacement, load, locked and effective stiffness of the ring and its whole
         matrix; status and reason of the case, and the numbers of the scene under the keys of a scene file. A case that
         is not solved keeps its rows, with NaN for what there is not.
+
+        Args:
+            more: columns that follow, of as many rows; `qs.readings.reading_columns` makes them of readings.
         """
         import pandas
 
-        return pandas.DataFrame(columns(self))
+        return pandas.DataFrame(columns(self) | dict(more or {}))
 
     def to_xarray(self) -> xarray.Dataset:
         """All results, labelled, in the units of files (`units` on each); needs xarray (the `studies` extra).

@@ -152,7 +152,12 @@ def _csv(solution: Solution) -> bytes:
     from qsbearing.columns import columns
     from qsbearing.io.csv_table import csv_text
 
-    return csv_text({name: values.tolist() for name, values in columns(solution).items()}).encode("utf-8")
+    found = columns(solution)
+    if solution.scene.readings:
+        from qsbearing.readings import reading_columns, take_asked
+
+        found |= reading_columns(solution, take_asked(solution))
+    return csv_text({name: values.tolist() for name, values in found.items()}).encode("utf-8")
 
 
 def _picture(solution: Solution, form: str) -> bytes:

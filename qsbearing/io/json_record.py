@@ -47,7 +47,18 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "stiffness_SI": _rows(solution.stiffness[index]) if solved else None,
         "compliance_SI": _rows(solution.compliance[index]) if solved else None,
         "balls": balls(solution, index) if solved else [],
+        "readings": _readings(solution, index) if solved else None,
     }
+
+
+def _readings(solution: Solution, index: Place) -> dict[str, Any] | None:
+    """What the scene asks to be read off; None where it asks for nothing."""
+    if not solution.scene.readings:
+        return None
+    from qsbearing.io.readings_record import readings_record  # a scene without readings does not load them
+    from qsbearing.readings.asked import take_asked
+
+    return readings_record(solution, take_asked(solution), index)
 
 
 def choices(scene: Scene) -> dict[str, str | None]:

@@ -42,6 +42,11 @@ def result(solution: Solution) -> Group:
         if solution.scene.ball_effects:
             tables.append(_motion(rows, count, found))
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
+        if solution.scene.readings:
+            from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
+            from qsbearing.readings.asked import take_asked
+
+            parts += readings_tables(take_asked(solution))
     for sentence in found["warnings"]:
         parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
     return Group(*parts)

@@ -14,11 +14,21 @@ from qsbearing.io import catalogue
 from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.read_toml import read_toml
+from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.table_checks import Errors, checked, choice_fields, did_you_mean, judged, material, si, table_model
 from qsbearing.io.unknown_key import near, suggest
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
 from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
-from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, OPERATION, PRELOAD, SECTIONS
+from qsbearing.scene.keys import (
+    BEARING,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    MATERIALS,
+    OPERATION,
+    PRELOAD,
+    READING_SECTIONS,
+    SECTIONS,
+)
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.scene.scene import CHOICES, Scene, effect_errors
@@ -83,12 +93,17 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     preload = _preload(document, operation, errors)
     effects = _effects(document, errors)
     find_unused_expansion(document, errors)
+    readings = asked_readings(document, errors)
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
-        return Scene(bearing, operation, preload=preload, **effects)
+        scene = Scene(bearing, operation, preload=preload, **effects, readings=readings)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
+    wrong = errors_in_scene(scene)
+    if wrong:
+        raise SceneFileError(file, wrong)
+    return scene
 
 
 def _is_file(path: Path) -> bool:
@@ -109,7 +124,10 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             meant = near(name.lower(), SECTIONS, 0.5)
             if name in EFFECT_SECTIONS:
                 meant = f"effects.{name}"
-            cause = f"Did you mean [{meant}]?" if meant else "A scene has [bearing], [operation] and [effects]"
+            if name in READING_SECTIONS:
+                meant = f"readings.{name}"
+            known = "A scene has [bearing], [operation], [effects] and [readings]"
+            cause = f"Did you mean [{meant}]?" if meant else known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well

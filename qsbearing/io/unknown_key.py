@@ -5,12 +5,12 @@ from __future__ import annotations
 import difflib
 from typing import Any, NamedTuple
 
-from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, NUMBERS, SECTIONS
+from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, NUMBERS, READING_SECTIONS, SECTIONS
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
-_TABLES = {**SECTIONS, **EFFECT_SECTIONS, "material": MATERIAL_KEYS}
+_TABLES = {**SECTIONS, **EFFECT_SECTIONS, **READING_SECTIONS, "material": MATERIAL_KEYS}
 
 
 class Suggestion(NamedTuple):
@@ -55,7 +55,8 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
-    return f"[effects.{table}]" if table in EFFECT_SECTIONS else f"[{table}]"
+    outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in READING_SECTIONS else ""
+    return f"[{outer}{table}]"
 
 
 def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:

@@ -6,6 +6,7 @@ that its source states; what was not asked for is None, and what has no number i
 
 from __future__ import annotations
 
+from qsbearing.readings.asked import take_asked
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
@@ -19,6 +20,7 @@ from qsbearing.readings.lubricant import Lubricant, OilState
 from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
 from qsbearing.readings.rating_life import Capacity, Life, life
 from qsbearing.readings.shoulder_overrun import Overrun, RacewayOverrun, overrun
+from qsbearing.readings.shown import reading_columns
 from qsbearing.readings.static_rating import (
     FatigueLimit,
     StaticSafety,
@@ -65,11 +67,13 @@ __all__ = [
     "life_modification_factor",
     "overrun",
     "palmgren_torque",
+    "reading_columns",
     "reliability_factor",
     "skf_torque",
     "spectrum_life",
     "static_load_rating",
     "static_safety",
     "stress",
+    "take_asked",
     "viscosity_ratio",
 ]

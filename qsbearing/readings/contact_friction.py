@@ -18,6 +18,7 @@ from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import deformed_radius, mean_sliding_speed
 from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.scene.scene import Scene
 from qsbearing.solution import RacewayContacts, Solution
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
 
@@ -78,20 +79,13 @@ def friction(
     Raises:
         SceneError: coefficients out of range, or a scene without raceway control; every error, at once.
     """
-    errors = within("friction_coefficient", friction_coefficient, RATIO, 0.0, 1.0)
-    if hysteresis_loss is not None:
-        errors += within("hysteresis_loss", hysteresis_loss, RATIO, 0.0, 1.0)
-    drag = {"drag_coefficient": drag_coefficient, "fluid_density": fluid_density}
-    for name, value in drag.items():
-        if value is not None:
-            most = 10.0 if name == "drag_coefficient" else 2e3
-            errors += within(name, value, RATIO if name == "drag_coefficient" else DENSITY, 0.0, most)
-        elif any(each is not None for each in drag.values()):
-            errors.append(ErrorDetail(name, "missing", cause="Drag needs both; leave both out for none"))
-    if solution.scene.raceway_control is None:
-        cause = "Name centrifugal_force or gyroscopic_moment, and raceway_control"
-        errors.append(ErrorDetail("scene.raceway_control", "missing: without it no ball's spin is known", cause=cause))
-    raise_if_any(errors)
+    arguments = {
+        "friction_coefficient": friction_coefficient,
+        "hysteresis_loss": hysteresis_loss,
+        "drag_coefficient": drag_coefficient,
+        "fluid_density": fluid_density,
+    }
+    raise_if_any(friction_errors(solution.scene, **arguments))
     motion = kinematics(solution)
     inner, outer = (
         _raceway(solution, contacts, moving, side, friction_coefficient, hysteresis_loss)
@@ -110,6 +104,30 @@ def friction(
     return Friction(
         inner, outer, drag_power, total, torque, remarks(_found(solution, friction_coefficient), total.shape)
     )
+
+
+def friction_errors(
+    scene: Scene | None,
+    friction_coefficient: ArrayLike | None = None,
+    hysteresis_loss: ArrayLike | None = None,
+    drag_coefficient: ArrayLike | None = None,
+    fluid_density: ArrayLike | None = None,
+) -> list[ErrorDetail]:
+    """Every error of the arguments of `friction`; of the scene too, where there is one."""
+    errors = within("friction_coefficient", friction_coefficient, RATIO, 0.0, 1.0)
+    if hysteresis_loss is not None:
+        errors += within("hysteresis_loss", hysteresis_loss, RATIO, 0.0, 1.0)
+    drag = {"drag_coefficient": drag_coefficient, "fluid_density": fluid_density}
+    for name, value in drag.items():
+        if value is not None:
+            most = 10.0 if name == "drag_coefficient" else 2e3
+            errors += within(name, value, RATIO if name == "drag_coefficient" else DENSITY, 0.0, most)
+        elif any(each is not None for each in drag.values()):
+            errors.append(ErrorDetail(name, "missing", cause="Drag needs both; leave both out for none"))
+    if scene is not None and scene.raceway_control is None:
+        cause = "Name centrifugal_force or gyroscopic_moment, and raceway_control"
+        errors.append(ErrorDetail("raceway_control", "missing: without it no ball's spin is known", cause=cause))
+    return errors
 
 
 def _raceway(

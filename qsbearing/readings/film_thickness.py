@@ -27,7 +27,7 @@ from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import RacewayContacts, Solution
 from qsbearing.units import mm, rpm
-from qsbearing.validation import LENGTH, Quantity, raise_if_any, within
+from qsbearing.validation import LENGTH, ErrorDetail, Quantity, raise_if_any, within
 
 MIXED = 1.0
 """Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""
@@ -76,12 +76,7 @@ def film(
     Raises:
         SceneError: every number that is out of range, at once.
     """
-    errors = within("oil.dynamic_viscosity", oil.dynamic_viscosity, Quantity("Pa s"), 1e-4, 1e3)
-    errors += within("oil.pressure_viscosity", oil.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
-    for name, value in (("ball_roughness", ball_roughness), ("raceway_roughness", raceway_roughness)):
-        if value is not None:
-            errors += within(name, value, LENGTH, 1e-10, 1e-4)
-    raise_if_any(errors)
+    raise_if_any(film_errors(oil, ball_roughness=ball_roughness, raceway_roughness=raceway_roughness))
     rough = None
     if ball_roughness is not None and raceway_roughness is not None:
         rough = np.hypot(np.asarray(ball_roughness, float), np.asarray(raceway_roughness, float))[..., None]
@@ -95,6 +90,22 @@ def film(
     )
     factor = None if oil.kinematic_viscosity is None else _inlet_shear_heating(solution, oil.kinematic_viscosity)
     return Film(inner, outer, factor, remarks(_found(oil, inner, outer, factor), solution.shape))
+
+
+def film_errors(
+    oil: OilState, *, ball_roughness: ArrayLike | None = None, raceway_roughness: ArrayLike | None = None
+) -> list[ErrorDetail]:
+    """Every error of the arguments of `film`."""
+    errors = within("oil.dynamic_viscosity", oil.dynamic_viscosity, Quantity("Pa s"), 1e-4, 1e3)
+    errors += within("oil.pressure_viscosity", oil.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
+    both = {"ball_roughness": ball_roughness, "raceway_roughness": raceway_roughness}
+    for name, value in both.items():
+        if value is not None:
+            errors += within(name, value, LENGTH, 1e-10, 1e-4)
+        elif any(other is not None for other in both.values()):
+            cause = "The film parameter needs both; leave both out for the thickness alone"
+            errors.append(ErrorDetail(name, "missing", cause=cause))
+    return errors
 
 
 def minimum_thickness(U: NDArray, G: NDArray, W: NDArray, k: NDArray) -> NDArray:

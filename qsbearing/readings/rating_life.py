@@ -129,10 +129,20 @@ def life(
     Raises:
         SceneError: every argument that is out of range, at once.
     """
-    rating, capacity, limit_by = _checked(
-        dynamic_load_rating, rating, rating_factor, capacity, reliability, viscosity_ratio, contamination_factor,
-        fatigue_load_limit, fatigue_limit_by,
-    )  # fmt: skip
+    raise_if_any(
+        life_errors(
+            dynamic_load_rating=dynamic_load_rating,
+            rating=rating,
+            rating_factor=rating_factor,
+            capacity=capacity,
+            reliability=reliability,
+            viscosity_ratio=viscosity_ratio,
+            contamination_factor=contamination_factor,
+            fatigue_load_limit=fatigue_load_limit,
+            fatigue_limit_by=fatigue_limit_by,
+        )
+    )
+    rating, capacity = Rating(rating), Capacity(capacity)
     bearing, shape = solution.scene.bearing, solution.shape
     C = rating_of_geometry(bearing, rating, rating_factor) if dynamic_load_rating is None else dynamic_load_rating
     C = np.broadcast_to(np.asarray(C, float), shape)
@@ -150,7 +160,11 @@ def life(
     a1 = float(reliability_factor(reliability))
     limit, factor, modified = None, None, None
     if viscosity_ratio is not None and contamination_factor is not None:
-        Cu = limit_of_geometry(bearing, limit_by) if fatigue_load_limit is None else fatigue_load_limit
+        Cu = (
+            limit_of_geometry(bearing, FatigueLimit(fatigue_limit_by))
+            if fatigue_load_limit is None
+            else fatigue_load_limit
+        )
         limit = np.broadcast_to(np.asarray(Cu, float), shape)
         factor = life_modification_factor(viscosity_ratio, contamination_factor, limit, reference)
         modified = a1 * factor * system
@@ -222,36 +236,31 @@ def _found(
     return found
 
 
-def _checked(
-    C: ArrayLike | None,
-    rating: Rating,
-    rating_factor: float,
-    capacity: Capacity,
-    reliability: float,
-    kappa: ArrayLike | None,
-    contamination: ArrayLike | None,
-    limit: ArrayLike | None,
-    limit_by: FatigueLimit,
-) -> tuple[Rating, Capacity, FatigueLimit]:
-    """The choices as members; raises with everything that is wrong."""
-    rating, errors = choose("rating", rating, Rating)
-    capacity, wrong = choose("capacity", capacity, Capacity)
-    errors += wrong
-    limit_by, wrong = choose("fatigue_limit_by", limit_by, FatigueLimit)
-    errors += wrong
+def life_errors(
+    *,
+    dynamic_load_rating: ArrayLike | None = None,
+    rating: Rating = Rating.LUNDBERG_PALMGREN,
+    rating_factor: float = RATING_FACTOR,
+    capacity: Capacity = Capacity.ISO_16281,
+    reliability: float = 0.9,
+    viscosity_ratio: ArrayLike | None = None,
+    contamination_factor: ArrayLike | None = None,
+    fatigue_load_limit: ArrayLike | None = None,
+    fatigue_limit_by: FatigueLimit = FatigueLimit.HERTZ,
+) -> list[ErrorDetail]:
+    """Every error of the arguments of `life`."""
+    errors = choose("rating", rating, Rating)[1] + choose("capacity", capacity, Capacity)[1]
+    errors += choose("fatigue_limit_by", fatigue_limit_by, FatigueLimit)[1]
     errors += within("rating_factor", rating_factor, RATIO, 0.5, 2.0)
     errors += within("reliability", reliability, RATIO, 0.9, 0.9995, "is outside the standard's table")
-    for name, value in (("dynamic_load_rating", C), ("fatigue_load_limit", limit)):
+    for name, value in (("dynamic_load_rating", dynamic_load_rating), ("fatigue_load_limit", fatigue_load_limit)):
         if value is not None:
             errors += within(name, value, FORCE, 1e-3, 1e9)
-    for name, value, other in (
-        ("viscosity_ratio", kappa, contamination),
-        ("contamination_factor", contamination, kappa),
-    ):
+    both = {"viscosity_ratio": viscosity_ratio, "contamination_factor": contamination_factor}
+    for name, value in both.items():
         if value is not None:
             errors += within(name, value, RATIO, 0.0, 1.0 if name == "contamination_factor" else 1e4)
-        elif other is not None:
+        elif any(other is not None for other in both.values()):
             cause = "The modified life needs both; leave both out for the basic one"
             errors.append(ErrorDetail(name, "missing", cause=cause))
-    raise_if_any(errors)
-    return rating, capacity, limit_by
+    return errors

@@ -67,15 +67,12 @@ def overrun(
         (INNER, "inner", inner_shoulder_diameter, inner_open_diameter),
         (OUTER, "outer", outer_shoulder_diameter, outer_open_diameter),
     )
-    errors: list[ErrorDetail] = []
-    if inner_shoulder_diameter is None and outer_shoulder_diameter is None:
-        cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
-        errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
-    for side, name, shoulder, other in given:
-        for field, value in ((f"{name}_shoulder_diameter", shoulder), (f"{name}_open_diameter", other)):
-            if value is not None:
-                errors += _shoulder_errors(bearing, side, field, value)
-    raise_if_any(errors)
+    arguments = {
+        f"{name}_{which}_diameter": value
+        for _, name, shoulder, other in given
+        for which, value in (("shoulder", shoulder), ("open", other))
+    }
+    raise_if_any(overrun_errors(bearing, **arguments))
     found: list[RacewayOverrun | None] = []
     said = []
     for side, name, shoulder, other in given:
@@ -88,6 +85,30 @@ def overrun(
         said.append((cut, f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"))
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
+
+
+def overrun_errors(
+    bearing: BallBearing | None,
+    *,
+    inner_shoulder_diameter: ArrayLike | None = None,
+    outer_shoulder_diameter: ArrayLike | None = None,
+    inner_open_diameter: ArrayLike | None = None,
+    outer_open_diameter: ArrayLike | None = None,
+) -> list[ErrorDetail]:
+    """Every error of the arguments of `overrun`; of the bearing's shoulders, where there is a bearing."""
+    errors: list[ErrorDetail] = []
+    if inner_shoulder_diameter is None and outer_shoulder_diameter is None:
+        cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
+        errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
+    for side, field, value in (
+        (INNER, "inner_shoulder_diameter", inner_shoulder_diameter),
+        (INNER, "inner_open_diameter", inner_open_diameter),
+        (OUTER, "outer_shoulder_diameter", outer_shoulder_diameter),
+        (OUTER, "outer_open_diameter", outer_open_diameter),
+    ):
+        if value is not None and bearing is not None:
+            errors += _shoulder_errors(bearing, side, field, value)
+    return errors
 
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:

@@ -19,6 +19,7 @@ from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, deg, mm
+from qsbearing.validation import FORCE, ErrorDetail, raise_if_any, within
 
 STATIC_PRESSURE = 4200e6
 """Permissible contact pressure of ball bearings at rest [Pa]: a permanent dent of about 1e-4 D (ISO 76)."""
@@ -125,7 +126,11 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
 
     Args:
         static_load_rating: C0 [N], as a catalogue prints it; None: from the geometry.
+
+    Raises:
+        SceneError: a rating out of range.
     """
+    raise_if_any(static_safety_errors(static_load_rating=static_load_rating))
     bearing = solution.scene.bearing
     rating = _rating(bearing) if static_load_rating is None else np.asarray(static_load_rating, float)
     rating = np.broadcast_to(rating, solution.shape)
@@ -153,6 +158,11 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
         ),
     ]
     return StaticSafety(rating, equivalent, safety, contact, remarks(found, solution.shape))
+
+
+def static_safety_errors(*, static_load_rating: ArrayLike | None = None) -> list[ErrorDetail]:
+    """Every error of the arguments of `static_safety`."""
+    return [] if static_load_rating is None else within("static_load_rating", static_load_rating, FORCE, 1e-3, 1e9)
 
 
 _rating = static_load_rating  # where an argument has the function's name

@@ -91,11 +91,56 @@ RING_EXPANSION = (
 )
 BALL_EXPANSION = (_celsius("ball_temperature"), _celsius("reference_temperature"))
 
+_SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter", "inner_open_diameter", "outer_open_diameter")
+READING_TABLES: dict[str, tuple[Key, ...]] = {
+    "life": (
+        Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE),
+        Key("rating_factor", "rating_factor"),
+        Key("reliability", "reliability"),
+        Key("viscosity_ratio", "viscosity_ratio"),
+        Key("contamination_factor", "contamination_factor"),
+        Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE),
+    ),
+    "static_safety": (Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),),
+    "kinematics": (),
+    "frequencies": (),
+    "lubricant": (
+        Key("iso_viscosity_grade", "iso_viscosity_grade"),
+        Key("viscosity_index", "viscosity_index"),
+        Key("viscosity_at_40C_mm2_s", "viscosity_at_40", "mm2/s", mm**2),
+        Key("viscosity_at_100C_mm2_s", "viscosity_at_100", "mm2/s", mm**2),
+        _celsius("oil_temperature"),
+        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY),
+        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa),
+    ),
+    "film": (
+        Key("ball_roughness_um", "ball_roughness", "um", um, LENGTH),
+        Key("raceway_roughness_um", "raceway_roughness", "um", um, LENGTH),
+    ),
+    "friction": (
+        Key("friction_coefficient", "friction_coefficient"),
+        Key("hysteresis_loss", "hysteresis_loss"),
+        Key("drag_coefficient", "drag_coefficient"),
+        Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
+    ),
+    "overrun": tuple(Key(f"{field}_mm", field, "mm", mm, LENGTH) for field in _SHOULDERS),
+    "stress": (),
+}
+"""Tables within [readings]: each asks for its reading and holds its numbers; the lubricant is what others need."""
+READING_CHOICES = {"life": ("rating", "capacity", "cleanliness", "fatigue_limit_by")}
+
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
 EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
-NUMBERS = {"bearing": BEARING, "operation": OPERATION, "preload": PRELOAD, "material": MATERIAL, **EFFECT_TABLES}
+NUMBERS = {
+    "bearing": BEARING,
+    "operation": OPERATION,
+    "preload": PRELOAD,
+    "material": MATERIAL,
+    **EFFECT_TABLES,
+    **READING_TABLES,
+}
 """The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
@@ -103,6 +148,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "operation": tuple(key.name for key in OPERATION),
     "preload": tuple(key.name for key in PRELOAD),
     "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever", *EFFECT_TABLES),
+    "readings": tuple(READING_TABLES),
 }
 """Every key a file may hold, by its table."""
 
@@ -111,6 +157,11 @@ EFFECT_SECTIONS = {
     for name, keys in EFFECT_TABLES.items()
 }
 """Likewise, by the tables within [effects]."""
+
+READING_SECTIONS = {
+    name: (*(key.name for key in keys), *READING_CHOICES.get(name, ())) for name, keys in READING_TABLES.items()
+}
+"""Likewise, by the tables within [readings]."""
 
 MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
 

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from qsbearing.cli import cli
-from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, SECTIONS
+from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, READING_SECTIONS, SECTIONS
 
 from .any_scene import CHOICES, bearings, bounded, few, many, operations
 
@@ -34,10 +34,11 @@ SECTION = st.sampled_from(
     [
         *("bearing", "operation", "effects", "bearing.ball_material", "bearing.ring_material", "nothing", "Bearing"),
         *("preload", "effects.ring_expansion", "effects.ball_expansion", "effects.ring_expansion.shaft_material"),
+        *(f"readings.{name}" for name in READING_SECTIONS),
     ]
 )
 KEY = st.one_of(
-    st.sampled_from([key for keys in (SECTIONS | EFFECT_SECTIONS).values() for key in keys]),
+    st.sampled_from([key for keys in (SECTIONS | EFFECT_SECTIONS | READING_SECTIONS).values() for key in keys]),
     st.sampled_from(["elastic_modulus_GPa", "poisson_ratio", "density_kg_m3", "speed", "axial_load", '"quoted key"']),
     st.text("abcdefghijklmnopqrstuvwxyz_", min_size=1, max_size=12),
 )
@@ -54,6 +55,7 @@ GOOD = {
     },
     "operation": {"speed_rpm": "12000", "axial_load_N": "150", "radial_load_y_N": "40", "moment_z_Nm": "0"},
     "effects": {"ball": '["centrifugal_force", "gyroscopic_moment"]', "raceway_control": '"outer"'},
+    "readings": {},
 }
 
 
@@ -165,9 +167,10 @@ def test_numbers_beyond_floats_under_every_key(value: str, form: str) -> None:
     """Alone, in a list and in a table; the angle beside a clearance, which are compared."""
     good = {name: dict(keys) for name, keys in GOOD.items()}
     good["bearing"]["diametral_clearance_mm"] = "0.0214"
-    tables = (
-        SECTIONS if form != "{}" else SECTIONS | {f"effects.{name}": keys for name, keys in EFFECT_SECTIONS.items()}
-    )
+    tables = dict(SECTIONS)
+    if form == "{}":
+        tables |= {f"effects.{name}": keys for name, keys in EFFECT_SECTIONS.items()}
+        tables |= {f"readings.{name}": keys for name, keys in READING_SECTIONS.items()}
     for section, keys in tables.items():
         for key in [*keys, "unknown", "axial_load_kN"]:
             run_file(as_text(good | {section: good.get(section, {}) | {key: form.format(value)}}).encode())

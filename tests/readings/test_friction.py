@@ -125,7 +125,7 @@ def test_bad_input_of_friction() -> None:
     assert {error.field for error in caught.value.errors} == {
         "friction_coefficient",
         "drag_coefficient",
-        "scene.raceway_control",
+        "raceway_control",
     }
 
 

@@ -1,0 +1,213 @@
+"""Readings asked for in a scene file: the same numbers in JSON, tables and columns; every fault at once."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.io.json_record import record
+from qsbearing.io.report import result
+from qsbearing.io.scene_file import scene_of
+from qsbearing.io.tables import text_of
+from qsbearing.readings import asked
+
+BASE: dict[str, Any] = {
+    "bearing": {"name": "B218"},
+    "operation": {"speed_rpm": 8000, "axial_load_N": 12000, "radial_load_y_N": 3000, "tilt_z_mrad": 0},
+    "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
+}
+ALL: dict[str, Any] = {
+    "life": {"cleanliness": "oil_15_12", "reliability": 0.95, "rating": "iso_281"},
+    "static_safety": True,
+    "kinematics": {},
+    "frequencies": True,
+    "lubricant": {"iso_viscosity_grade": 68, "oil_temperature_C": 70},
+    "film": {"ball_roughness_um": 0.05, "raceway_roughness_um": 0.2},
+    "friction": {"friction_coefficient": 0.05, "drag_coefficient": 0.5, "fluid_density_kg_m3": 20},
+    "overrun": {"outer_shoulder_diameter_mm": 139},
+    "stress": True,
+}
+
+
+def scene(**readings: Any) -> qs.Scene:
+    return scene_of(BASE | {"readings": readings}, "test")
+
+
+def faults(document: dict[str, Any]) -> dict[str, str]:
+    """Key and text of every fault of a file."""
+    with pytest.raises(qs.SceneError) as caught:
+        scene_of(document, "test")
+    return {error.key: str(error) for error in caught.value.errors}  # type: ignore[attr-defined]
+
+
+def test_each_reading_of_a_file_is_the_function_s() -> None:
+    solution = qs.solve(scene(**ALL))
+    found = json.loads(json.dumps(record(solution)["readings"], allow_nan=False))
+    assert set(found) == set(ALL) - {"lubricant"}
+    oil = qs.readings.Lubricant.from_grade(68).at(70 + 273.15)
+    kappa = qs.readings.viscosity_ratio(oil.kinematic_viscosity, 8000 * qs.rpm, 125.26e-3)  # type: ignore[arg-type]
+    clean = qs.readings.contamination_factor(qs.readings.Cleanliness.OIL_15_12, kappa, 125.26e-3)
+    life = qs.readings.life(
+        solution, rating=qs.readings.Rating.ISO_281, reliability=0.95, viscosity_ratio=kappa, contamination_factor=clean
+    )
+    assert found["life"]["modified_reference_rating_life_Mrev"] == life.modified_reference_rating_life / 1e6
+    assert found["life"]["duration_h"] == pytest.approx(float(life.duration) / 3600)
+    assert found["life"]["warnings"] == list(life.warnings)
+    film = qs.readings.film(solution, oil, ball_roughness=0.05e-6, raceway_roughness=0.2e-6)
+    assert found["film"]["balls"][3]["inner"]["minimum_thickness_um"] == pytest.approx(
+        film.inner.minimum_thickness[3] * 1e6
+    )
+    friction = qs.readings.friction(solution, 0.05, drag_coefficient=0.5, fluid_density=20.0)
+    assert found["friction"]["power_W"] == pytest.approx(float(friction.power))
+    assert friction.drag_power is not None
+    assert found["friction"]["balls"][0]["drag_power_W"] == pytest.approx(friction.drag_power[0])
+    assert found["friction"]["balls"][0]["inner"]["hysteresis_power_W"] is None
+    frequencies = qs.readings.frequencies(solution)
+    assert found["frequencies"]["ball_pass_outer_Hz"] == pytest.approx(float(frequencies.solved.ball_pass_outer))
+    assert found["frequencies"]["nominal_cage_Hz"] == pytest.approx(float(frequencies.nominal.cage))
+    assert found["overrun"]["inner_edge_angle_deg"] is None
+    assert found["stress"]["balls"][0]["outer"]["max_shear_MPa"] > 100
+    assert found["kinematics"]["balls"][0]["inner"]["spin_to_roll"] > 0.1
+    assert found["static_safety"]["static_safety"] > 1
+
+
+def test_a_scene_that_asks_for_nothing_pays_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*arguments: Any) -> Any:
+        raise AssertionError(arguments)
+
+    monkeypatch.setattr(asked, "take_asked", never)
+    solution = qs.solve(scene_of(BASE, "test"))
+    assert record(solution)["readings"] is None
+    text_of(result(solution))
+    with pytest.raises(AssertionError):
+        record(qs.solve(scene(stress=True)))
+
+
+def test_tables_and_columns(tmp_path: Path) -> None:
+    lines = ["[bearing]", 'name = "B218"', "[operation]", "speed_rpm = 8000", "axial_load_N = 12000", "[effects]"]
+    lines += ['ball = ["centrifugal_force"]', 'raceway_control = "outer"', "[readings]", "stress = true"]
+    lines += ["[readings.life]", "[readings.friction]", "friction_coefficient = 0.06"]
+    (tmp_path / "my.toml").write_text("\n".join(lines), encoding="utf-8")
+    done = CliRunner().invoke(cli, ["run", str(tmp_path / "my.toml"), "--csv", str(tmp_path / "my.csv")])
+    assert done.exit_code == 0, done.output
+    for words in ("basic reference rating life", "million rev", "sliding power", "orthogonal shear", "MPa"):
+        assert words in done.output, words
+    heading, first = (tmp_path / "my.csv").read_text(encoding="utf-8").splitlines()[:2]
+    row = dict(zip(heading.split(","), first.split(","), strict=True))
+    solution = qs.solve(qs.load_scene(tmp_path / "my.toml"))
+    columns = qs.readings.reading_columns(solution, qs.readings.take_asked(solution))
+    for name, values in columns.items():
+        assert float(row[name]) == pytest.approx(values[0]), name
+    frame = solution.to_dataframe(columns)
+    assert frame["friction_inner_sliding_power_W"][0] == pytest.approx(columns["friction_inner_sliding_power_W"][0])
+    assert "friction_inner_hysteresis_power_W" not in columns
+
+
+def test_columns_of_many_cases() -> None:
+    operation = qs.Operation(speed=800.0, axial_load=np.array([5e3, 9e3]), radial_load_y=2e3, tilt_z=0.0)
+    many = qs.solve(
+        qs.Scene(qs.load_scene("b218").bearing, operation, (qs.CentrifugalForce(),), qs.RacewayControl.OUTER)
+    )
+    found = {"life": qs.readings.life(many), "kinematics": qs.readings.kinematics(many)}
+    columns = qs.readings.reading_columns(many, found)
+    assert len(columns["life_inner_life_Mrev"]) == len(many.to_dataframe()) == 32
+    assert columns["life_inner_life_Mrev"][20] == pytest.approx(found["life"].inner_life[1] / 1e6)  # type: ignore[attr-defined]
+    assert columns["kinematics_outer_spin_to_roll"].shape == (32,)
+
+
+def test_an_unsolved_case_has_no_readings() -> None:
+    apart = BASE | {"operation": {"axial_load_N": -100}, "effects": {}, "readings": {"life": True}}
+    assert record(qs.solve(scene_of(apart, "test")))["readings"] is None
+
+
+# ------------------------------------------------------------------------------------------------------------ bad input
+
+
+def test_every_fault_at_once() -> None:
+    """In the file's keys and units, with ranges."""
+    found = faults(
+        BASE
+        | {
+            "readings": {
+                "live": {},
+                "life": {"reliability": 0.5, "dynamic_load_rating_kN": 90, "capacity": "harris"},
+                "friction": {"friction_coefficient": "low"},
+                "stress": 3,
+            }
+        }
+    )
+    assert set(found) == {
+        "readings.live", "readings.life.dynamic_load_rating_kN", "readings.friction.friction_coefficient",
+        "readings.stress",
+    }  # fmt: skip
+    assert "Did you mean [readings.life]?" in found["readings.live"]
+    assert "dynamic_load_rating_N = 90000" in found["readings.life.dynamic_load_rating_kN"]
+    later = faults(
+        BASE
+        | {
+            "readings": {
+                "life": {"reliability": 0.5, "capacity": "harris", "contamination_factor": 0.5},
+                "film": {"ball_roughness_um": 0.1},
+                "friction": {},
+                "lubricant": {"iso_viscosity_grade": 68, "oil_temperature_C": 700},
+            }
+        }
+    )
+    assert set(later) == {
+        "readings.life.reliability", "readings.life.capacity", "readings.film.raceway_roughness_um",
+        "readings.friction.friction_coefficient", "readings.lubricant.oil_temperature_C",
+    }  # fmt: skip
+    assert "-73.15 to 326.85 C" in later["readings.lubricant.oil_temperature_C"]
+
+
+def test_what_a_reading_lacks_is_said() -> None:
+    lacking = {"film": {}, "life": {"contamination_factor": 0.5}, "overrun": {}}
+    found = faults(BASE | {"readings": lacking})
+    assert set(found) == {
+        "readings.film",
+        "readings.life.viscosity_ratio",
+        "readings.overrun.inner_shoulder_diameter_mm",
+    }
+    assert "[readings.lubricant]" in found["readings.film"]
+    oils = (
+        {"oil_temperature_C": 70},
+        {"oil_temperature_C": 70, "iso_viscosity_grade": 68, "viscosity_at_40C_mm2_s": 60},
+    )
+    for oil in oils:
+        assert "readings.lubricant.iso_viscosity_grade" in faults(BASE | {"readings": {"film": {}, "lubricant": oil}})
+    mixed = {"viscosity_at_40C_mm2_s": 8, "viscosity_at_100C_mm2_s": 60, "oil_temperature_C": 70}
+    assert "readings.lubricant.viscosity_at_100C_mm2_s" in faults(BASE | {"readings": {"film": {}, "lubricant": mixed}})
+
+
+def test_what_only_the_scene_shows() -> None:
+    """Friction needs raceway control; a shoulder has to suit the bearing."""
+    readings = {"friction": {"friction_coefficient": 0.05}, "overrun": {"inner_shoulder_diameter_mm": 90}}
+    found = faults(BASE | {"effects": {}, "readings": readings})
+    assert set(found) == {"readings.friction.raceway_control", "readings.overrun.inner_shoulder_diameter_mm"}
+    assert "102.794" in found["readings.overrun.inner_shoulder_diameter_mm"]
+
+
+def test_the_table_in_the_wrong_place() -> None:
+    found = faults(BASE | {"life": {"reliability": 0.95}})
+    assert "Did you mean [readings.life]?" in found["[life]"]
+    assert "readings" in faults(BASE | {"readings": 5})
+
+
+def test_an_oil_by_two_viscosities() -> None:
+    oil = {
+        "viscosity_at_40C_mm2_s": 68,
+        "viscosity_at_100C_mm2_s": 8.5,
+        "oil_temperature_C": 40,
+        "oil_density_kg_m3": 900,
+    }
+    solution = qs.solve(scene(lubricant=oil, film={}))
+    found = qs.readings.take_asked(solution)["film"]
+    direct = qs.readings.film(solution, qs.readings.Lubricant((313.15, 373.15), (68e-6, 8.5e-6), 900.0).at(313.15))
+    assert found.inner.central_thickness == pytest.approx(direct.inner.central_thickness)
