@@ -87,7 +87,7 @@ class Scene:
         errors += effect_errors(self.ball_effects, self.raceway_control)
         if self.preload is not None:
             errors += _beside(self.preload, self.operation)
-        errors += ring_effect_errors(self.ring_effects, self.bearing)
+        errors += ring_effect_errors(self.ring_effects, self.bearing, self.operation)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
@@ -175,11 +175,20 @@ def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: Raceway
     return errors
 
 
-def ring_effect_errors(ring_effects: tuple[RingEffect, ...], bearing: BallBearing) -> list[ErrorDetail]:
+def ring_effect_errors(
+    ring_effects: tuple[RingEffect, ...], bearing: BallBearing, operation: Operation
+) -> list[ErrorDetail]:
     """Errors of what is asked to change the bearing."""
     if not isinstance(ring_effects, tuple) or not all(isinstance(effect, RingEffect) for effect in ring_effects):
         cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
         return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
+    holders = (bearing, operation, *ring_effects)
+    arrays = {name: value for holder in holders for name, value in vars(holder).items() if np.ndim(value)}
+    try:
+        np.broadcast_shapes(*map(np.shape, arrays.values()))
+    except ValueError:
+        shapes = {name: np.shape(value) for name, value in arrays.items()}
+        return [ErrorDetail("ring_effects", f"arrays do not broadcast to common case axes: {shapes}")]
     names = [effect.name for effect in ring_effects]
     errors = [error for effect in ring_effects for error in effect.errors(bearing)]
     if len(set(names)) < len(names):

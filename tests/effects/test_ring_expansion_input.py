@@ -146,10 +146,12 @@ def test_python_is_refused_alike(fields: dict[str, object], words: str) -> None:
 
 def test_scenes_refuse_what_is_no_ring_effect() -> None:
     operation, effect = qs.Operation(axial_load=1e3), qs.BallExpansion(300.0)
+    two, three = qs.RingExpansion(0.09, 0.16, shaft_interference=np.zeros(2)), qs.BallExpansion(np.full(3, 300.0))
     for effects, words in (
         (effect, "a tuple of effects"),
         ((qs.CentrifugalForce(),), "a tuple of effects"),
         ((effect, effect), "names an effect twice"),
+        ((two, three), "do not broadcast"),
         ((qs.RingExpansion(0.2, 0.3),), "ring_expansion.bore_diameter"),
     ):
         with pytest.raises(qs.SceneError, match=words):

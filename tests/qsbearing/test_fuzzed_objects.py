@@ -5,6 +5,7 @@ Every number that is accepted is looked at once more where the solver takes over
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable, Iterator
 from decimal import Decimal
@@ -124,7 +125,13 @@ def assert_result(solution: qs.Solution) -> None:
 def solve_or_refuse(bearing: dict[str, Any], operation: dict[str, Any], choices: dict[str, Any]) -> None:
     """Refused with errors, or solved to a result."""
     with bounded():
-        scene = made(lambda: qs.Scene(qs.BallBearing(**bearing), qs.Operation(**operation), **choices))
+        scene = made(
+            lambda: qs.Scene(
+                qs.BallBearing(**bearing),
+                qs.Operation(**operation),
+                **{name: choice() if callable(choice) else choice for name, choice in choices.items()},
+            )
+        )
         if scene is None:
             return
         try:
@@ -162,7 +169,15 @@ FIELDS = {
         *(name for channel in CHANNELS for name in (channel.load, channel.displacement)),
     ],
     "choices": ["ball_effects", "raceway_control", "hertz_angle", "hertz_form", "tilt_lever"],
-    "material": ["elastic_modulus", "poisson_ratio", "density"],
+    "material": ["elastic_modulus", "poisson_ratio", "density", "thermal_expansion"],
+    "ring_expansion": [field.name for field in dataclasses.fields(qs.RingExpansion)],
+    "ball_expansion": [field.name for field in dataclasses.fields(qs.BallExpansion)],
+    "preload": ["spring", "rigid", "axial_displacement"],
+}
+
+SOUND_RINGS: dict[str, Any] = {
+    **{"bore_diameter": 0.09, "outside_diameter": 0.16, "shaft_interference": 1e-5, "inner_ring_temperature": 350.0},
+    **{"housing_interference": -1e-6, "housing_outside_diameter": 0.2, "outer_ring_temperature": 340.0},
 }
 
 
@@ -172,6 +187,13 @@ def junk_in_one_field(part: str, field: str, value: Any) -> None:
     if part == "material":
         steel = {"elastic_modulus": 208e9, "poisson_ratio": 0.3, "density": 7800.0}
         parts["bearing"]["ball_material"] = qs.Material(**{**steel, field: value})
+    elif part == "ring_expansion":
+        parts["choices"]["ring_effects"] = lambda: (qs.RingExpansion(**{**SOUND_RINGS, field: value}),)
+    elif part == "ball_expansion":
+        parts["choices"]["ring_effects"] = lambda: (qs.BallExpansion(**{"ball_temperature": 350.0, field: value}),)
+    elif part == "preload":
+        del parts["operation"]["axial_load"]
+        parts["choices"]["preload"] = lambda: qs.Preload(**{field: value})
     else:
         parts[part][field] = value
     solve_or_refuse(**parts)
