@@ -57,6 +57,26 @@ def test_a_fit_on_a_solid_shaft_of_the_same_steel() -> None:
     )
 
 
+def test_raceways_move_as_makers_handbooks_have_it() -> None:
+    """Rings and seats of one steel: of the interference, k (1 - k0^2)/(1 - k^2 k0^2) reaches the raceway, with
+    k = d/Di and k0 the hollow shaft's ratio; likewise outside with h = Do/D and h0 = D/(housing's diameter).
+
+    The form in which bearing makers print Lame's result (NSK, Technical Report CAT. E728, on fits)."""
+    hollow, housing = 50 * qs.mm, 240 * qs.mm
+    effect = rings(
+        shaft_interference=20 * qs.um,
+        shaft_bore_diameter=hollow,
+        housing_interference=15 * qs.um,
+        housing_outside_diameter=housing,
+    )
+    inner, outer = effect.states(B218, qs.Operation())
+    k, k0 = SEAT / BOTTOM, hollow / BORE
+    assert inner.groove_growth == pytest.approx(10e-6 * k * (1 - k0**2) / (1 - k**2 * k0**2), rel=ROUNDING)
+    top = 2 * (float(B218.outer_groove_centre_radius) + 11.6281 * qs.mm)
+    h, h0 = top / OUTSIDE, OUTSIDE / housing
+    assert outer.groove_growth == pytest.approx(-7.5e-6 * h * (1 - h0**2) / (1 - h**2 * h0**2), rel=ROUNDING)
+
+
 @pytest.mark.parametrize("hollow", [0.0, 60 * qs.mm])
 def test_ring_and_shaft_of_one_steel_turn_as_one_disk(hollow: float) -> None:
     """Timoshenko's annulus in one piece pulls at the seat's radius by sigma_r: the pressure of the fit falls by it."""
