@@ -13,7 +13,7 @@ import pytest
 from scipy.optimize import brentq
 
 import qsbearing as qs
-from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, resting, solved, turning
+from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, grown_scenes, resting, solved, turning
 
 BORE, OUTSIDE = 90 * qs.mm, 160 * qs.mm
 SEAT = 0.5 * BORE
@@ -199,13 +199,14 @@ def test_balls_wedged_between_the_rings(interference: float) -> None:
 
     held = solved(resting(bearing, axial_displacement=0.0, radial_load_y=800.0, tilt_z=0.0, tilt_y=0.0))
     assert held.displacement[1] == pytest.approx(brentq(excess, 0.0, 1e-4, xtol=1e-18), rel=1e-9)
-    assert any("wedged" in sentence for sentence in qs.warnings(solved(wedged_scene())))
 
 
-def wedged_scene() -> qs.Scene:
-    """A deep-groove bearing without clearance whose inner ring is warm."""
-    effect = qs.RingExpansion(25 * qs.mm, 62 * qs.mm, inner_ring_temperature=hot(40))
-    return expanded(effect, bearing=replace(DEEP_GROOVE, ring_material=qs.STEEL), axial_load=100.0)
+@pytest.mark.parametrize("name", list(grown_scenes()))
+def test_wedged_balls_are_said(name: str) -> None:
+    solution = solved(grown_scenes()[name])
+    is_wedged = bool(solution.scene.operating_bearing.radial_interference > 0.0)
+    assert is_wedged == name.startswith("wedged")
+    assert any("the balls are wedged" in sentence for sentence in qs.warnings(solution)) == is_wedged
 
 
 def test_wedged_balls_are_continuous_with_free_ones() -> None:

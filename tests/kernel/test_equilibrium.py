@@ -11,9 +11,9 @@ import qsbearing as qs
 from tests.hard_cases import scenes as hard
 from tests.hard_cases.cases import NO_EQUILIBRIUM
 from tests.qsbearing.mechanics import contact_stiffness, ring_load, vectors
-from tests.qsbearing.scenes import general_scenes, lever, solved
+from tests.qsbearing.scenes import general_scenes, grown_scenes, lever, solved
 
-GENERAL = general_scenes()
+GENERAL = general_scenes() | grown_scenes()
 NAMES = [*GENERAL, *(name for name, case in hard.BY_NAME.items() if case["expected"] != NO_EQUILIBRIUM)]
 # The solver stops at a force imbalance of 1e-12 of the largest force; sums over twenty balls add a digit.
 BALANCED = 1e-11
@@ -49,7 +49,7 @@ def test_the_ring_and_every_ball_are_in_equilibrium(name: str) -> None:
 def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
     """Q = K delta^1.5 = 2/3 pi a b p0 at loaded contacts, none at others; contact lines join the groove centres."""
     solution = solution_of(name)
-    bearing, d, psi = solution.scene.bearing, solution.displacement, solution.azimuth
+    bearing, d, psi = solution.scene.operating_bearing, solution.displacement, solution.azimuth
     ball = float(np.asarray(bearing.ball_diameter))
     reach = np.zeros((2, len(psi)))
     for race in ("inner", "outer"):
@@ -65,11 +65,14 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
         assert (b <= a).all()
         length = groove - 0.5 * ball + contacts.approach
         reach += length * np.array([np.sin(contacts.angle), np.cos(contacts.angle)])
-    # (Lo + do) no + (Li + di) ni leads from the outer to the displaced inner groove centre (19.3, 19.4).
-    free, distance = float(np.asarray(bearing.free_contact_angle)), float(bearing.groove_centre_distance)
+    # (Lo + do) no + (Li + di) ni leads from the outer to the displaced inner groove centre (19.3, 19.4), which stood
+    # BD sin(a0) from it at rest and cold; radially they stand apart as they have grown.
+    cold = solution.scene.bearing
+    offset = float(cold.groove_centre_distance * np.sin(cold.free_contact_angle))
     tilt = lever(solution.scene) * (d[3] * np.sin(psi) - d[4] * np.cos(psi))
-    axial = distance * np.sin(free) + d[0] + tilt
-    radial = distance * np.cos(free) + d[1] * np.cos(psi) + d[2] * np.sin(psi)
+    axial = offset + d[0] + tilt
+    apart = float(bearing.inner_groove_centre_radius - bearing.outer_groove_centre_radius)
+    radial = apart + d[1] * np.cos(psi) + d[2] * np.sin(psi)
     # The position of an unloaded ball at rest is undetermined. Lengths of half a ball, differences of rounding.
     placed = ~np.isnan(reach[0])
     assert placed.all() or not solution.scene.ball_effects
@@ -80,11 +83,8 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
 def test_centrifugal_force_is_that_of_the_orbit(name: str) -> None:
     """Fc = m (dm/2) omega_m^2 with the mass of the sphere."""
     solution = solution_of(name)
-    bearing = solution.scene.bearing
-    density, diameter, pitch = (
-        float(np.asarray(value))
-        for value in (bearing.ball_material.density, bearing.ball_diameter, bearing.pitch_diameter)
-    )
+    bearing, pitch = solution.scene.bearing, float(np.asarray(solution.scene.operating_bearing.pitch_diameter))
+    density, diameter = (float(np.asarray(value)) for value in (bearing.ball_material.density, bearing.ball_diameter))
     assert solution.orbital_speed is not None
     expected = density * np.pi / 6.0 * diameter**3 * 0.5 * pitch * solution.orbital_speed**2
     assert solution.centrifugal_force == pytest.approx(expected, rel=1e-12)

@@ -20,6 +20,7 @@ from tests.qsbearing.scenes import (
     SPINDLE,
     fewer,
     general_scenes,
+    grown_scenes,
     held_at,
     lever,
     resting,
@@ -27,7 +28,7 @@ from tests.qsbearing.scenes import (
     turning,
 )
 
-SCENES = general_scenes()
+SCENES = general_scenes() | grown_scenes()
 every_scene = pytest.mark.parametrize("name", list(SCENES))
 
 

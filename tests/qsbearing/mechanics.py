@@ -41,7 +41,7 @@ def vectors(solution: qs.Solution) -> Vectors:
     if solution.gyroscopic_moment is None:
         friction = {"inner": zero, "outer": zero}
     else:
-        force = solution.gyroscopic_moment / float(np.asarray(solution.scene.bearing.ball_diameter))
+        force = solution.gyroscopic_moment / float(np.asarray(solution.scene.operating_bearing.ball_diameter))
         share_i, share_o = moment_shares(solution.scene, solution.raceway_control)
         friction = {"inner": share_i * force, "outer": share_o * force}
     for race, sense in (("inner", 1.0), ("outer", -1.0)):
@@ -60,7 +60,7 @@ def ring_load(solution: qs.Solution) -> NDArray:
     The inner groove's centre stands at the tilt lever from the axis; the contact lies a groove radius from it.
     """
     v = vectors(solution)
-    groove_radius = float(np.asarray(solution.scene.bearing.inner_groove_radius))
+    groove_radius = float(np.asarray(solution.scene.operating_bearing.inner_groove_radius))
     contact = lever(solution.scene) * v.radial - groove_radius * v.inner_normal
     moment = np.cross(contact, v.inner_pull).sum(axis=0)
     return np.array([*v.inner_pull.sum(axis=0), moment[1], moment[2]])
@@ -68,7 +68,7 @@ def ring_load(solution: qs.Solution) -> NDArray:
 
 def contact_stiffness(solution: qs.Solution, race: str) -> NDArray:
     """Q/delta^1.5 of every contact of a race, by the public Hertz contact at the angle that the scene asks for."""
-    bearing, scene = solution.scene.bearing, solution.scene
+    bearing, scene = solution.scene.operating_bearing, solution.scene
     side = -1.0 if race == "inner" else 1.0
     diameter = float(np.asarray(bearing.ball_diameter))
     gamma = diameter / float(np.asarray(bearing.pitch_diameter))

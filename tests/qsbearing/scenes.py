@@ -124,6 +124,26 @@ def general_scenes() -> dict[str, qs.Scene]:
     }
 
 
+def grown_scenes() -> dict[str, qs.Scene]:
+    """Scenes whose rings and balls have grown: with clearance left, and with the balls wedged between the rings."""
+    hot = 60.0 + qs.zero_celsius
+    rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=25 * qs.um, inner_ring_temperature=hot)
+    loads = {"axial_load": 9e3, "radial_load_y": 3e3, "radial_load_z": 500.0, "moment_y": 20.0, "moment_z": -30.0}
+    narrow = replace(DEEP_GROOVE, ball_material=qs.STEEL, ring_material=qs.STEEL)
+    tight = qs.RingExpansion(25 * qs.mm, 62 * qs.mm, inner_ring_temperature=hot)
+    light = {"axial_load": 150.0, "radial_load_y": 400.0, "radial_load_z": 100.0, "moment_y": 3.0, "moment_z": -8.0}
+    return {
+        "grown rings and balls": replace(turning(9000, **loads), ring_effects=(rings, qs.BallExpansion(hot))),
+        "rigid preload in grown rings": replace(
+            turning(9000, radial_load_y=2e3, radial_load_z=0.0, moment_y=0.0, moment_z=0.0),
+            ring_effects=(rings,),
+            preload=qs.Preload(rigid=2e3),
+        ),
+        "wedged": replace(turning(12000, narrow, **light), ring_effects=(tight,)),
+        "wedged, at rest": replace(resting(narrow, hertz_angle="actual", **light), ring_effects=(tight,)),
+    }
+
+
 def names_of(scenes: dict[str, qs.Scene], *, but: Iterable[str] = ()) -> list[str]:
     """Names to parametrise over."""
     return [name for name in scenes if name not in set(but)]
@@ -138,14 +158,14 @@ def loaded_as(scene: qs.Scene, load: ArrayLike) -> qs.Scene:
     """The scene with all five channels loaded; load (*cases, 5)."""
     array = np.asarray(load, float)
     channels = {name: array[..., i] if array.ndim > 1 else float(array[i]) for i, name in enumerate(LOADS)}
-    return with_operation(scene, **channels, **dict.fromkeys(DISPLACEMENTS))
+    return with_operation(replace(scene, preload=None), **channels, **dict.fromkeys(DISPLACEMENTS))
 
 
 def held_at(scene: qs.Scene, displacement: ArrayLike) -> qs.Scene:
     """The scene with all five channels held; displacement (*cases, 5)."""
     array = np.asarray(displacement, float)
     channels = {name: array[..., i] if array.ndim > 1 else float(array[i]) for i, name in enumerate(DISPLACEMENTS)}
-    return with_operation(scene, **channels, **dict.fromkeys(LOADS))
+    return with_operation(replace(scene, preload=None), **channels, **dict.fromkeys(LOADS))
 
 
 def solved(scene: qs.Scene, **options: Any) -> qs.Solution:
@@ -158,8 +178,8 @@ def solved(scene: qs.Scene, **options: Any) -> qs.Solution:
 def lever(scene: qs.Scene) -> float:
     """The radius at which axial forces make moments."""
     if scene.tilt_lever is qs.TiltLever.PITCH_CIRCLE:
-        return 0.5 * float(np.asarray(scene.bearing.pitch_diameter))
-    return float(scene.bearing.inner_groove_centre_radius)
+        return 0.5 * float(np.asarray(scene.operating_bearing.pitch_diameter))
+    return float(scene.operating_bearing.inner_groove_centre_radius)
 
 
 def moment_shares(scene: qs.Scene, control: NDArray) -> tuple[NDArray, NDArray]:
