@@ -17,6 +17,7 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from qsbearing import readings
+    from qsbearing.chooser.choose import solve
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.effects import (
         BallExpansion,
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
         RingExpansion,
         RingState,
     )
+    from qsbearing.effects.hertz_angle import HertzAngle
     from qsbearing.effects.raceway_control import RacewayControl
+    from qsbearing.effects.tilt_lever import TiltLever
     from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
     from qsbearing.io.scene_file import load_scene
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
@@ -34,9 +37,8 @@ if TYPE_CHECKING:
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
     from qsbearing.scene.preload import Preload
-    from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
+    from qsbearing.scene.scene import Scene
     from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
-    from qsbearing.solver import solve
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
     from qsbearing.studies.sweep import sweep
@@ -45,9 +47,12 @@ if TYPE_CHECKING:
 # fmt: off
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
 _HOMES = {
+    "chooser.choose": ("solve",),
     "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
     "effects": ("BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares", "RingExpansion", "RingState"),
+    "effects.hertz_angle": ("HertzAngle",),
     "effects.raceway_control": ("RacewayControl",),
+    "effects.tilt_lever": ("TiltLever",),
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
     "io.scene_file": ("load_scene",),
     "messages": ("message", "warnings"),
@@ -55,9 +60,8 @@ _HOMES = {
     "material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "scene.operation": ("Operation",),
     "scene.preload": ("Preload",),
-    "scene.scene": ("HertzAngle", "Scene", "TiltLever"),
+    "scene.scene": ("Scene",),
     "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
-    "solver": ("solve",),
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),

@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
 from qsbearing.effects.gyroscopic_moment import SHARES_CODES
+from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.raceway_control import CONTROL_CODES
+from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.kernel.case import CASE
 from qsbearing.material import Material
 from qsbearing.scene.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.scene.scene import HertzAngle, Scene, TiltLever
+from qsbearing.scene.scene import Scene
 
 
 @entry

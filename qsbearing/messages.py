@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
+from qsbearing.judgement import WORDS, WORTH_A_WARNING, lines_to_add, missing, percent
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -22,6 +24,7 @@ from qsbearing.kernel.admissibility import (
 from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.scene import Scene
 from qsbearing.solution import Index, Solution
 from qsbearing.units import MPa, mrad, um
 
@@ -129,6 +132,22 @@ def _unsupported(case: NDArray) -> str:
     return f"channel {CHANNELS[int(side.argmax()) + 1].label} carries more than the axial load can keep in contact."
 
 
+def chosen(solution: Solution, named: Scene) -> list[str]:
+    """What was chosen for a single case, beside the scene that was given: left out, with errors; and added."""
+    choice = solution.choice
+    if choice is None:
+        return []
+    what = {entry.name: entry.what for entry in EFFECTS}
+    out = [f"{what[one.effect]}: {percent(float(np.max(one.estimated_error)))}" for one in choice.left_out]
+    left = f"left out, with the error expected: {'; '.join(out)}." if out else "nothing is left out."
+    said = [f"Tolerance {choice.tolerance:g}: {left}"]
+    if choice.added:
+        added = [entry for entry in EFFECTS if entry.name in choice.added]
+        needed = f"Needed, though the scene does not name it: {', '.join(entry.what for entry in added)}."
+        said.append(f"{needed} Under [effects]: {', '.join(lines_to_add(named, added))}")
+    return said
+
+
 def warnings(solution: Solution, index: Index = None) -> list[str]:
     """Sentences on what to beware of in a case's numbers; empty where there is nothing.
 
@@ -159,6 +178,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _ring_warnings(solution, part)
     yield from _ball_warnings(solution, part)
     yield from _friction_warnings(solution, part)
+    yield from _missing_warnings(solution, part)
     if solution.scene.ring_effects:
         yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(_rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
@@ -238,6 +258,27 @@ def _ball_warnings(solution: Solution, part: slice) -> Warnings:
             f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone."
         ),
     )
+
+
+def _missing_warnings(solution: Solution, part: slice) -> Warnings:
+    if solution.choice is not None:  # what was left out there is said with its error
+        return
+    judged = missing(solution)
+    if not judged:
+        return
+    errors = np.stack([each.largest.reshape(-1)[part] for each in judged])
+    matters = np.isfinite(errors) & (errors > WORTH_A_WARNING)
+
+    def sentence(i: int) -> str:
+        named = [each for each, which in zip(judged, matters[:, i], strict=True) if which]
+        said = []
+        for each in named:
+            quantity, error = each.worst(part.start + i)
+            said.append(f"{each.entry.what} ({WORDS[quantity]}: about {percent(error)})")
+        lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
+        return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
+
+    yield np.asarray(matters.any(axis=0)), sentence
 
 
 def _friction_warnings(solution: Solution, part: slice) -> Warnings:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from qsbearing import ring_stiffness
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
-from qsbearing.effects import RingState
+from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import (
@@ -34,6 +34,8 @@ from qsbearing.units import deg
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from qsbearing.judgement import Choice
 
 Place = tuple[int, ...]
 """The index of one case along each case axis of its solution."""
@@ -154,6 +156,13 @@ class Solution:
         """Contacts with the inner raceway."""
         self.outer = RacewayContacts(self, OUTER_SIDE)
         """Contacts with the outer raceway."""
+        self.choice: Choice | None = None
+        """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
+
+    @cached_property
+    def operating_point(self) -> OperatingPoint:
+        """The solution as the indicators of effects read it."""
+        return OperatingPoint(self)
 
     def _shaped(self, array: NDArray, *tail: int) -> Any:
         shaped = array.reshape(self.shape + tail)

@@ -1,4 +1,4 @@
-"""`solve`: all cases of a scene, in threads; the one place where the parts meet."""
+"""`solve`: all cases of a scene as it stands, in threads; the one place where the parts meet."""
 
 from __future__ import annotations
 
@@ -67,6 +67,8 @@ def solve(
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if scene.tolerance is not None:
+        raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
     began = time.perf_counter()
     mounted = None if scene.as_mounted is None else solve(scene.as_mounted, threads=threads)
     maker = CaseMaker(scene, _preloaded(scene, mounted))

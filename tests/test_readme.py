@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import qsbearing as qs
-from tests.benchmarks import cost, tables
+from tests.benchmarks import cost, effects_cost, tables
 from tests.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
@@ -58,6 +58,10 @@ def test_the_tables_are_made_from_the_records(page: str) -> None:
 def test_the_table_of_time_against_accuracy_is_made_from_its_record() -> None:
     page = ACCURACY.read_text(encoding="utf-8")
     assert cost.filled(page, cost.load()) == page
+
+
+def test_the_table_of_what_effects_cost_is_made_from_its_record() -> None:
+    assert effects_cost.filled(README, effects_cost.load()) == README
 
 
 def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:

@@ -16,6 +16,7 @@ import click
 from qsbearing import __version__
 from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.cost import cost
+from qsbearing.cli.explain import explain
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.run import run
@@ -53,7 +54,7 @@ def cli() -> None:
     """
 
 
-for command in (run, sweep, cost, init, catalogue):
+for command in (run, explain, sweep, cost, init, catalogue):
     cli.add_command(command)
 
 

@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
-from qsbearing.cli.scene import load, solve, solving
+from qsbearing.cli.scene import load, solve
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
-    from qsbearing.studies.cost.accuracy import Reached
 
 PICTURES = (".png", ".svg", ".pdf")
 
@@ -44,8 +43,8 @@ PICTURES = (".png", ".svg", ".pdf")
     "--accuracy",
     type=float,
     metavar="ERROR",
-    help="Leave out or simplify what SCENE names where the results stay within this relative error of its full model: "
-    "the coarsest model level that will do, by measured factors. 1e-3, for instance.",
+    help="Choose the effects: just those that keep all results within this relative error of the full model of the "
+    "operating point, whether SCENE names them or not. 1e-3, for instance.",
 )
 def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
@@ -57,12 +56,10 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         targets = {option: target for option, target in given.items() if target is not None}
         write = _claim(stack, scene, targets)
         loaded = load(scene)
-        if accuracy is None:
-            reached, solution = None, solve(loaded)
-        else:
-            reached = _solve_to(loaded, accuracy, as_json)
-            solution = reached.solution
-        _show(solution, reached, as_json)
+        if accuracy is not None:
+            _check(accuracy)
+        solution = solve(loaded, accuracy)
+        _show(solution, loaded, as_json)
         if not solution.converged:
             for target in targets.values():
                 note(f"{target} is not written: there is no solution to write")
@@ -108,44 +105,31 @@ def _extension(target: str) -> str:
     return os.path.splitext(target)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
 
 
-def _solve_to(scene: Scene, accuracy: float, as_json: bool) -> Reached:
-    """Solve with the model level that the accuracy takes; the choice is said beforehand, beside JSON on stderr."""
-    from qsbearing.studies.cost import accuracy as advice
-    from qsbearing.studies.cost import text
+def _check(accuracy: float) -> None:
+    from qsbearing.chooser.choose import COARSEST, FINEST
 
-    if not advice.FINEST <= accuracy <= advice.COARSEST:
+    if not FINEST <= accuracy <= COARSEST:
         refuse(
-            f"--accuracy {accuracy:g}: is outside its range\n    allowed: {advice.FINEST:g} to {advice.COARSEST:g}, a "
+            f"--accuracy {accuracy:g}: is outside its range\n    allowed: {FINEST:g} to {COARSEST:g}, a "
             "relative error\n    1e-3 is a tenth of a per cent"
         )
-    with solving():
-        choice = advice.choose(scene, accuracy)
-    if as_json:
-        click.echo(text.before(choice), err=True)
-    else:
-        print_text(f"{text.before(choice)}\n\n")
-    with solving():
-        return advice.solve_to(choice)
 
 
-def _show(solution: Solution, reached: Reached | None, as_json: bool) -> None:
+def _show(solution: Solution, scene: Scene, as_json: bool) -> None:
     if as_json:
         from qsbearing.io.json_record import record
 
-        found = record(solution)
-        if reached is not None:
-            from qsbearing.studies.cost.text import as_data
-
-            found["accuracy"] = as_data(reached)
-        print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
+        print_text(json.dumps(record(solution), indent=1, allow_nan=False) + "\n")
         return
     from qsbearing.io.report import result
 
     print_table(result(solution))
-    if reached is not None and solution.converged:
-        from qsbearing.studies.cost import text
+    if solution.choice is not None:
+        from rich.text import Text
 
-        print_text(f"\n{text.after(reached)}\n")
+        from qsbearing.messages import chosen
+
+        print_table(Text("\n" + "\n".join(chosen(solution, scene))))
 
 
 def _csv(solution: Solution) -> bytes:

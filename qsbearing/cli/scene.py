@@ -35,12 +35,13 @@ def load(source: str) -> Scene:
     return scene
 
 
-def solve(scene: Scene) -> Solution:
-    """The scene's solution; a case that takes long says so on a terminal."""
-    from qsbearing import solver
+def solve(scene: Scene, tolerance: float | None = None) -> Solution:
+    """The scene's solution, with a tolerance that of the effects it needs; a case that takes long says so on a
+    terminal."""
+    from qsbearing.chooser import choose
 
     with solving():
-        return solver.solve(scene)
+        return choose.solve(scene, effects=None if tolerance is None else "auto", tolerance=tolerance)
 
 
 @contextmanager

@@ -1,20 +1,63 @@
-"""What a scene may ask for beside the contacts: one effect, one file, each opening with its card."""
+"""What a scene may ask for beside the contacts: one effect or choice, one file, each opening with its card.
+
+`EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the ladder
+of model levels and the cost study go through it and know none by name. To add one:
+
+1. One file here: the card (what, source and equation, assumptions, when not to use it, parameters, indicator); what it
+   does, as formulas; and its `ENTRY`, which says how it is put into a scene, how much it matters and what it needs
+   (`qsbearing.effects.entry`). An effect with parameters of its own is not made without them, and says so in `needs`.
+2. One line in `_FILES`, where it stands by what it takes to evaluate it.
+
+What changes the bearing before the solve, or chooses among formulas that are there, needs no more. What acts on the
+balls while they are being solved also needs its switch in `kernel/case.py` and one guarded call in
+`kernel/ball_inertia.py`. An effect with numbers in scene files lists their keys in `scene/keys.py`.
+The guide's page `adding_an_effect.md` does it once.
+"""
+
+from importlib import import_module
 
 from qsbearing.effects.ball_expansion import BallExpansion
 from qsbearing.effects.centrifugal_force import CentrifugalForce
+from qsbearing.effects.entry import QUANTITIES, Entry
 from qsbearing.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
+from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion import RingExpansion, RingState
+
+_FILES = (
+    "hertz_form",
+    "tilt_lever",
+    "ring_expansion",
+    "ball_expansion",
+    "centrifugal_force",
+    "gyroscopic_moment",
+    "raceway_control",
+    "hertz_angle",
+)
+
+EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.effects.{name}").ENTRY for name in _FILES)
 
 BallEffect = CentrifugalForce | GyroscopicMoment
 RingEffect = RingExpansion | BallExpansion
+"""The effects of this list that type checkers know."""
+
+
+def types_in(slot: str) -> dict[str, type]:
+    """The effects that a scene holds in a tuple, `ball_effects` or `ring_effects`, by their names."""
+    return {entry.name: entry.switch.effect_type for entry in EFFECTS if entry.switch.slot == slot}
+
 
 __all__ = [
+    "EFFECTS",
+    "QUANTITIES",
     "BallEffect",
     "BallExpansion",
     "CentrifugalForce",
+    "Entry",
     "GyroscopicMoment",
     "MomentShares",
+    "OperatingPoint",
     "RingEffect",
     "RingExpansion",
     "RingState",
+    "types_in",
 ]

@@ -6,6 +6,7 @@ Assumes       all balls at one temperature, dimensions given at the reference te
 When not      a ball as warm as its rings, of the same material: then only their difference counts, and ring expansion
               must be asked for as well
 Parameters    ball_temperature, reference_temperature
+Indicator     the turn of the free contact angle over the contact angle
 Example       BallExpansion(ball_temperature=70 + zero_celsius)
 """
 
@@ -15,8 +16,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.effects.changed_geometry import change_of, geometry_errors
+from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import temperature_errors
 from qsbearing.units import zero_celsius
 from qsbearing.validation import ErrorDetail, raise_if_any
@@ -57,3 +61,21 @@ class BallExpansion:
         warmer = np.asarray(self.ball_temperature, float) - np.asarray(self.reference_temperature, float)
         strain = np.asarray(bearing.ball_material.thermal_expansion, float) * warmer
         return bearing.with_changed_lengths(ball_diameter=strain * np.asarray(bearing.ball_diameter, float))
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return _errors(point)["contact_angle"]
+
+
+def _errors(point: OperatingPoint) -> Errors:
+    return geometry_errors(point, *change_of(point, ENTRY.coarser(point.scene)))
+
+
+ENTRY = Entry(
+    "ball_expansion",
+    "the expansion of the balls",
+    effect("ring_effects", BallExpansion),
+    indicator=_indicator,
+    errors=_errors,
+    needs="[effects.ball_expansion] with the balls' temperature",
+)

@@ -9,6 +9,7 @@ Assumes       no gyroscopic slip: friction can carry the force. What it would ta
 When not      at rest or in radial-only contact (sin(beta) = 0) there is none, nor where a ball touches neither
               raceway and so is rolled by neither; with slip the hypothesis fails
 Parameters    moment_shares: which raceway carries the friction
+Indicator     y = 2 |Mg|/(D Q) at the least load that counts: the contact angles part by y
 Example       GyroscopicMoment(MomentShares.HARRIS)
 """
 
@@ -18,7 +19,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from qsbearing.compiled import kernel
+from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
+from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.parting import parting_errors
 from qsbearing.validation import choose, raise_if_any
 
 
@@ -75,3 +82,29 @@ def gyroscopic_moment(
         inertia * (across_i * speed + across * speed_i),
         inertia * (across_o * speed + across * speed_o),
     )
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return np.asarray(_over_load(point).max(axis=-1))
+
+
+def _over_load(point: OperatingPoint) -> NDArray:
+    bearing, (rotation, attitude) = point.bearing, point.rotation
+    axis = (np.sin(attitude), np.cos(attitude), 0.0, 0.0, 0.0, 0.0)
+    orbit = (point.orbital_speed, 0.0, 0.0)
+    moment, _, _ = uncompiled(gyroscopic_moment)(bearing.ball_inertia, orbit, (rotation, 0.0, 0.0), axis)
+    return point.over_load(2.0 * np.abs(moment) / np.asarray(bearing.ball_diameter, float))
+
+
+def _errors(point: OperatingPoint) -> Errors:
+    is_in = any(isinstance(one, GyroscopicMoment) for one in point.scene.ball_effects)
+    return parting_errors(point, np.arctan(_over_load(point)), is_in)
+
+
+ENTRY = Entry(
+    "gyroscopic_moment",
+    "the gyroscopic moment of the balls",
+    effect("ball_effects", GyroscopicMoment, GyroscopicMoment),
+    indicator=_indicator,
+    errors=_errors,
+)

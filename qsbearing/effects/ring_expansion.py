@@ -12,6 +12,8 @@ Assumes       each ring a thick annulus from its seat to the bottom of its groov
 When not      thin-walled housings that are not round, rings held axially, shaft growth between two bearings
 Parameters    bore and outside diameter of the bearing; interference (diametral, negative: a loose fit) at a seat that
               is to be regarded, and there the shaft's bore or the housing's outside diameter; temperatures
+Indicator     the turn of the free contact angle over the contact angle; without parameters that by rotation of a
+              thin inner ring, u = rho omega^2 r^3/E, more than which no other section gives
 Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner_ring_temperature=60 + zero_celsius)
 """
 
@@ -25,6 +27,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
+from qsbearing.effects.changed_geometry import change_of, geometry_errors
+from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
 from qsbearing.validation import LENGTH, ErrorDetail, first, raise_if_any
@@ -222,3 +227,34 @@ def _state(
     equivalent = np.maximum(np.abs(hoop - radial), np.maximum(np.abs(hoop), np.abs(radial)))
     pressure, gap = (None, None) if seat is None else seat
     return RingState(pressure, gap, growth + ring.strain * centre, hoop, equivalent)
+
+
+def _change(point: OperatingPoint) -> tuple[Any, Any]:
+    """(turn, offset), as `geometry_errors` takes them."""
+    if ENTRY.is_in(point.scene):
+        return change_of(point, ENTRY.coarser(point.scene))
+    bearing, ring = point.bearing, point.bearing.ring_material
+    radius, speed = np.asarray(bearing.inner_groove_centre_radius, float), point.ring_speeds[0]
+    growth = np.asarray(ring.density * (speed * radius) ** 2 / ring.elastic_modulus * radius)
+    angle = np.maximum(np.asarray(bearing.free_contact_angle, float), np.radians(1.0))
+    # The groove centres part by so much in the radial direction, at a distance that stays.
+    return growth / (bearing.groove_centre_distance * np.sin(angle)), growth / np.tan(angle)
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return _errors(point)["contact_angle"]
+
+
+def _errors(point: OperatingPoint) -> Errors:
+    return geometry_errors(point, *_change(point))
+
+
+ENTRY = Entry(
+    "ring_expansion",
+    "the expansion of the rings",
+    effect("ring_effects", RingExpansion),
+    indicator=_indicator,
+    errors=_errors,
+    needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
+    without_parameters="rotation of the inner ring alone, at most",
+)

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import MISSING, fields
 from math import nan
 from typing import Any
 
-from qsbearing.effects import BallExpansion, RingEffect, RingExpansion
+from qsbearing.effects import BallExpansion, RingEffect, RingExpansion, types_in
 from qsbearing.io.file_errors import FileErrorDetail, translate
 from qsbearing.io.table_checks import Errors, checked, judged, material, si, table_model
 from qsbearing.scene.keys import EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, SEAT_MATERIALS
 from qsbearing.validation import SceneError
 
 _EFFECT_TABLES = {name: table_model(name, keys, {}) for name, keys in EFFECT_TABLES.items()}
-_RING_EFFECTS: dict[str, Any] = {RingExpansion.name: RingExpansion, BallExpansion.name: BallExpansion}
-_NEEDED = {
-    RingExpansion.name: ("bore_diameter_mm", "outside_diameter_mm"),
-    BallExpansion.name: ("ball_temperature_C",),
-}
+_RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
+
+
+def _needed(name: str) -> list[str]:
+    """The keys of an effect's table that have no usual value."""
+    required = {field.name for field in fields(_RING_EFFECTS[name]) if field.default is MISSING}
+    return [key.name for key in EFFECT_TABLES[name] if key.field in required]
 
 
 def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
@@ -29,14 +32,14 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     if not is_table:
         return None
     before = len(errors)
-    missing = [key for key in _NEEDED[name] if key not in good and key not in unusable]
+    missing = [key for key in _needed(name) if key not in good and key not in unusable]
     errors += [FileErrorDetail(f"{path}.{key}", "missing: the effect needs it") for key in missing]
-    fields: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
+    numbers_si: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
     for key in known_materials:
         if key in table:
-            fields[key] = material(f"{path}.{key}", table[key], errors)
+            numbers_si[key] = material(f"{path}.{key}", table[key], errors)
     try:
-        effect: RingEffect = _RING_EFFECTS[name](**fields)
+        effect: RingEffect = _RING_EFFECTS[name](**numbers_si)
     except SceneError as error:
         errors += map(translate, judged(error))
         return None

@@ -48,6 +48,7 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "compliance_SI": _rows(solution.compliance[index]) if solved else None,
         "balls": balls(solution, index) if solved else [],
         "readings": _readings(solution, index) if solved else None,
+        **_choice(solution, index),
     }
 
 
@@ -59,6 +60,19 @@ def _readings(solution: Solution, index: Place) -> dict[str, Any] | None:
     from qsbearing.readings.asked import take_asked
 
     return readings_record(solution, take_asked(solution), index)
+
+
+def _choice(solution: Solution, index: Place) -> dict[str, Any]:
+    """What was chosen and left out; null where the scene names its effects."""
+    choice = solution.choice
+    if choice is None:
+        return {"left_out": None, "accuracy": None}
+    left_out = [
+        {"effect": one.effect, "estimated_error": number(np.broadcast_to(one.estimated_error, solution.shape)[index])}
+        for one in choice.left_out
+    ]
+    chosen = {"asked": choice.tolerance, "has": list(choice.effects), "added": list(choice.added)}
+    return {"left_out": left_out, "accuracy": {**chosen, "solves": choice.solves}}
 
 
 def choices(scene: Scene) -> dict[str, str | None]:

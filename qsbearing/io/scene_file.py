@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, MomentShares
+from qsbearing.effects import BallEffect, GyroscopicMoment, MomentShares, types_in
 from qsbearing.io import catalogue
 from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
@@ -35,7 +35,10 @@ from qsbearing.scene.scene import CHOICES, Scene, effect_errors
 from qsbearing.units import deg, mm
 from qsbearing.validation import SceneError, printable
 
-BALL_EFFECTS = (CentrifugalForce.name, GyroscopicMoment.name)
+BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
+AUTO = "auto"
+"""In place of the table of effects: they are chosen to a tolerance."""
+DEFAULT_TOLERANCE = 0.01
 AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
@@ -118,7 +121,7 @@ def _is_file(path: Path) -> bool:
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
     for name, value in list(document.items()):
-        if name in SECTIONS:
+        if name in (*SECTIONS, "tolerance"):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -270,6 +273,15 @@ def _preload(document: dict[str, Any], operation: Operation | None, errors: Erro
 def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The fields of `Scene` that say what is asked for."""
     table = document.get("effects")
+    if table == AUTO:
+        return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_TOLERANCE), errors)}
+    if "tolerance" in document:
+        cause = 'Write effects = "auto" beside it, at the top of the file; or leave it out'
+        errors.append(FileErrorDetail("tolerance", "is given, but the effects are not chosen by it", cause=cause))
+    if isinstance(table, str):
+        cause = 'effects = "auto" has them chosen; or write [effects], keys below it'
+        errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
+        return {}
     table = {} if table is None else table
     within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
     if within:
@@ -277,13 +289,11 @@ def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     good, unusable = checked(_EFFECTS, "effects", table, errors)
     names, shares = good.get("ball", []), good.pop("moment_shares", None)
     for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
-        cause = did_you_mean(name, BALL_EFFECTS) or f"One of {', '.join(BALL_EFFECTS)}"
+        cause = did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
         errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
         unusable.add("ball")
-    made: dict[str, BallEffect] = {
-        CentrifugalForce.name: CentrifugalForce(),
-        GyroscopicMoment.name: GyroscopicMoment(shares or MomentShares.CONTROLLING),
-    }
+    made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
+    made[GyroscopicMoment.name] = GyroscopicMoment(shares or MomentShares.CONTROLLING)
     effects = tuple(made[name] for name in names if name in made)
     if not unusable & {"ball", "raceway_control"}:
         errors += map(translate, effect_errors(effects, good.get("raceway_control")))
@@ -296,3 +306,11 @@ def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     return {"ball_effects": effects, "ring_effects": ring_effects} | {
         name: good[name] for name in CHOICES if name in good
     }
+
+
+def _tolerance(value: Any, errors: Errors) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value <= 1.0:
+        cause = "The relative error that is allowed, above 0 and at most 1: 0.01 is one per cent"
+        errors.append(FileErrorDetail("tolerance", "is no relative error", value, cause=cause))
+        return None
+    return float(value)

@@ -12,36 +12,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.contact.hertz import HertzForm
-from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, RingEffect, RingExpansion
+from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, RingEffect, RingExpansion, types_in
+from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.raceway_control import RacewayControl
+from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.units import mm, rpm
-from qsbearing.validation import SPEED, ErrorDetail, SceneError, all_where, choose, raise_if_any, unit_mistake
+from qsbearing.validation import (
+    RATIO,
+    SPEED,
+    ErrorDetail,
+    SceneError,
+    all_where,
+    choose,
+    raise_if_any,
+    unit_mistake,
+    within,
+)
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
-
-
-class HertzAngle(StrEnum):
-    """The contact angle at which a raceway's curvature in the rolling direction is taken."""
-
-    FREE = "free"
-    """The free contact angle: the contact stiffnesses are constants of the bearing."""
-    ACTUAL = "actual"
-    """Each contact's own angle: finer and slower; it moves B218's angles by about 0.004 degrees."""
-    ZERO = "zero"
-    """Angle zero, as ISO/TS 16281 takes it."""
-
-
-class TiltLever(StrEnum):
-    """The radius at which a tilt moves the inner groove centres axially, and axial contact forces make moments."""
-
-    GROOVE_CENTRE = "groove_centre"
-    """Ri, the circle of inner groove centres: exact for a rigid rotation (19.3)."""
-    PITCH_CIRCLE = "pitch_circle"
-    """dm/2, as ISO/TS 16281 takes it."""
 
 
 CHOICES: dict[str, type[StrEnum]] = {
@@ -76,6 +68,8 @@ class Scene:
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     """What is to be read off the solution: by name, with arguments (`qsbearing.readings.take_asked`). No solve looks
     at it."""
+    tolerance: float | None = None
+    """With one, `solve` chooses the effects, to this relative error of what people read: effects = "auto" of a file."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -88,6 +82,8 @@ class Scene:
         if self.preload is not None:
             errors += _beside(self.preload, self.operation)
         errors += ring_effect_errors(self.ring_effects, self.bearing, self.operation)
+        if self.tolerance is not None:
+            errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
@@ -156,7 +152,7 @@ def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
 
 def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[ErrorDetail]:
     """Errors of what is asked for, whatever the bearing."""
-    if not isinstance(ball_effects, tuple) or not all(isinstance(effect, BallEffect) for effect in ball_effects):
+    if not _are_all(ball_effects, "ball_effects"):
         cause = "Write (qs.CentrifugalForce(), qs.GyroscopicMoment()): a tuple of effects, each with its brackets"
         return [ErrorDetail("ball_effects", "is not a tuple of ball effects", ball_effects, cause=cause)]
     errors = []
@@ -175,11 +171,16 @@ def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: Raceway
     return errors
 
 
+def _are_all(effects: object, slot: str) -> bool:
+    """Whether this is a tuple of effects of the list."""
+    return isinstance(effects, tuple) and all(isinstance(effect, tuple(types_in(slot).values())) for effect in effects)
+
+
 def ring_effect_errors(
     ring_effects: tuple[RingEffect, ...], bearing: BallBearing, operation: Operation
 ) -> list[ErrorDetail]:
     """Errors of what is asked to change the bearing."""
-    if not isinstance(ring_effects, tuple) or not all(isinstance(effect, RingEffect) for effect in ring_effects):
+    if not _are_all(ring_effects, "ring_effects"):
         cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
         return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
     holders = (bearing, operation, *ring_effects)

@@ -1,7 +1,6 @@
 """What accuracy costs, made anew: `python -m tests.benchmarks.cost`, on a quiet machine about two minutes.
 
-The record of one scene, its pictures and its table in the guide; with `--from-record` only pictures and table. The
-factors behind `run --accuracy` are made by `python -m tests.benchmarks.advice`.
+The record of one scene, its pictures and its table in the guide; with `--from-record` only pictures and table.
 """
 
 from __future__ import annotations
@@ -13,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing as qs
-from qsbearing.studies.cost import accuracy, figures, record
-from qsbearing.studies.cost.levels import LEVELS
-from qsbearing.studies.cost.tables import select, worst
+from qsbearing.studies.cost import figures, record
+from qsbearing.studies.cost.tables import levels_of, select, worst
+from tests.benchmarks import auto_accuracy
 
 PAGE = Path(qs.__file__).parent / "guide" / "accuracy.md"
 """Shows the table."""
@@ -53,21 +52,21 @@ def draw() -> None:
 
 def table(found: dict[str, Any]) -> str:
     """The table: times of the levels, and errors by speed."""
-    named = [row for row in select(found["errors"], level=LEVELS[0].name) if row["speed"] is not None][:-1]
+    named = [row for row in select(found["errors"], level=levels_of(found)[0].name) if row["speed"] is not None][:-1]
     speeds = [f"{row['speed']}, {_power(row['dm_n_mm_rpm'])}" if row["dm_n_mm_rpm"] else "rest" for row in named]
     settings, machine = found["settings"], found["machine"]
     heading = [f"{found['bearing']}, {found['scene']}", "one call", f"a case of {settings['batch']}", *speeds]
     lines = [f"| {' | '.join(heading)} |", "|" + "---|" * len(heading)]
-    for level in LEVELS:
+    for level in levels_of(found):
         times = [_micro(row["case_s"]) for row in select(found["measured"], part="levels", name=level.name)]
         errors = [_errors(row) for row in select(found["errors"], level=level.name) if row["speed"] is not None][:-1]
         lines.append(f"| {' | '.join([level.text, *times, *errors])} |")
     lines += [
         "",
-        "Errors against the last line: displacements, loads and angles / semi-axes and pressures. Processor time, "
-        f"medians of {settings['rounds']} interleaved rounds in each of {settings['processes']} processes, in brackets "
-        f"5 % to 95 % of them; {machine['processor']}, {machine['cores']} cores, Python {machine['python']}, numba "
-        f"{machine['numba']}, load average {machine['load_average']:g} at the start.",
+        "Each line adds to the one above. Errors against the last: displacement, loads and angles / pressures. "
+        f"Processor time, medians of {settings['rounds']} rounds in each of {settings['processes']} processes, in "
+        f"brackets 5 % to 95 % of them; {machine['processor']}, {machine['cores']} cores, Python {machine['python']}, "
+        f"numba {machine['numba']}, load average {machine['load_average']:g} at the start.",
         "",
         _trial(),
     ]
@@ -75,20 +74,19 @@ def table(found: dict[str, Any]) -> str:
 
 
 def _trial() -> str:
-    """How `--accuracy` did on scenes that its factors were not measured on."""
-    trial, times = accuracy.factors()["trial"], accuracy.factors()["trial"]["time_over_expected"]
-    by_round = trial["time_within_factor_2_by_round"]
+    """How the automatic choice does on random scenes."""
+    trial = json.loads(auto_accuracy.RECORD.read_text(encoding="utf-8"))
+    kept, worst = trial["within_tolerance"], trial["worst"][0]
     return (
-        f"Of {trial['scenes']} random scenes that its factors were not measured on, each asked for an accuracy between "
-        f"1e-5 and 0.1, `run --accuracy` met it in {trial['met']} and left something out in {trial['simplified']}; the "
-        f"solve took {times['median']:g} times as long as expected ({times['low']:g} to {times['high']:g} for nine in "
-        f"ten), within a factor 2 in {trial['time_within_factor_2']}: medians of {trial['rounds']} rounds; single "
-        f"solves, which also measure what else the machine does, in {', '.join(map(str, by_round))}."
+        f'Of {trial["scenes"]} random operating points, `effects = "auto"` at {trial["tolerance"]:g} kept every answer '
+        f"within it in {kept} and left something out in {trial['something_left_out']}; the worst is off by "
+        f"{worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). {trial['solved_once']} were decided by "
+        f"indicators alone, with one solve; on average it took {trial['solves_mean']:g}."
     )
 
 
 def _errors(row: dict[str, Any]) -> str:
-    pair = [worst(row, groups) for groups in (("displacements", "loads and angles"), ("semi-axes and pressures",))]
+    pair = [worst(row, names) for names in (("contact_angle", "load", "displacement"), ("pressure",))]
     return "0" if pair == [0.0, 0.0] else " / ".join("-" if error is None else f"{error:.1g}" for error in pair)
 
 

@@ -1,7 +1,7 @@
-"""Random scenes of every kind that the model knows: what the advice of `run --accuracy` is built from and tested on.
+"""Random scenes of every kind that the model knows: predictions are fitted to them, the choice of effects tried on.
 
 Bearings from miniature to large, contact angles from deep groove to 45 degrees, steel and ceramic balls; ball loads
-from light preload to about the static rating; speeds from rest to dm n = 2.5e6 mm rpm; thrust, combined loads with free
+from light preload to about the static rating; speeds from rest to dm n = 3e6 mm rpm; thrust, combined loads with free
 and held tilts, moments, rigid preload, misalignment; every subset of effects and every choice.
 """
 
@@ -87,7 +87,7 @@ def _operations(
     count, ball, pitch = (np.asarray(x) for x in (bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter))
     angle = np.maximum(np.asarray(bearing.free_contact_angle), 8.0 * qs.deg)
     # Inner control has no solution where the inner load falls too far: a scene that names it turns slower.
-    parameter = _log_uniform(rng, 3e3, 3e5 if inner_controlled else 2.5e6, size)
+    parameter = _log_uniform(rng, 3e3, 3e5 if inner_controlled else 3e6, size)
     speed = np.where(rng.random(size) < 0.05, 0.0, parameter / (pitch / qs.mm) * qs.rpm)
     speeds: dict[str, Any] = {"speed": speed}
     turning = rng.random()

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.studies.cost.levels import LEVELS
+from qsbearing.judgement import WORDS
+from qsbearing.studies.cost.levels import Level
 from qsbearing.studies.cost.machine import in_a_line
-from qsbearing.studies.cost.results import GROUPS
 from qsbearing.studies.cost.speeds import OWN
-from qsbearing.studies.cost.tables import select
+from qsbearing.studies.cost.tables import levels_of, select
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,16 +25,18 @@ MARKERS = ("v", "s", "^", "D", "o", "*")
 
 
 def speeds(record: dict[str, Any]) -> Figure:
-    """When a model level is enough: errors of four groups of results along the speed."""
-    figure, axes = _sheet(record, 2, 2, (11.0, 8.0), "When a model level is enough: errors against the finest level")
-    for each, group in zip(axes.ravel(), GROUPS, strict=True):
-        each.set(title=group.capitalize(), xlabel="dm n, mm rpm", ylabel="relative error")
+    """When a model level is enough: errors of what people read along the speed."""
+    figure, axes = _sheet(record, 2, 3, (14.0, 8.0), "When a model level is enough: errors against the finest level")
+    measured = levels_of(record)
+    axes[-1, -1].set_axis_off()  # five quantities in six places
+    for each, (group, words) in zip(axes.ravel(), WORDS.items(), strict=False):
+        each.set(title=words.capitalize(), xlabel="dm n, mm rpm", ylabel="relative error")
         listed = [row for row in record["errors"] if row["dm_n_mm_rpm"] and row["speed"] != OWN]
-        _error_axis(each, (row[group] for row in listed if row["level"] != LEVELS[-1].name))
-        for k, level in enumerate(LEVELS[:-1]):
+        _error_axis(each, (row[group] for row in listed if row["level"] != measured[-1].name))
+        for k, level in enumerate(measured[:-1]):
             rows = select(listed, level=level.name)
             along = [row["dm_n_mm_rpm"] for row in rows]
-            style = _style(k) | {"markersize": 4, "linewidth": 1.1, "markevery": (k, 6)}
+            style = _style(k, level) | {"markersize": 4, "linewidth": 1.1, "markevery": (k, 6)}
             each.plot(along, np.array([row[group] for row in rows], float), **style)
         each.set_xscale("log")
         each.set_xlim(along[0], along[-1])
@@ -45,7 +47,7 @@ def speeds(record: dict[str, Any]) -> Figure:
 def levels(record: dict[str, Any]) -> Figure:
     """What each model level costs alone and in a batch, with its error."""
     figure, axes = _sheet(record, 1, 2, (11.0, 5.4), "What model levels cost; bars: 5 % to 95 % of the rounds")
-    batch = record["settings"]["batch"]
+    batch, measured = record["settings"]["batch"], levels_of(record)
     labels = {1: "processor time of one call, µs", batch: f"processor time a case in a batch of {batch}, µs"}
     for each, (cases, label) in zip(axes[0], labels.items(), strict=True):
         rows = select(record["measured"], part="levels", cases=cases)
@@ -53,7 +55,9 @@ def levels(record: dict[str, Any]) -> Figure:
         for k, row in enumerate(rows):
             low, median, high = (1e6 * row["case_s"][name] for name in ("low", "median", "high"))
             error, bars = np.array([row["error"]], float), [[median - low], [high - median]]
-            each.errorbar([median], error, xerr=bars, elinewidth=0.7, capsize=1.5, linewidth=0, **_style(k))
+            each.errorbar(
+                [median], error, xerr=bars, elinewidth=0.7, capsize=1.5, linewidth=0, **_style(k, measured[k])
+            )
         each.set(xscale="log", xlabel=label, ylabel="error of the worst result (shaded: linear, down to 0)")
         _plain(each.xaxis)
     _legend(figure, axes[0, 0])
@@ -81,8 +85,8 @@ def _error_axis(axes: Axes, values: Iterable[float | None]) -> None:
     axes.axhspan(-0.25 * lowest, lowest, color="0.93", zorder=0)
 
 
-def _style(k: int) -> dict[str, Any]:
-    return {"color": COLOURS[k], "marker": MARKERS[k], "label": LEVELS[k].text}
+def _style(k: int, level: Level) -> dict[str, Any]:
+    return {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)], "label": level.text}
 
 
 def _sheet(

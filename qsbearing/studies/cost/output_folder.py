@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.io.output_file import output_file
-from qsbearing.studies.cost import figures, tables
+from qsbearing.studies.cost import figures
 
-FILES = ("cost.json", *(f"{name}.csv" for name in tables.LISTS), *(f"{name}.png" for name in figures.PICTURES))
+FILES = ("cost.json", *(f"{name}.png" for name in figures.PICTURES))
 
 
 @contextmanager
 def output_folder(target: str) -> Iterator[Callable[[dict[str, Any]], None]]:
     """Claim a folder, made if there is none, and all its files; yield what fills it with a complete record.
 
-    Every table and picture is made before the first is put there; without a record nothing is left behind.
+    Every picture is made before the first is put there; without a record nothing is left behind.
 
     Raises:
         OSError: the folder or a file cannot be written, or there is nothing to draw with; the text says why.
@@ -42,7 +42,6 @@ def output_folder(target: str) -> Iterator[Callable[[dict[str, Any]], None]]:
 
         def fill(record: dict[str, Any]) -> None:
             contents = {"cost.json": (json.dumps(record, indent=1, allow_nan=False) + "\n").encode()}
-            contents |= {f"{name}.csv": tables.csv_text(record[name]).encode() for name in tables.LISTS}
             contents |= {f"{name}.png": figures.png(draw(record)) for name, draw in figures.PICTURES.items()}
             for name, data in contents.items():
                 write[name](data)

@@ -2,11 +2,11 @@
 
     kind, version, machine, settings    what this is, where and how thoroughly it was measured
     definition, bearing, scene          how errors are counted, what was looked at
-    measured    [{part, name, cases, tolerance, case_s, over_last, iterations, error, memory_MB}]
+    measured    [{part, name, cases, case_s, over_last, error, memory_MB}]
     errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of results}]
 
-`part` is what is varied: "levels", "tolerance" or "cases". `case_s` is the processor's time of a call over its cases,
-`over_last` that over the time of the last of its series (the finest level, the tightest tolerance, the most cases):
+`part` is what is varied: "levels" or "cases". `case_s` is the processor's time of a call over its cases,
+`over_last` that over the time of the last of its series (the finest level, the most cases):
 {median, low, high}, the median of all rounds and their 5 % and 95 % quantiles. `error` is the worst of all results
 against the last of the series, `memory_MB` the peak of a process that makes this call alone. Null stands for what does
 not apply or has no number.
@@ -23,15 +23,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
+from qsbearing.chooser import comparison
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.solver import TOLERANCE, solve
-from qsbearing.studies.cost import measuring, results, speeds
-from qsbearing.studies.cost.levels import FINEST, LEVELS
+from qsbearing.solver import solve
+from qsbearing.studies.cost import measuring, speeds
+from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.machine import machine
-
-TOLERANCES = tuple(float(f"1e-{power}") for power in range(2, 15, 2))
 
 
 @dataclass(frozen=True)
@@ -43,7 +42,7 @@ class Settings:
     processes: int = 3
     """Fresh processes over which the rounds are spread."""
     batch: int = 100
-    """Cases in the batches that levels and tolerances are timed on."""
+    """Cases in the batches that levels are timed on."""
     sizes: tuple[int, ...] = (1, 10, 100, 1_000, 10_000, 100_000)
     """Cases in one call."""
 
@@ -61,12 +60,11 @@ class Call:
     name: str
     scene: Scene
     cases: int = 1
-    tolerance: float = TOLERANCE
 
     def prepared(self) -> Callable[[], Solution]:
         """All but the call itself done."""
         scene = speeds.batch(self.scene, self.cases)
-        return partial(solve, scene, threads=1, tolerance=self.tolerance)
+        return partial(solve, scene, threads=1)
 
     def memory(self) -> float:
         """Peak memory of this process once it has made the call, results kept [MB]."""
@@ -78,12 +76,8 @@ class Call:
 
 def series(scene: Scene, settings: Settings) -> list[list[Call]]:
     """All that is measured; the last of each series is what the others are compared with."""
-    found = []
-    for cases in (1, settings.batch):
-        found += [
-            [Call("levels", level.name, level.of(scene), cases) for level in LEVELS],
-            [Call("tolerance", f"{value:.0e}", scene, cases, tolerance=value) for value in TOLERANCES],
-        ]
+    counts = (1, settings.batch)
+    found = [[Call("levels", level.name, level.of(scene), cases) for level in LEVELS] for cases in counts]
     return [*found, [Call("cases", f"{count:,}", scene, count) for count in settings.sizes]]
 
 
@@ -111,25 +105,22 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
     for k, calls in enumerate(series(scene, settings)):
         last = calls[-1].prepared()()
         for j, call in enumerate(calls):
-            row = {key: getattr(call, key) for key in ("part", "name", "cases", "tolerance")}
+            row = {key: getattr(call, key) for key in ("part", "name", "cases")}
             row["case_s"] = measuring.spread(rounds[k, j])
             row["over_last"] = measuring.ratio(rounds, (k, j), (k, len(calls) - 1))
-            row |= {"iterations": None, "error": None, "memory_MB": None}
+            row |= {"error": None, "memory_MB": None}
             if call.part == "cases":
                 progress(f"memory of {call.name} cases")
                 row["memory_MB"] = measuring.in_fresh_process(call.memory)
             else:
-                solution = call.prepared()()
-                judged = results.errors(results.read(solution), results.read(last))
-                row["error"] = _short(np.max(results.accuracy(judged)))
-                row["iterations"] = float(f"{np.mean(solution.iterations):.3g}")
+                row["error"] = _short(np.max(comparison.largest(call.prepared()(), last)))
             rows.append(row)
     return {
         "kind": "qsbearing cost",
         "version": __version__,
         "machine": where,
         "settings": asdict(settings),
-        "definition": results.__doc__,
+        "definition": comparison.__doc__,
         "bearing": scene.bearing.name,
         "scene": _text(scene),
         "measured": rows,
@@ -144,20 +135,17 @@ def times(scene: Scene, settings: Settings) -> measuring.Times:
     return {key: [value / listed[key].cases for value in values] for key, values in found.items()}
 
 
-def errors(scene: Scene) -> list[dict[str, Any]]:
-    """Error of each group of results at every level against the finest along the speeds."""
+def errors(scene: Scene, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
+    """Error of each quantity that people read at every level against the last, along the speeds."""
     names, swept = speeds.along_speeds(scene)
     parameter = speeds.dm_n(swept)
-    full = solve(FINEST.of(swept))
-    exact = results.read(full)
+    full = solve(levels[-1].of(swept))
     rows = []
-    for level in LEVELS:
-        solution = solve(level.of(swept))
-        judged = results.errors(results.read(solution), exact)
-        groups = {group: results.accuracy(judged, members) for group, members in results.GROUPS.items()}
+    for level in levels:
+        found = comparison.by_quantity(solve(level.of(swept)), full)
         rows += [
             {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
-            | {group: _short(values[k]) for group, values in groups.items()}
+            | {quantity: _short(values[k]) for quantity, values in found.items()}
             for k, name in enumerate(names)
         ]
     return rows

@@ -45,15 +45,11 @@ def along_speeds(scene: Scene) -> tuple[list[str | None], Scene]:
 
 def batch(scene: Scene, count: int) -> Scene:
     """So many cases around a scene, or for one the scene itself: all that is not zero varied by `VARIED` to either
-    side, each in its own rhythm."""
-    if count == 1:
-        return scene
+    side, each in its own rhythm: multiples of the golden ratio's fraction fill the interval, no value twice."""
     varied: dict[str, Any] = {}
     fields = ("speed", "outer_speed", *(name for channel in CHANNELS for name in channel[:2]))
-    # Multiples of the golden ratio's fraction fill the interval evenly, for any count, and repeat nothing.
-    for position, name in enumerate(fields, start=1):
-        value = getattr(scene.operation, name)
-        if value:
+    for position, name in enumerate(fields if count > 1 else (), start=1):
+        if value := getattr(scene.operation, name):
             part = (np.arange(1, count + 1) * (0.6180339887498949 * position)) % 1.0
             varied[name] = float(value) * (1.0 + VARIED * (2.0 * part - 1.0))
     return replace(scene, operation=replace(scene.operation, **varied))

@@ -1,4 +1,4 @@
-"""The measured costs as tables: for people, and as rows for CSV."""
+"""The measured costs as tables for people."""
 
 from __future__ import annotations
 
@@ -11,22 +11,17 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.io import csv_table
 from qsbearing.io.tables import plain_table
-from qsbearing.studies.cost.levels import LEVELS
+from qsbearing.judgement import WORDS
+from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.machine import in_a_line
-from qsbearing.studies.cost.results import GROUPS
-from qsbearing.studies.cost.speeds import OWN
 
 Row = dict[str, Any]
-
-LISTS = ("measured", "errors")
-"""The parts of a record that are lists of rows."""
 
 
 def report(record: dict[str, Any]) -> Group:
     """Everything in the record, for the terminal."""
-    parts = (_levels(record), _speeds(record), _groups(record), _tolerance(record), _scaling(record))
+    parts = (_levels(record), _speeds(record), _scaling(record))
     return Group(_heading(record), *(Padding(part, (1, 0, 0, 0)) for part in parts))
 
 
@@ -35,7 +30,13 @@ def select(rows: list[Row], **chosen: Any) -> list[Row]:
     return [row for row in rows if all(row[key] == value for key, value in chosen.items())]
 
 
-def worst(row: Row, groups: Iterable[str] = GROUPS) -> float | None:
+def levels_of(record: dict[str, Any]) -> list[Level]:
+    """The levels that were measured, of those that there are."""
+    names = {row["level"] for row in record["errors"]}
+    return [level for level in LEVELS if level.name in names]
+
+
+def worst(row: Row, groups: Iterable[str] = WORDS) -> float | None:
     """The worst error of some groups of results; None where one has no number."""
     values = [row[group] for group in groups]
     return None if None in values else max(values)
@@ -54,36 +55,19 @@ def _levels(record: dict[str, Any]) -> Table:
     batch = record["settings"]["batch"]
     heading = ["", "one call\nus", "of the finest\n", f"a case of {batch}\nus", "of the finest\n"]
     table = _table("Model levels: time", heading)
-    for level in LEVELS:
+    for level in levels_of(record):
         rows = select(record["measured"], part="levels", name=level.name)
         table.add_row(level.text, *(cell for row in rows for cell in (_micro(row), _ratio(row))))
     return table
 
 
 def _speeds(record: dict[str, Any]) -> Table:
-    named = [row for row in select(record["errors"], level=LEVELS[0].name) if row["speed"] is not None]
+    named = [row for row in select(record["errors"], level=levels_of(record)[0].name) if row["speed"] is not None]
     heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:g}"]) for row in named)]
     table = _table("Error of the worst result by speed; below: dm n, mm rpm", heading)
-    for level in LEVELS:
+    for level in levels_of(record):
         rows = [row for row in select(record["errors"], level=level.name) if row["speed"] is not None]
         table.add_row(level.text, *(short(worst(row)) for row in rows))
-    return table
-
-
-def _groups(record: dict[str, Any]) -> Table:
-    table = _table(f"Error against the finest level, {OWN}", ["", *("\n".join(wrap(group, 13)) for group in GROUPS)])
-    for level in LEVELS:
-        (row,) = select(record["errors"], level=level.name, speed=OWN)
-        table.add_row(level.text, *(short(row[group]) for group in GROUPS))
-    return table
-
-
-def _tolerance(record: dict[str, Any]) -> Table:
-    heading = ["residual\ntolerance", "error\n", "iterations\n", "one call\nus"]
-    table = _table("Tolerance: error against the tightest", [*heading, f"a case of {record['settings']['batch']}\nus"])
-    for one in select(record["measured"], part="tolerance", cases=1):
-        times = [_micro(row) for row in select(record["measured"], part="tolerance", name=one["name"])]
-        table.add_row(one["name"], short(one["error"]), f"{one['iterations']:g}", *times)
     return table
 
 
@@ -115,13 +99,3 @@ def _ratio(row: Row) -> str:
 def short(error: float | None) -> str:
     """An error in as few characters as it takes."""
     return "-" if error is None else f"{error:.2g}".replace("e-0", "e-")
-
-
-def csv_text(rows: list[Row]) -> str:
-    """A list of the record as CSV; an empty cell for what there is not."""
-    flat = [
-        {name: value for name, value in row.items() if not isinstance(value, dict)}
-        | {f"{name}_{part}": x for name, value in row.items() if isinstance(value, dict) for part, x in value.items()}
-        for row in rows
-    ]
-    return csv_table.csv_text({name: [row[name] for row in flat] for name in flat[0]})

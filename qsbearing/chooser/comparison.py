@@ -10,25 +10,21 @@ Each error is relative to a size that cannot vanish while the bearing carries lo
     ring load (reactions)               the largest, moments over dm/2
     stiffness, diagonal                 its own, at least a tenth of the largest of its kind (per length, per angle)
 
-Of several balls or channels the worst counts. The *accuracy* of a result is the worst of all of these.
+Contacts below a tenth of the largest load, and stiffnesses below a tenth of the largest: `LIGHT`.
+
+Of several balls or channels the worst counts. The same definitions hold for what the indicators of effects predict.
 """
 
 from __future__ import annotations
 
-from math import radians
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects.operating_point import LIGHT
+from qsbearing.effects.parting import SMALLEST_ANGLE
 from qsbearing.solution import Solution
-
-LIGHT = 0.1
-"""Of contacts that carry less than this part of the largest load only the load is judged; stiffnesses below this part
-of the largest are judged against that part."""
-
-SMALLEST_ANGLE = radians(1.0)
-"""Contact angles below it are judged as if they were this large [rad]."""
 
 RACEWAYS = ("inner", "outer")
 CONTACT = ("load", "angle", "semi_major_axis", "semi_minor_axis", "max_pressure")
@@ -36,12 +32,13 @@ RING = ("axial_displacement", "radial_displacement", "tilt")
 STIFFNESS = ("axial_stiffness", "radial_stiffness", "tilt_stiffness")
 
 GROUPS = {
-    "displacements": RING,
-    "loads and angles": ("inner_load", "inner_angle", "outer_load", "outer_angle", "ring_load"),
-    "semi-axes and pressures": tuple(f"{side}_{name}" for side in RACEWAYS for name in CONTACT[2:]),
+    "contact_angle": ("inner_angle", "outer_angle"),
+    "load": ("inner_load", "outer_load", "ring_load"),
+    "pressure": tuple(f"{side}_{name}" for side in RACEWAYS for name in CONTACT[2:]),
+    "displacement": RING,
     "stiffness": STIFFNESS,
 }
-"""Results that err alike."""
+"""The results behind each of `qsbearing.effects.QUANTITIES`; semi-axes go with pressures."""
 NAMES = tuple(name for names in GROUPS.values() for name in names)
 """Every result judged."""
 
@@ -99,9 +96,23 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
     return judged
 
 
-def accuracy(judged: dict[str, NDArray], names: tuple[str, ...] = NAMES) -> NDArray:
-    """The worst error of all; shape (*cases)."""
-    return np.max(np.stack(np.broadcast_arrays(*(judged[name] for name in names))), axis=0)
+def by_quantity(solution: Solution, full: Solution) -> Results:
+    """Error of each quantity that people read, against another solution of the same cases; shape (*cases).
+
+    Zero where neither is solved, infinite where one alone is.
+    """
+    judged = errors(read(solution), read(full))
+    one, other = np.asarray(solution.converged), np.asarray(full.converged)
+    unsolved = np.where(one == other, 0.0, np.inf)
+    return {
+        name: np.where(one & other, np.max([judged[each] for each in members], axis=0), unsolved)
+        for name, members in GROUPS.items()
+    }
+
+
+def largest(solution: Solution, full: Solution) -> NDArray:
+    """Largest error of all; shape (*cases)."""
+    return np.asarray(np.max(list(by_quantity(solution, full).values()), axis=0))
 
 
 def _largest(*arrays: NDArray) -> NDArray:

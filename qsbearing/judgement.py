@@ -1,0 +1,105 @@
+"""How much each effect and choice matters at a solution: predicted by its indicator, without solving anything."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.effects import EFFECTS, Entry
+from qsbearing.scene.scene import CHOICES, Scene
+from qsbearing.solution import Solution
+
+WORDS = {
+    "contact_angle": "contact angles",
+    "load": "contact loads",
+    "pressure": "contact pressures",
+    "displacement": "displacement",
+    "stiffness": "stiffness",
+}
+"""What people read, in words."""
+
+WORTH_A_WARNING = 0.05
+"""A predicted error above which a missing effect is said to be missing."""
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """One effect or choice at a solution, whose scene has it or not; arrays of shape (*cases)."""
+
+    entry: Entry
+    indicator: NDArray
+    errors: dict[str, NDArray]
+    """What leaving it out changes, by quantity."""
+
+    @property
+    def largest(self) -> NDArray:
+        """Largest error of all quantities; infinite where there is none to tell."""
+        return np.nan_to_num(np.max(list(self.errors.values()), axis=0), nan=np.inf)
+
+    def worst(self, case: int = 0) -> tuple[str, float]:
+        """The quantity that errs most in a case (counted along the flattened axes), and by how much."""
+        found = {name: float(np.ravel(error)[case]) for name, error in self.errors.items()}
+        name = max(found, key=lambda each: found[each])
+        return name, found[name]
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """An effect or choice that was left out."""
+
+    effect: str
+    """Its name in `qsbearing.effects.EFFECTS`."""
+    estimated_error: Any
+    """Largest relative error of all that is read, expected of leaving it out; shape (*cases)."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What was asked, what is in the solution and what is not."""
+
+    tolerance: float
+    effects: tuple[str, ...]
+    """Names of the effects and choices that the solution has, at their finest."""
+    added: tuple[str, ...]
+    """Those of them that the scene did not name."""
+    left_out: tuple[LeftOut, ...]
+    solves: int
+    """How often the scene was solved to choose."""
+
+
+def judge(entry: Entry, solution: Solution) -> Judgement:
+    """One effect or choice at a solution."""
+    point = solution.operating_point
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return Judgement(entry, entry.indicator(point), entry.errors(point))
+
+
+def missing(solution: Solution) -> list[Judgement]:
+    """The effects and finer choices that the solution's scene lacks, and that need nothing but to be named."""
+    scene = solution.scene
+    return [judge(entry, solution) for entry in EFFECTS if not entry.hypothesis and entry.can_be_added(scene)]
+
+
+def lines_to_add(scene: Scene, entries: list[Entry]) -> list[str]:
+    """What a scene file says under [effects] to ask for these besides."""
+    finer = scene
+    for entry in entries:
+        finer = entry.finer(finer)
+    before, after = _effects_table(scene), _effects_table(finer)
+    return [f"{key} = {_toml(value)}" for key, value in after.items() if value != before[key]]
+
+
+def _effects_table(scene: Scene) -> dict[str, Any]:
+    return {"ball": [effect.name for effect in scene.ball_effects]} | {name: getattr(scene, name) for name in CHOICES}
+
+
+def _toml(value: Any) -> str:
+    return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
+
+
+def percent(error: float) -> str:
+    """A relative error in as many digits as it is good for."""
+    return f"{100.0 * error:.2g} %" if error < 1.0 else f"{100.0 * error:.0f} %"

@@ -1,0 +1,210 @@
+"""`qsbearing explain`, the warning of a plain run, and files that leave the effects to be chosen."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.chooser.explain import explain
+from qsbearing.cli import cli
+from qsbearing.effects import EFFECTS, QUANTITIES
+from tests.qsbearing.scenes import resting, solved, turning
+
+TRAP = """[bearing]
+name = "B218"
+[operation]
+speed_rpm = 15000
+axial_load_N = 17800
+"""
+"""A designer who has forgotten the effects, at dm n = 1.9e6."""
+
+
+def call(*arguments: str | Path) -> Result:
+    """One command in this process; anything but a clean exit is an error."""
+    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
+    return result
+
+
+@pytest.fixture
+def trap(tmp_path: Path) -> Path:
+    path = tmp_path / "trap.toml"
+    path.write_text(TRAP)
+    return path
+
+
+def rows(path: Path, *options: str) -> dict[str, dict[str, Any]]:
+    result = call("explain", path, "--json", *options)
+    assert result.exit_code == 0
+    return {row["effect"]: row for row in json.loads(result.stdout)["effects"]}
+
+
+# Explain --------------------------------------------------------------------------------------------------------------
+
+
+def test_every_entry_is_explained(trap: Path) -> None:
+    found = rows(trap)
+    assert list(found) == [entry.name for entry in EFFECTS]
+    for row in found.values():
+        assert row["verdict"] in ("needed", "not needed", "cannot be judged")
+        assert row["actual"] is None
+        assert row["verdict"] != "cannot be judged" or row["why"]
+
+
+def test_the_trap_is_found_and_verification_confirms_it_within_a_factor_of_two(trap: Path) -> None:
+    row = rows(trap, "--verify")["centrifugal_force"]
+    assert (row["in_scene"], row["verdict"]) == (False, "needed")
+    assert row["add"] == ['ball = ["centrifugal_force"]', 'raceway_control = "per_ball"']
+    assert row["actual"]["stiffness"] > 4.0  # wrong by a factor of five
+    for name in ("contact_angle", "load", "pressure", "stiffness"):
+        assert 0.5 < row["predicted"][name] / row["actual"][name] < 2.0, name
+
+
+def test_the_lines_to_add_are_what_they_say(trap: Path) -> None:
+    for name in ("centrifugal_force", "gyroscopic_moment", "hertz_angle"):
+        lines = rows(trap)[name]["add"]
+        trap.write_text(TRAP + "[effects]\n" + "\n".join(lines) + "\n")
+        assert rows(trap)[name]["in_scene"]
+        trap.write_text(TRAP)
+
+
+def test_an_effect_is_predicted_alike_whether_the_scene_has_it_or_not() -> None:
+    """From the solution without it and from that with it; they part as errors grow."""
+    loads = {"axial_load": 17_800.0}
+    without = resting(**loads)
+    without = qs.Scene(without.bearing, qs.Operation(speed=3000 * qs.rpm, **loads))
+    with_it = turning(3000.0, effects=(qs.CentrifugalForce(),), **loads)
+    one, other = (
+        next(row for row in explain(scene, 0.01)[1] if row.effect == "centrifugal_force")
+        for scene in (without, with_it)
+    )
+    assert (one.in_scene, other.in_scene) == (False, True)
+    assert one.predicted is not None
+    for name in QUANTITIES:
+        assert other.predicted == pytest.approx(one.predicted, rel=0.1), name
+
+
+def test_at_rest_inertia_is_not_needed_and_says_so_of_a_ball_without_load_too(tmp_path: Path) -> None:
+    path = tmp_path / "rest.toml"
+    path.write_text(TRAP.replace("15000", "0") + "radial_load_y_N = 20000\ntilt_z_mrad = 0\n")
+    found = rows(path)
+    for name in ("centrifugal_force", "gyroscopic_moment"):
+        assert (found[name]["indicator"], found[name]["verdict"]) == (0.0, "not needed")
+
+
+def test_light_balls_leave_it_to_verification(tmp_path: Path) -> None:
+    path = tmp_path / "light.toml"
+    path.write_text(TRAP.replace("15000", "100") + "radial_load_y_N = 20000\ntilt_z_mrad = 0\n")
+    row = rows(path)["centrifugal_force"]
+    assert row["verdict"] == "cannot be judged"
+    assert "--verify" in row["why"]
+    assert rows(path, "--verify")["centrifugal_force"]["verdict"] != "cannot be judged"
+
+
+def test_the_table_fits_and_tells_what_to_add(trap: Path) -> None:
+    result = call("explain", trap, "--verify")
+    assert result.exit_code == 0
+    assert max(map(len, result.stdout.splitlines())) <= 120
+    assert "centrifugal_force  no " in result.stdout
+    assert 'ball = ["centrifugal_force"]' in result.stdout
+    assert "found" in result.stdout
+
+
+def test_a_scene_without_solution_explains_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "pull.toml"
+    path.write_text(TRAP.replace("17800", "-17800"))
+    result = call("explain", path, "--json")
+    assert result.exit_code == 1
+    assert {row["verdict"] for row in json.loads(result.stdout)["effects"]} == {"cannot be judged"}
+
+
+@pytest.mark.parametrize("tolerance", ["0", "-1", "2", "nan"])
+def test_a_tolerance_out_of_range_is_bad_input(tolerance: str) -> None:
+    result = call("explain", "b218", f"--tolerance={tolerance}")
+    assert (result.exit_code, result.stdout) == (2, "")
+
+
+def test_arrays_are_refused() -> None:
+    with pytest.raises(ValueError, match="one case at a time"):
+        explain(turning([1000.0, 2000.0], axial_load=8e3), 0.01)
+
+
+# Warning --------------------------------------------------------------------------------------------------------------
+
+
+def test_a_plain_run_warns_of_what_is_missing(trap: Path) -> None:
+    (said,) = json.loads(call("run", trap, "--json").stdout)["warnings"]
+    assert "the centrifugal force" in said
+    assert "stiffness: about 360 %" in said
+    assert 'ball = ["centrifugal_force", "gyroscopic_moment"]' in said
+    assert "Missing here" in call("run", trap).stdout
+
+
+def test_what_is_there_or_does_not_matter_is_no_warning() -> None:
+    assert [line for line in qs.warnings(solved(turning(5000.0, axial_load=17_800.0))) if "Missing" in line] == []
+    slow = qs.Scene(resting().bearing, qs.Operation(speed=500 * qs.rpm, axial_load=17_800.0))
+    assert qs.warnings(solved(slow)) == []
+
+
+def test_of_many_cases_those_that_lack_it_are_counted() -> None:
+    scene = qs.Scene(resting().bearing, qs.Operation(speed=[0.0, 100.0, 1500.0], axial_load=17_800.0))
+    (said,) = qs.warnings(solved(scene))
+    assert said.startswith("1 of 3 cases, the first 2: Missing here")
+    assert qs.warnings(solved(scene), 1) == []
+
+
+# Files ----------------------------------------------------------------------------------------------------------------
+
+
+def test_a_file_may_leave_its_effects_to_be_chosen(tmp_path: Path) -> None:
+    path = tmp_path / "auto.toml"
+    path.write_text('effects = "auto"\n' + TRAP.replace("15000", "3000"))
+    assert qs.load_scene(path).tolerance == 0.01
+    found = json.loads(call("run", path, "--json").stdout)
+    assert {one["effect"] for one in found["left_out"]} == {"gyroscopic_moment", "hertz_angle"}
+    assert all(0.0 < one["estimated_error"] < 0.01 for one in found["left_out"])
+    assert found["effects"] == found["accuracy"]["added"] == ["centrifugal_force"]
+    assert found["balls"][0]["gyroscopic_moment_Nmm"] is None
+    text = call("run", path).stdout
+    assert "Tolerance 0.01: left out, with the error expected: the gyroscopic moment" in text
+    assert "Needed, though the scene does not name it: the centrifugal force" in text
+
+
+def test_accuracy_judges_the_operating_point_and_not_what_the_file_names(trap: Path) -> None:
+    found = json.loads(call("run", trap, "--accuracy", "1e-2", "--json").stdout)
+    assert {"centrifugal_force", "gyroscopic_moment"} <= set(found["accuracy"]["added"])
+    plain = json.loads(call("run", trap, "--json").stdout)
+    assert list(found) == list(plain)
+    assert plain["left_out"] is plain["accuracy"] is None
+    assert plain["stiffness_SI"][4][4] > 4.0 * found["stiffness_SI"][4][4]
+
+
+@pytest.mark.parametrize("asked", ["0", "-1e-3", "2", "nan", "1e-13", "a little"])
+def test_an_accuracy_out_of_range_is_bad_input(asked: str) -> None:
+    result = call("run", "b218", f"--accuracy={asked}")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "--accuracy" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("head", "said"),
+    [
+        ("tolerance = 0.01\n", "the effects are not chosen by it"),
+        ('effects = "automatic"\n', "is not a table"),
+        ('effects = "auto"\ntolerance = 2\n', "is no relative error"),
+        ('effects = "auto"\ntolerance = "fine"\n', "is no relative error"),
+        ('effects = "auto"\ntolerance = true\n', "is no relative error"),
+    ],
+)
+def test_a_mistaken_request_is_bad_input_together_with_the_rest(tmp_path: Path, head: str, said: str) -> None:
+    path = tmp_path / "wrong.toml"
+    path.write_text(head + TRAP + "wrong_key = 1\n")
+    result = call("run", path)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert "wrong_key" in result.stderr
