@@ -19,6 +19,7 @@ from qsbearing.cli.cost import cost
 from qsbearing.cli.explain import explain
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
+from qsbearing.cli.plot import plot
 from qsbearing.cli.run import run
 from qsbearing.cli.sweep import sweep
 
@@ -54,7 +55,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, cost, init, catalogue):
+for command in (run, explain, sweep, plot, cost, init, catalogue):
     cli.add_command(command)
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, refuse
+from qsbearing.cli.picture_file import PICTURES, draw_to
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,10 +40,17 @@ TABLES = (".csv", ".parquet")
 @click.option("--seed", type=int, metavar="N", help="Of the random points; 0 if not given.")
 @click.option("--quantity", "-y", "quantities", multiple=True, metavar="NAME", help="A result to keep; all by default.")
 @click.option("--out", metavar="FILE", help="Write all results: .nc (netCDF), .csv or .parquet.")
+@click.option("--plot", "picture", metavar="FILE", help="Also draw them, as `qsbearing plot` does; .png, .svg or .pdf.")
 @click.option("--scheduler", metavar="ADDRESS", help="Solve on a Dask cluster, such as tcp://host:8786.")
 @click.option("--resume", is_flag=True, help="Go on where an interrupted run of the same study stopped.")
 def sweep(
-    scene: str, vary: tuple[str, ...], out: str | None, scheduler: str | None, resume: bool, **given: Any
+    scene: str,
+    vary: tuple[str, ...],
+    out: str | None,
+    picture: str | None,
+    scheduler: str | None,
+    resume: bool,
+    **given: Any,
 ) -> None:
     """Solve SCENE, a TOML file or a catalogue bearing's name, at every point of a study.
 
@@ -54,7 +62,7 @@ def sweep(
     from qsbearing.validation import SceneError
 
     _need("xarray", "h5netcdf")
-    problem = _place_problem(out, resume)
+    problem = _place_problem(out, resume) or _picture_problem(picture)
     try:
         study = _study(scene, vary, given)
         if problem:
@@ -68,6 +76,8 @@ def sweep(
         refuse(f"cannot write: {error.strerror or error}")
     from qsbearing.studies import summary
 
+    if picture is not None:
+        draw_to(results, picture)
     print_table(summary.table(results))
     if not (results["status"] == 0).any():
         sys.exit(UNSOLVED)
@@ -87,6 +97,18 @@ def _place_problem(out: str | None, resume: bool) -> str:
         return "--out *.parquet needs pyarrow: pip install pyarrow"
     if resume and ending != ".nc":
         return "--resume needs --out FILE.nc: only there finished chunks are kept"
+    return ""
+
+
+def _picture_problem(picture: str | None) -> str:
+    if picture is None:
+        return ""
+    if importlib.util.find_spec("matplotlib") is None:
+        return "--plot needs matplotlib: pip install 'qsbearing[studies]'"
+    if os.path.splitext(picture)[1].lower() not in PICTURES:  # noqa: PTH122
+        return f"--plot {picture}: the name must end in one of {', '.join(PICTURES)}"
+    if not os.path.isdir(os.path.dirname(picture) or "."):  # noqa: PTH112, PTH120
+        return f"--plot {picture}: there is no such folder"
     return ""
 
 

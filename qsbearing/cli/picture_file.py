@@ -1,0 +1,34 @@
+"""A picture of a study's results, to a file."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.cli.output import refuse
+
+if TYPE_CHECKING:
+    import xarray
+
+PICTURES = (".png", ".svg", ".pdf")
+
+
+def draw_to(results: xarray.Dataset, target: str, **chosen: Any) -> None:
+    """Draw results to a file, whole or not at all; ends with exit code 2 where they cannot be drawn."""
+    from io import BytesIO
+
+    from qsbearing.io.output_file import output_file
+    from qsbearing.pictures.study import PictureError, picture
+
+    data = BytesIO()
+    form = os.path.splitext(target)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+    if form not in PICTURES:
+        refuse(f"{target}: the name must end in one of {', '.join(PICTURES)}")
+    try:
+        with output_file(target) as write:
+            picture(results, **chosen).savefig(data, format=form[1:])
+            write(data.getvalue())
+    except PictureError as error:
+        refuse(str(error))
+    except OSError as error:
+        refuse(f"{target}: {error}")

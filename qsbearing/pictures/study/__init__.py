@@ -1,0 +1,69 @@
+"""Pictures of a study's results: lines, maps, roses, distributions and sensitivities."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from qsbearing.pictures.study.labels import key_words, value_label, words
+from qsbearing.pictures.study.lines import curves_of, draw_lines
+from qsbearing.pictures.study.maps import draw_maps
+from qsbearing.pictures.study.roses import draw_roses
+from qsbearing.pictures.study.selection import Kind, PictureError, Selection, select
+from qsbearing.pictures.study.spread import draw_distributions, draw_sensitivities
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+__all__ = ["Kind", "PictureError", "picture", "select"]
+
+
+def picture(
+    results: Dataset,
+    x: str | None = None,
+    y: Sequence[str] = (),
+    kind: str | None = None,
+    at: dict[str, float] | None = None,
+) -> Figure:
+    """Draw results; what is not chosen is what suits them. The arguments are those of `select`.
+
+    Raises:
+        PictureError: a name that is not there, or a kind that these results do not allow.
+    """
+    chosen = select(results, x, y, kind, at)
+    if chosen.kind is Kind.LINES:
+        figure = draw_lines(chosen)
+    elif chosen.kind is Kind.MAP:
+        figure = draw_maps(chosen)
+    elif chosen.kind is Kind.ROSE:
+        figure = draw_roses(chosen)
+    elif chosen.kind is Kind.DISTRIBUTION:
+        figure = draw_distributions(chosen)
+    else:
+        figure = draw_sensitivities(chosen)
+    figure.suptitle(_title(chosen), fontsize=10, parse_math=False, x=0.01, ha="left")
+    return figure
+
+
+def _title(chosen: Selection) -> str:
+    """What was studied: the bearing, what is fixed, what the curves are."""
+    scene = json.loads(chosen.results.attrs.get("study", "{}")).get("scene", {})
+    label = str(chosen.results.attrs.get("title", "")).removeprefix("Study of ")
+    if set(scene.get("bearing", {})) == {"name"}:
+        label = label.removesuffix(", modified")  # what is modified is what varies
+    parts, operation = [label], scene.get("operation", {})
+    for name, value in operation.items():
+        if name not in chosen.results.coords and value:
+            parts.append(f"{words(_without_unit(name))} {value:.6g} {name.rpartition('_')[2]}")
+    for values in chosen.results.coords.values():
+        if values.ndim == 0 and float(values) != 0.0:
+            parts.append(f"{key_words(values)} {value_label(values, float(values))}")
+    if chosen.kind is Kind.LINES:
+        parts.append(curves_of(chosen))
+    return ", ".join(filter(None, parts))
+
+
+def _without_unit(key: str) -> str:
+    return key.rpartition("_")[0]

@@ -1,0 +1,171 @@
+"""Results against one key: a panel for each kind of result, a curve for each value of another key."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
+from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
+from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from xarray import DataArray, Dataset
+
+WITH_MARKERS = 25
+"""Up to so many points a curve shows each of them."""
+BAND = (0.05, 0.95)
+"""Quantiles of the samples between which a band is drawn."""
+_ALL_BALLS = "all balls (line: the most loaded one)"
+_CHANNEL_STYLES: dict[str, dict[str, Any]] = {
+    "": {"color": "0.1", "linestyle": "-"},
+    "axial": {"color": "0.1", "linestyle": "-"},
+    "radial_y": {"color": "#009e73", "linestyle": "--"},
+    "radial_z": {"color": "#cc79a7", "linestyle": "-."},
+    "tilt_y": {"color": "#009e73", "linestyle": ":"},
+    "tilt_z": {"color": "#cc79a7", "linestyle": (0, (5, 1))},
+}
+
+
+def draw_lines(chosen: Selection) -> Figure:
+    """One panel for each kind of result, side by side; beyond four, in rows of three."""
+    count = len(chosen.panels)
+    columns = count if count <= 4 else 3
+    rows = -(-count // columns)
+    figure = figure_of_size(max(4.6, 3.7 * columns), 3.3 * rows + 0.4)
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    handles: dict[str, Any] = {}
+    for axes, names in zip(grid, chosen.panels, strict=False):
+        handles |= _panel(axes, chosen, names)
+    for axes in grid[count:]:
+        axes.remove()
+    if handles:
+        figure.legend(
+            list(handles.values()), list(handles), loc="outside lower center", ncols=4, fontsize=8.5, frameon=False
+        )
+    return figure
+
+
+def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, Any]:
+    """Draw one panel; what its curves are, for the legend."""
+    from matplotlib.ticker import MaxNLocator
+
+    results, x = chosen.results, chosen.results[chosen.x].values
+    handles: dict[str, Any] = {}
+    labels: list[tuple[NDArray, NDArray, str, str]] = []
+    numbers = range(results.sizes[chosen.other]) if chosen.other else range(1)
+    for name in names:
+        which = stem(name)[1]
+        style = _style(which)
+        for number in numbers:
+            point = results.isel({chosen.other: number}) if chosen.other else results
+            line, low, high = _curve(point, name, chosen.x)
+            marker = {"marker": style["marker"], "markersize": 3.5} if x.size <= WITH_MARKERS else {}
+            face = {"markerfacecolor": "none"} if which == "outer" else {}
+            drawing: dict[str, Any] = {key: style[key] for key in ("color", "linestyle")} | marker | face
+            (drawn,) = axes.plot(x, line, linewidth=1.3, **drawing)
+            if low is not None and high is not None and not np.allclose(low, high, equal_nan=True):
+                band = axes.fill_between(x, low, high, color=style["color"], alpha=0.13, linewidth=0.0)
+                is_sampled = SAMPLE in results[name].dims
+                handles.setdefault("5 % to 95 % of the samples" if is_sampled else _ALL_BALLS, band)
+            if chosen.other:
+                text = value_label(results[chosen.other], float(results[chosen.other].values[number]))
+                labels.append((x, line, text, style["color"]))
+            if which in STYLE or len(names) > 1:
+                said = f"{which} raceway" if which in STYLE else which.replace("_", " ")
+                handles.setdefault(said, drawn)
+    axes.set_xlim(float(x.min()), float(x.max()))
+    if np.all(x > 0.0) and np.allclose(np.diff(np.log(x)), np.diff(np.log(x))[0]) and x.size > 2 and x[-1] > 20 * x[0]:
+        axes.set_xscale("log")
+    else:
+        axes.xaxis.set_major_locator(MaxNLocator(5, integer=bool(np.all(x == np.rint(x)))))
+    _limits(axes)
+    axes.set_xlabel(key_heading(results[chosen.x]), fontsize=9)
+    said = words(stem(names[0])[0])
+    if len(names) == 1 and stem(names[0])[1]:
+        said += f" ({stem(names[0])[1].replace('_', ' ')})"
+    heading = with_unit(said, str(results[names[0]].attrs.get("units", "")))
+    axes.set_title(heading, fontsize=9.5, loc="left")
+    plain(axes)
+    _say_unsolved(axes, chosen)
+    label_curves(axes, labels)
+    return handles
+
+
+def _style(which: str) -> dict[str, Any]:
+    return STYLE[which] if which in STYLE else {"marker": "D", **_CHANNEL_STYLES.get(which, _CHANNEL_STYLES[""])}
+
+
+def _limits(axes: Axes) -> None:
+    low, high = axes.get_ylim()
+    if 0.0 < low < 0.4 * high:
+        axes.set_ylim(bottom=0.0)
+
+
+def _curve(results: Dataset, name: str, x: str) -> tuple[NDArray, NDArray | None, NDArray | None]:
+    """A curve and the band about it: the most loaded ball among all, or the median among the samples."""
+    values = results[name]
+    low = high = None
+    if BALL in values.dims:
+        low, high = (np.asarray(_over(values, how, BALL)) for how in ("min", "max"))
+        values = _most_loaded(results, values, name)
+        if SAMPLE in values.dims:
+            low = high = None
+    if SAMPLE in values.dims:
+        low, middle, high = (values.quantile(q, SAMPLE).transpose(x).values for q in (BAND[0], 0.5, BAND[1]))
+        return middle, low, high
+    return np.asarray(values.transpose(x)), low, high
+
+
+def _over(values: DataArray, how: str, dim: str) -> DataArray:
+    found: DataArray = getattr(values, how)(dim)
+    return found
+
+
+def _most_loaded(results: Dataset, values: DataArray, name: str) -> DataArray:
+    """At the ball that carries most on the outer raceway, which is one that carries on both."""
+    load = results.get("outer_load")
+    if load is None or BALL not in load.dims:
+        return values.max(BALL)
+    ball = load.fillna(-1.0).argmax(BALL)
+    return values.isel({BALL: ball})
+
+
+def _say_unsolved(axes: Axes, chosen: Selection) -> None:
+    """Shade where no curve has a solution, and write why."""
+    status, reason = chosen.results["status"], chosen.results["reason"]
+    others = [dim for dim in status.dims if dim != chosen.x]
+    unsolved = (status != 0).all(others).values
+    if not unsolved.any():
+        return
+    x = chosen.results[chosen.x].values
+    edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
+    meanings = str(reason.attrs.get("flag_meanings", "")).split(" ")
+    first = reason.isel(dict.fromkeys(others, 0)).values
+    for start in np.flatnonzero(unsolved & ~np.roll(unsolved, 1) | (unsolved & (np.arange(x.size) == 0))):
+        stop = start
+        while stop + 1 < x.size and unsolved[stop + 1]:
+            stop += 1
+        axes.axvspan(edges[start], edges[stop + 1], color="0.93", zorder=0)
+        why = meanings[int(first[start])].rpartition(":")[2].replace("_", " ").strip()
+        middle = 0.5 * (edges[start] + edges[stop + 1])
+        said = "\n".join(_wrapped("not converged" if why == "none" else why, 22))
+        axes.text(
+            middle, 0.5, said, rotation=90, transform=axes.get_xaxis_transform(), fontsize=7, ha="center", va="center",
+            color=GREY,
+        )  # fmt: skip
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    import textwrap
+
+    return textwrap.wrap(text, width)
+
+
+def curves_of(chosen: Selection) -> str:
+    """What the curves differ in, for the title."""
+    return f"curves: {key_words(chosen.results[chosen.other])}" if chosen.other else ""

@@ -1,0 +1,160 @@
+"""What of a study's results goes on a picture, and how it is arranged; good defaults, any of which may be chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from qsbearing.io.unknown_key import near
+from qsbearing.pictures.study.labels import stem
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+SAMPLE, BALL = "sample", "ball"
+MOST_CURVES = 8
+"""More values than this along a second axis make a map, not curves."""
+
+
+class Kind(StrEnum):
+    """Of a picture."""
+
+    LINES = "lines"
+    """Results against one key, a curve for each value of another."""
+    MAP = "map"
+    """Contours over two keys."""
+    ROSE = "rose"
+    """Contact loads around the bearing."""
+    DISTRIBUTION = "distribution"
+    """Histograms over the samples."""
+    SENSITIVITY = "sensitivity"
+    """Which random key each result follows."""
+
+
+class PictureError(ValueError):
+    """What was asked for cannot be drawn; a sentence."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Results with all axes chosen: x, the curves' or the map's other axis, samples and balls."""
+
+    results: Dataset
+    kind: Kind
+    x: str
+    other: str
+    """The second axis; empty where there is none."""
+    panels: tuple[tuple[str, ...], ...]
+    """Names of the results on each panel."""
+    fixed: dict[str, float]
+    """Keys of further axes, and the value that is shown."""
+
+
+def select(
+    results: Dataset,
+    x: str | None = None,
+    y: Sequence[str] = (),
+    kind: str | None = None,
+    at: dict[str, float] | None = None,
+) -> Selection:
+    """Arrange results for a picture.
+
+    Args:
+        x: key along the horizontal axis; the longest axis if not given.
+        y: results to show; angles, loads and stiffness if not given, or what tells most on a map.
+        kind: of the picture, if not the one that suits the axes.
+        at: for keys of further axes, the value to show; their first if not given.
+
+    Raises:
+        PictureError: a name that is not there, or a kind that these axes do not allow.
+    """
+    axes = [str(dim) for dim in results["status"].dims if dim != SAMPLE]
+    for name in (*(at or {}), *([x] if x else [])):
+        if name not in axes:
+            meant = near(name, axes, 0.4)
+            raise PictureError(f"{name} is no axis of these results: {', '.join(axes) or 'none'}. {_meant(meant)}")
+    fixed = {}
+    for name, value in (at or {}).items():
+        along = results[name].values
+        number = int(np.abs(along - value).argmin())
+        if not np.isclose(along[number], value):
+            raise PictureError(f"{name} = {value:g} is not among its values; the nearest is {along[number]:g}")
+        fixed[name] = float(along[number])
+    free = [name for name in axes if name not in fixed]
+    across = x or max(free, key=lambda name: results.sizes[name], default="")
+    others = sorted((name for name in free if name != across), key=lambda name: -results.sizes[name])
+    for name in others[1:]:
+        fixed[name] = float(results[name].values[0])
+    other = others[0] if others else ""
+    chosen = _kind(results, kind, across, other)
+    results = results.sel(fixed)
+    return Selection(results, chosen, across, other, _panels(results, chosen, y), fixed)
+
+
+def _kind(results: Dataset, kind: str | None, x: str, other: str) -> Kind:
+    has_samples = SAMPLE in results["status"].dims
+    if kind is None:
+        if not x:
+            return Kind.DISTRIBUTION
+        is_map = other and results.sizes[other] > MOST_CURVES and not has_samples
+        return Kind.MAP if is_map else Kind.LINES
+    if kind not in list(Kind):
+        raise PictureError(f"{kind} is no kind of picture: {', '.join(Kind)}")
+    if kind == Kind.MAP and not other:
+        raise PictureError("a map needs two axes")
+    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) and not has_samples:
+        raise PictureError(f"a picture of the kind {kind} needs keys that vary at random")
+    if kind == Kind.LINES and not x:
+        raise PictureError("lines need an axis: a key that takes listed values or a range")
+    if kind == Kind.ROSE and "inner_load" not in results:
+        raise PictureError("a rose needs the results inner_load and outer_load of every ball")
+    return Kind(kind)
+
+
+def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+    names = list(y) or _default(results, kind)
+    known = [str(name) for name in results.data_vars if name not in ("status", "reason")]
+    for name in names:
+        if name not in known:
+            meant = near(name, known, 0.4)
+            raise PictureError(f"{name} is no result in this file. {_meant(meant) or ', '.join(known)}")
+    panels: dict[str, list[str]] = {}
+    for name in names:
+        key = f"{stem(name)[0]} {results[name].attrs.get('units', '')}" if kind is Kind.LINES else name
+        panels.setdefault(key, []).append(name)
+    return tuple(map(tuple, panels.values()))
+
+
+def _default(results: Dataset, kind: Kind) -> list[str]:
+    """What most readers want; of it, what is there and not zero everywhere."""
+    if kind is Kind.MAP:
+        wanted = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
+        wanted += ["ring_effective_stiffness_axial"]
+    else:
+        wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
+        if _varies(results, "ring_load_radial_y"):
+            wanted.append("ring_effective_stiffness_radial_y")
+    found = [each for name in wanted for each in (name, f"{name}_max", f"{name}_min") if _varies(results, each)]
+    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) or not found:
+        found += [str(name) for name in results.data_vars if name not in (*found, *_NOT_RESULTS)]
+        found = [name for name in found if _varies(results, name)][:6]
+    return found
+
+
+_NOT_RESULTS = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")
+
+
+def _varies(results: Dataset, name: str) -> bool:
+    if name not in results:
+        return False
+    values = results[name].values
+    finite = values[np.isfinite(values)]
+    return bool(finite.size and np.abs(finite).max() > 0.0)
+
+
+def _meant(name: str) -> str:
+    return f"Did you mean {name}?" if name else ""

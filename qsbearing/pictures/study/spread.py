@@ -1,0 +1,84 @@
+"""Results over the samples: how they are distributed, and which random key each of them follows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
+from qsbearing.pictures.study.selection import BALL, Selection
+from qsbearing.pictures.style import STYLE, figure_of_size, plain
+from qsbearing.rank_correlation import rank_correlation
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MARKED = ((0.05, "5 %"), (0.5, "median"), (0.95, "95 %"))
+
+
+def draw_distributions(chosen: Selection) -> Figure:
+    """A histogram for each result, its quantiles marked."""
+    from matplotlib.ticker import MaxNLocator
+
+    count = len(chosen.panels)
+    columns = min(3, count)
+    rows = -(-count // columns)
+    figure = figure_of_size(max(4.6, 3.6 * columns), 2.6 * rows + 0.3)
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes, (name,) in zip(grid, chosen.panels, strict=False):
+        values = _values(chosen, name)
+        values = values[np.isfinite(values)]
+        low, high = np.quantile(values, [0.001, 0.999])
+        side = stem(name)[1]
+        colour = STYLE[side]["color"] if side in STYLE else "0.35"
+        bins = np.linspace(low, high, min(60, 8 + int(values.size**0.5 / 2))) if high > low else 10
+        axes.hist(values, bins=bins, color=colour, alpha=0.55, edgecolor="none")
+        for quantile, said in MARKED:
+            at = float(np.quantile(values, quantile))
+            axes.axvline(at, color="0.1", linewidth=1.0, linestyle="-" if said == "median" else "--")
+            axes.annotate(
+                f"{at:.5g}", (at, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2), textcoords="offset points",
+                ha="center", va="bottom", fontsize=7,
+            )  # fmt: skip
+        said = f"{side} {words(stem(name)[0])}".strip()
+        axes.set_xlabel(with_unit(said, str(chosen.results[name].attrs.get("units", ""))), fontsize=9)
+        plain(axes)
+        axes.xaxis.set_major_locator(MaxNLocator(4))
+        axes.set_yticks([])
+        axes.grid(visible=False)
+        axes.spines["left"].set_visible(False)
+    for axes in grid[count:]:
+        axes.remove()
+    figure.text(0.995, 0.995, "lines: 5 %, median, 95 %", ha="right", va="top", fontsize=8)
+    return figure
+
+
+def draw_sensitivities(chosen: Selection) -> Figure:
+    """Rank correlation of each result with each random key, as a table of shades."""
+    keys = [name for name, values in chosen.results.coords.items() if values.dims == ("sample",) and name != "sample"]
+    names = [name for (name,) in chosen.panels]
+    drawn = [chosen.results[key].values for key in keys]
+    correlation = np.array([[rank_correlation(_values(chosen, name), key) for key in drawn] for name in names])
+    figure = figure_of_size(3.2 + 0.85 * len(keys), 1.8 + 0.34 * len(names))
+    axes = figure.subplots()
+    axes.imshow(np.abs(correlation), cmap="Greys", vmin=0.0, vmax=1.3, aspect="auto")
+    for row, column in np.ndindex(*correlation.shape):
+        value = correlation[row, column]
+        colour = "white" if abs(value) > 0.75 else "black"
+        axes.text(column, row, f"{value:+.2f}", ha="center", va="center", fontsize=8, color=colour)
+    said = [f"{stem(name)[1].replace('_', ' ')} {words(stem(name)[0])}".strip() for name in names]
+    axes.set_yticks(range(len(names)), said, fontsize=8)
+    axes.set_xticks(range(len(keys)), [key_words(chosen.results[key]).replace(" ", "\n") for key in keys], fontsize=8)
+    axes.xaxis.tick_top()
+    axes.tick_params(length=0)
+    axes.set_xlabel("rank correlation: +1 rises with the key alone,\n0 does not follow it", fontsize=8)
+    return figure
+
+
+def _values(chosen: Selection, name: str) -> NDArray:
+    values = chosen.results[name]
+    if BALL in values.dims:
+        values = values.max(BALL)
+    return np.asarray(values.values, float).ravel()

@@ -1,0 +1,143 @@
+"""Pictures of studies: what suits the results is drawn, nothing is clipped, and what cannot be drawn is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.pictures.study import Kind, PictureError, picture, select
+from qsbearing.rank_correlation import rank_correlation
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+
+pytest.importorskip("xarray")
+matplotlib = pytest.importorskip("matplotlib")
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402 - only where matplotlib is there
+
+VARIED = {
+    "speed": {"speed_rpm": "0:12000:9", "axial_load_N": [2000, 17800]},
+    "balls": {"ball_count": "14:20:7"},
+    "radial": {"radial_load_y_N": "0:8000:5", "tilt_z_mrad": 0},
+    "map": {"speed_rpm": "0:12000:10", "axial_load_N": "1000:9000:9"},
+    "random": {"ball_diameter_mm": "normal(22.225,0.002)", "pitch_diameter_mm": "normal(125.26,0.02)"},
+    "curve": {"speed_rpm": "0:12000:9", "ball_diameter_mm": "normal(22.225,0.01)"},
+}
+
+
+@pytest.fixture(scope="module")
+def results() -> dict[str, object]:
+    return {name: sweep(Study.of("b218", vary, samples=64)) for name, vary in VARIED.items()}
+
+
+KINDS = {
+    "speed": "lines",
+    "balls": "lines",
+    "radial": "lines",
+    "map": "map",
+    "random": "distribution",
+    "curve": "lines",
+}
+
+
+@pytest.mark.parametrize(("name", "kind"), [*KINDS.items(), ("radial", "rose"), ("random", "sensitivity")])
+def test_nothing_is_clipped(results: dict, name: str, kind: str) -> None:
+    assert select(results[name]).kind == KINDS[name]
+    figure = picture(results[name], kind=kind)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    box = figure.get_tightbbox(canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert box.x0 > -0.01, "left"
+    assert box.y0 > -0.01, "below"
+    assert box.x1 < width + 0.01, "right"
+    assert box.y1 < height + 0.01, "above"
+
+
+def test_curves_are_the_results(results: dict) -> None:
+    figure = picture(results["speed"], y=["outer_load"])
+    (axes,) = figure.axes
+    found = results["speed"]["outer_load"].isel(ball=0)
+    for number, line in enumerate(axes.lines[:2]):
+        np.testing.assert_array_equal(line.get_xdata(), found["speed_rpm"])
+        np.testing.assert_array_equal(line.get_ydata(), found[:, number])
+    labels = {text.get_text() for text in axes.texts}
+    assert labels == {"2000 N", "17800 N"}
+    assert axes.get_title(loc="left").endswith(", N")
+    assert "curves: axial load" in figure.get_suptitle()
+
+
+def test_a_band_spans_all_balls_and_the_line_is_the_most_loaded(results: dict) -> None:
+    (axes,) = picture(results["radial"], y=["inner_load"]).axes
+    load = results["radial"]["inner_load"]
+    np.testing.assert_allclose(axes.lines[0].get_ydata(), load.max("ball"))
+    (band,) = axes.collections
+    heights = band.get_paths()[0].vertices[:, 1]
+    assert heights.min() == pytest.approx(float(load.min()))
+
+
+def test_where_nothing_is_solved_the_reason_stands(results: dict) -> None:
+    (axes,) = picture(results["balls"], y=["inner_load"]).axes
+    assert any("do not fit" in text.get_text() for text in axes.texts)
+
+
+@pytest.mark.parametrize(
+    ("name", "chosen", "said"),
+    [
+        ("speed", {"x": "speed"}, "Did you mean speed_rpm"),
+        ("speed", {"y": ["inner_lod"]}, "Did you mean inner_load"),
+        ("speed", {"kind": "pie"}, "no kind of picture"),
+        ("speed", {"kind": "distribution"}, "vary at random"),
+        ("balls", {"kind": "map"}, "two axes"),
+        ("random", {"kind": "lines"}, "need an axis"),
+        ("speed", {"at": {"axial_load_N": 3000}}, "not among its values"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(results: dict, name: str, chosen: dict, said: str) -> None:
+    with pytest.raises(PictureError, match=said):
+        picture(results[name], **chosen)
+
+
+def test_axes_are_chosen() -> None:
+    study = Study.of("b218", {"speed_rpm": "0:1:3", "axial_load_N": [1, 2, 3, 4], "ball_count": [9, 10]})
+    chosen = select(sweep(study, None), at={"axial_load_N": 2})
+    assert (chosen.x, chosen.other, chosen.fixed) == ("speed_rpm", "ball_count", {"axial_load_N": 2.0})
+    chosen = select(sweep(study, None), x="ball_count", kind=Kind.MAP)
+    assert (chosen.x, chosen.other, chosen.fixed) == ("ball_count", "axial_load_N", {"speed_rpm": 0.0})
+
+
+def test_rank_correlation_knows_only_the_order() -> None:
+    x = np.random.default_rng(0).normal(size=50)
+    assert rank_correlation(x, np.exp(3.0 * x)) == pytest.approx(1.0)
+    assert rank_correlation(x, -(x**3)) == pytest.approx(-1.0)
+    assert np.isnan(rank_correlation(x, np.ones(50)))
+
+
+def test_one_command_draws_a_bearing_against_speed(tmp_path: Path) -> None:
+    arguments = [
+        "sweep",
+        "b218",
+        "--vary",
+        "speed_rpm=0:9000:4",
+        "--out",
+        tmp_path / "r.nc",
+        "--plot",
+        tmp_path / "a.png",
+    ]
+    runner = CliRunner()
+    assert runner.invoke(cli, arguments).exit_code == 0
+    assert runner.invoke(cli, ["plot", str(tmp_path / "r.nc")]).exit_code == 0
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "r.png").read_bytes()
+    for wrong, said in (
+        (["r.nc", "--out", "r.txt"], "end in"),
+        (["none.nc"], "no such file"),
+        (["r.nc", "-x", "y"], "axis"),
+    ):
+        done = runner.invoke(cli, ["plot", str(tmp_path / wrong[0]), *wrong[1:]])
+        assert done.exit_code == 2
+        assert said in done.stderr
+    assert qs.open_results(tmp_path / "r.nc").close() is None
