@@ -11,7 +11,8 @@ Assumes       each ring a thick annulus from its seat to the bottom of its groov
               flattening of rough seats do not count; groove centres keep their axial places in their rings
 When not      thin-walled housings that are not round, rings held axially, shaft growth between two bearings
 Parameters    bore and outside diameter of the bearing; interference (diametral, negative: a loose fit) at a seat that
-              is to be regarded, and there the shaft's bore or the housing's outside diameter; temperatures
+              is to be regarded, and there the shaft's bore or the housing's outside diameter; temperatures. A ring
+              without a seat grows freely
 Indicator     the turn of the free contact angle over the contact angle; without parameters that by rotation of a
               thin inner ring, u = rho omega^2 r^3/E, more than which no other section gives
 Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner_ring_temperature=60 + zero_celsius)
