@@ -52,6 +52,15 @@ def viscosity_ratio(kinematic_viscosity: ArrayLike, speed: ArrayLike, pitch_diam
     return np.asarray(np.asarray(kinematic_viscosity, float) / reference_viscosity(speed, pitch_diameter))
 
 
+def lubrication_term(viscosity_ratio: ArrayLike) -> NDArray:
+    """2.5671 - c/kappa^e of the life modification factor; NaN below kappa = 0.1, constant from 4 on."""
+    k = np.minimum(np.asarray(viscosity_ratio, float), GREATEST_RATIO)
+    k = np.where(k < LEAST_RATIO, np.nan, k)
+    c = np.where(k < 0.4, 2.2649, 1.9987)
+    e = np.select([k < 0.4, k < 1.0], [0.054381, 0.19087], 0.071739)
+    return np.asarray(2.5671 - c * k**-e)
+
+
 def life_modification_factor(
     viscosity_ratio: ArrayLike,
     contamination_factor: ArrayLike,
@@ -72,14 +81,9 @@ def life_modification_factor(
     Returns:
         At most 50, which is also the value where the bracket is no longer positive (a load below the fatigue limit).
     """
-    kappa = np.asarray(viscosity_ratio, float)
-    k = np.minimum(kappa, GREATEST_RATIO)
-    k = np.where(k < LEAST_RATIO, np.nan, k)
-    c = np.where(k < 0.4, 2.2649, 1.9987)
-    e = np.select([k < 0.4, k < 1.0], [0.054381, 0.19087], 0.071739)
     with np.errstate(divide="ignore", invalid="ignore"):
         relative = np.asarray(contamination_factor, float) * np.asarray(fatigue_load_limit, float)
         relative = relative / np.asarray(equivalent_load, float)
-        bracket = 1.0 - (2.5671 - c * k**-e) ** 0.83 * np.cbrt(relative)
+        bracket = 1.0 - lubrication_term(viscosity_ratio) ** 0.83 * np.cbrt(relative)
         factor = np.where(bracket > 0.0, 0.1 * np.abs(bracket) ** -9.3, LARGEST)
     return np.asarray(np.where(np.isnan(bracket), np.nan, np.minimum(factor, LARGEST)))

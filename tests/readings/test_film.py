@@ -51,6 +51,12 @@ def test_films_grow_as_the_formulas_say() -> None:
         assert stiffer / first == pytest.approx(2**pressure, rel=1e-12)
 
 
+def test_round_contacts() -> None:
+    """The part of the shape, which long ellipses hide: k = 1, all else 1."""
+    assert film_thickness.minimum_thickness(1.0, 1.0, 1.0, 1.0) == pytest.approx(3.63 * (1 - np.exp(-0.68)))  # type: ignore[arg-type]
+    assert film_thickness.central_thickness(1.0, 1.0, 1.0, 1.0) == pytest.approx(2.69 * (1 - 0.61 * np.exp(-0.73)))  # type: ignore[arg-type]
+
+
 def test_load_hardly_thins_the_film() -> None:
     """W^-0.073 at a fixed angle."""
     scene = resting(

@@ -98,6 +98,10 @@ def test_friction_is_in_proportion_to_its_coefficients() -> None:
     assert two.inner.hysteresis_power is not None
     assert two.outer.hysteresis_power is not None
     assert two.drag_power is not None
+    roll = qs.readings.kinematics(solution).inner.rolling_speed
+    assert roll is not None
+    work = solution.inner.load * solution.inner.semi_minor_axis * np.abs(roll)
+    assert two.inner.hysteresis_power == pytest.approx(0.02 * 3 / 16 * work)
     parts = 2 * one.power + (two.inner.hysteresis_power + two.outer.hysteresis_power + two.drag_power).sum()
     assert two.power == pytest.approx(parts)
     speed = qs.readings.kinematics(solution).orbital_speed * 89.5e-3 / 2
