@@ -102,5 +102,6 @@ def test_the_map_names_every_folder_of_the_package() -> None:
     assert folders <= {name for line in lines for name in re.findall(r"`(\w+)/`", line)}
 
 
-def test_the_picture_is_light() -> None:
-    assert (tables.GUIDE / "b218_speed.svg").stat().st_size < 60_000
+@pytest.mark.parametrize("name", ["b218_speed.svg", "b218_life.svg"])
+def test_the_pictures_are_light(name: str) -> None:
+    assert (tables.GUIDE / name).stat().st_size < 60_000

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import tomllib
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -108,6 +110,14 @@ def test_tables_and_columns(tmp_path: Path) -> None:
     frame = solution.to_dataframe(columns)
     assert frame["friction_inner_sliding_power_W"][0] == pytest.approx(columns["friction_inner_sliding_power_W"][0])
     assert "friction_inner_hysteresis_power_W" not in columns
+
+
+def test_the_scene_file_of_the_guide() -> None:
+    page = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding="utf-8")
+    lines = page[page.index("    [readings]\n") :].splitlines()
+    block = "\n".join(line[4:] for line in takewhile(lambda line: not line or line.startswith("    "), lines))
+    solution = qs.solve(scene_of(BASE | tomllib.loads(block), "the guide"))
+    assert set(qs.readings.take_asked(solution)) == set(asked.READINGS)
 
 
 def test_columns_of_many_cases() -> None:

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import qsbearing as qs
+from qsbearing.pictures.life import LifePanel, life_against
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 from tests.readings.published import bearing
 from tests.reference.test_published_numbers import TEN_MICROMETRES, half_play
@@ -217,3 +218,13 @@ def test_static_safety_two_ways() -> None:
     crushed = qs.readings.static_safety(solved(resting(B218, axial_load=9e5)))
     assert crushed.contact_safety < 1.0
     assert any("yields" in sentence for sentence in crushed.warnings)
+
+
+def test_life_as_a_picture() -> None:
+    """Three curves a panel; a panel needs one case axis."""
+    found = qs.readings.life(solved(resting(B218, axial_load=np.linspace(5e3, 20e3, 7))))
+    figure = life_against([LifePanel("load, kN", np.linspace(5, 20, 7), found), LifePanel("n", range(7), found, True)])
+    assert [len(axes.lines) for axes in figure.axes] == [3, 3]
+    assert figure.axes[0].lines[2].get_ydata() == pytest.approx(found.basic_reference_rating_life / MREV)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="one case axis"):
+        life_against([LifePanel("load", [1.0, 2.0], found)])
