@@ -34,11 +34,13 @@ if TYPE_CHECKING:
     from qsbearing.io.scene_file import load_scene
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.messages import message, warnings
+    from qsbearing.raceway_contacts import RacewayContacts
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
     from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import Scene
-    from qsbearing.solution import RacewayContacts, Reason, Solution, Status, stiffness
+    from qsbearing.solution import Solution, stiffness
+    from qsbearing.status import Reason, Status
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
     from qsbearing.studies.sweep import sweep
@@ -61,7 +63,9 @@ _HOMES = {
     "scene.operation": ("Operation",),
     "scene.preload": ("Preload",),
     "scene.scene": ("Scene",),
-    "solution": ("RacewayContacts", "Reason", "Solution", "Status", "stiffness"),
+    "raceway_contacts": ("RacewayContacts",),
+    "solution": ("Solution", "stiffness"),
+    "status": ("Reason", "Status"),
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
-from enum import StrEnum
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -17,18 +16,11 @@ from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
-from qsbearing.kernel.admissibility import (
-    CONVERGED,
-    FRICTION_WITHOUT_LOAD,
-    NO_CONSISTENT_CONTROL,
-    NO_EQUILIBRIUM,
-    NOT_CONVERGED,
-    OPEN_SIDE,
-    OVER_SHOULDER,
-    UNSUPPORTED,
-)
+from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
 from qsbearing.kernel.workspace import working_memory
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.scene import Scene
+from qsbearing.status import STATUS_OF_CODE, reasons
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
@@ -44,85 +36,6 @@ Index = int | Place | None
 
 CHUNK = 4096
 """Cases whose records exist at a time while something is read off a large solution."""
-
-
-class Status(StrEnum):
-    """How a case ended."""
-
-    CONVERGED = "converged"
-    """Balls and ring are in equilibrium."""
-    NO_EQUILIBRIUM = "no_equilibrium"
-    """Nothing in the bearing supports the load; `message` says which channel or which hypothesis fails."""
-    NOT_CONVERGED = "not_converged"
-    """No equilibrium was found; that is no proof that there is none."""
-
-
-class Reason(StrEnum):
-    """Why a case has no equilibrium."""
-
-    UNSUPPORTED = "unsupported"
-    """Nothing supports the load: the ring moves without end, and the energy falls without bound."""
-    OPEN_SIDE = "open_side"
-    """Balls would have to press on the open side of the inner groove, at angles below zero."""
-    OVER_SHOULDER = "over_shoulder"
-    """Balls would have to press beyond 90 degrees, where no groove is."""
-    FRICTION_WITHOUT_LOAD = "friction_without_load"
-    """The raceway-control hypothesis puts friction where too little load or none carries it."""
-
-
-_REASONS = {
-    UNSUPPORTED: Reason.UNSUPPORTED,
-    FRICTION_WITHOUT_LOAD: Reason.FRICTION_WITHOUT_LOAD,
-    OPEN_SIDE: Reason.OPEN_SIDE,
-    OVER_SHOULDER: Reason.OVER_SHOULDER,
-}
-"""Several may hold; the first of these is reported."""
-
-STATUS_OF_CODE = dict(zip((CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED), Status, strict=True))
-
-
-def _contact_result(what: int, unit: str, meaning: str) -> cached_property[NDArray]:
-    """A property of `RacewayContacts` with its docstring."""
-
-    def read(contacts: RacewayContacts) -> NDArray:
-        return contacts._solution._read(contacts._side, what, unit)
-
-    read.__doc__ = meaning
-    return cached_property(read)
-
-
-class RacewayContacts:
-    """All contacts of one raceway; arrays of shape (*cases, ball), computed when first asked for.
-
-    NaN stands where there is no number: cases not solved, balls beyond a case's ball count, and the angle and approach
-    of a ball at rest that touches neither raceway, whose position is undetermined.
-    """
-
-    angle = _contact_result(
-        readings.ANGLE, "", "From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."
-    )
-    load = _contact_result(readings.LOAD, "force", "Normal load Q, zero where the ball has lost the raceway [N].")
-    approach = _contact_result(
-        readings.APPROACH, "length", "Elastic approach of ball and ring; negative: the gap of a lost contact [m]."
-    )
-    semi_major_axis = _contact_result(readings.SEMI_MAJOR_AXIS, "length", "Of the ellipse, a [m]; zero without load.")
-    semi_minor_axis = _contact_result(readings.SEMI_MINOR_AXIS, "length", "Of the ellipse, b [m]; zero without load.")
-    max_pressure = _contact_result(
-        readings.MAX_PRESSURE, "pressure", "Hertz's p0 at the centre of the ellipse [Pa]; zero without load."
-    )
-
-    def __init__(self, solution: Solution, side: float) -> None:
-        self._solution = solution
-        self._side = side
-
-    @cached_property
-    def required_friction(self) -> NDArray | None:
-        """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
-
-        Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
-        """
-        asked = self._solution.scene.gyroscopic_moment
-        return self._solution._read_if(asked, self._side, readings.REQUIRED_FRICTION, "")
 
 
 class Solution:
@@ -259,9 +172,7 @@ class Solution:
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = np.full(self._results["notes"].shape, "", dtype=f"<U{max(map(len, Reason))}")
-        for bit, reason in reversed(_REASONS.items()):
-            names[(self._results["status"] == NO_EQUILIBRIUM) & ((self._results["notes"] & bit) != 0)] = reason
+        names = reasons(self._results)
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property

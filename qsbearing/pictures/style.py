@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import Place, RacewayContacts, Solution
+from qsbearing.solution import Place, Solution
 from qsbearing.units import rpm
 
 if TYPE_CHECKING:

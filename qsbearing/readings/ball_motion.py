@@ -22,8 +22,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.solution import Solution
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipe
 
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import deformed_radius, mean_sliding_speed
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.solution import Solution
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
 
 

@@ -21,11 +21,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import gamma, kinematics, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import mm, rpm
 from qsbearing.validation import LENGTH, ErrorDetail, Quantity, raise_if_any, within
 

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing
-from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.solution import Solution
 from qsbearing.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any
 
 

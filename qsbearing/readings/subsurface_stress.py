@@ -22,10 +22,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.contact.hertz import subsurface_shear
+from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.solution import RacewayContacts, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import mm
 
 TABLE = 33

@@ -11,8 +11,9 @@ from qsbearing import quantities
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Reason, Solution
+from qsbearing.solution import Solution
 from qsbearing.solver import solve
+from qsbearing.status import Reason
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import scene_of_points
 from qsbearing.studies.study import Study

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, quantities
-from qsbearing.solution import Reason
+from qsbearing.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points
