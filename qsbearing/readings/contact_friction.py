@@ -17,7 +17,7 @@ from scipy.special import ellipe
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.readings.ellipse_sliding import deformed_radius, mean_sliding_speed
+from qsbearing.readings.ellipse_sliding import deformed_radius, tabulated_sliding_speed
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
@@ -32,8 +32,6 @@ class RacewayFriction:
     """Of spin and differential sliding [W]."""
     spin_moment: NDArray
     """3 mu Q a E/8, what resists spin if nothing else slides (E: elliptic integral of the second kind) [N m]."""
-    pure_rolling_at: NDArray
-    """sqrt(c): where on the major axis a contact without spin rolls without sliding, over a [-]; NaN without load."""
     hysteresis_power: NDArray | None
     """Of elastic hysteresis in rolling [W]; None without its loss factor."""
 
@@ -147,7 +145,7 @@ def _raceway(
     assert moving.spin_speed is not None
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = b / a
-    mean, c = mean_sliding_speed(moving.rolling_speed * a**2 / (2.0 * R), moving.spin_speed * a, ratio)
+    mean = tabulated_sliding_speed(moving.rolling_speed * a**2 / (2.0 * R), moving.spin_speed * a, ratio)
     force = np.asarray(mu, float)[..., None] * contacts.load
     sliding = np.nan_to_num(force * mean, nan=0.0)
     moment = np.nan_to_num(0.375 * force * a * ellipe(1.0 - ratio**2), nan=0.0)
@@ -155,7 +153,7 @@ def _raceway(
     if loss is not None:
         share = 3.0 / 16.0 * np.asarray(loss, float)[..., None]
         hysteresis = np.nan_to_num(share * contacts.load * b * np.abs(moving.rolling_speed), nan=0.0)
-    return RacewayFriction(sliding, moment, np.sqrt(c), hysteresis)
+    return RacewayFriction(sliding, moment, hysteresis)
 
 
 def _drag(solution: Solution, motion: BallMotion, coefficient: NDArray, density: NDArray) -> NDArray:

@@ -83,7 +83,6 @@ CONTACT: dict[str, tuple[Shown, ...]] = {
     "friction": (
         Shown("sliding_power_W", "sliding_power"),
         Shown("spin_moment_Nmm", "spin_moment", Nmm),
-        Shown("pure_rolling_at", "pure_rolling_at"),
         Shown("hysteresis_power_W", "hysteresis_power"),
     ),
     "overrun": (Shown("edge_distance_mm", "edge_distance", mm), Shown("overrun_load_N", "overrun_load")),
@@ -137,5 +136,5 @@ def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str
                 out[f"{name}_{key}"] = np.broadcast_to(spread, exists.shape)[exists]
         for side, key, values in ball_values(name, reading):
             if values is not None:
-                out["_".join(filter(None, (name, side, key)))] = np.broadcast_to(values, exists.shape)[exists]
+                out["_".join(filter(None, (side, name, key)))] = np.broadcast_to(values, exists.shape)[exists]
     return out

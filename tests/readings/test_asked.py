@@ -108,8 +108,8 @@ def test_tables_and_columns(tmp_path: Path) -> None:
     for name, values in columns.items():
         assert float(row[name]) == pytest.approx(values[0]), name
     frame = solution.to_dataframe(columns)
-    assert frame["friction_inner_sliding_power_W"][0] == pytest.approx(columns["friction_inner_sliding_power_W"][0])
-    assert "friction_inner_hysteresis_power_W" not in columns
+    assert frame["inner_friction_sliding_power_W"][0] == pytest.approx(columns["inner_friction_sliding_power_W"][0])
+    assert "inner_friction_hysteresis_power_W" not in columns
 
 
 def test_the_scene_file_of_the_guide() -> None:
@@ -129,7 +129,7 @@ def test_columns_of_many_cases() -> None:
     columns = qs.readings.reading_columns(many, found)
     assert len(columns["life_inner_life_Mrev"]) == len(many.to_dataframe()) == 32
     assert columns["life_inner_life_Mrev"][20] == pytest.approx(found["life"].inner_life[1] / 1e6)  # type: ignore[attr-defined]
-    assert columns["kinematics_outer_spin_to_roll"].shape == (32,)
+    assert columns["outer_kinematics_spin_to_roll"].shape == (32,)
 
 
 def test_an_unsolved_case_has_no_readings() -> None:
