@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 
 from qsbearing.units import deg, mm, rpm
 
+_PLAIN = (float, int, np.float64)
+
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
 
@@ -160,6 +162,8 @@ def choose(field: str, value: Any, choices: type[StrEnum]) -> tuple[Any, list[Er
 
 def within(field: str, value: Any, quantity: Quantity, low: float, high: float, meaning: str = "") -> list[ErrorDetail]:
     """Errors of a value that must be a finite number in [low, high], with a likely mistake of unit named."""
+    if type(value) in _PLAIN and low <= value <= high:
+        return []  # at once, for most values are plain numbers within their range
     array, errors = numeric(field, value, quantity)
     if array is None:
         return errors

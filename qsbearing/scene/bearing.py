@@ -148,15 +148,15 @@ class BallBearing:
         interference = np.maximum(-clearance, 0.0)
         ball, inner = self._array("ball_diameter") + ball, self._array("inner_groove_radius") + inner
         radius = self.inner_groove_centre_radius + moved_inner
-        return replace(
-            self,
-            ball_diameter=ball,
-            inner_groove_radius=inner,
-            outer_groove_radius=self._array("outer_groove_radius") + outer,
-            pitch_diameter=2.0 * (radius - (inner - 0.5 * ball) * np.cos(angle)) - interference,
-            free_contact_angle=angle,
-            radial_interference=interference,
-        )
+        lengths = {
+            "ball_diameter": ball,
+            "inner_groove_radius": inner,
+            "outer_groove_radius": self._array("outer_groove_radius") + outer,
+            "pitch_diameter": 2.0 * (radius - (inner - 0.5 * ball) * np.cos(angle)) - interference,
+            "free_contact_angle": angle,
+            "radial_interference": interference,
+        }
+        return replace(self, **{name: length[()] for name, length in lengths.items()})
 
     @property
     def ball_mass(self) -> NDArray:
