@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -70,9 +70,9 @@ class Choice:
     """How often the scene was solved to choose."""
 
 
-def judge(entry: Entry, solution: Solution) -> Judgement:
-    """One effect or choice at a solution."""
-    point = solution.operating_point
+def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judgement:
+    """One effect or choice at a solution, whose scene has it or not; asked for with the parameters of another scene."""
+    point = solution.operating_point if asked is None else replace(solution.operating_point, asked=asked)
     with np.errstate(invalid="ignore", divide="ignore"):
         return Judgement(entry, entry.indicator(point), entry.errors(point))
 

@@ -125,7 +125,7 @@ class _Chooser:
         out = list(self.open)
         while True:
             solution = self._solve(out)
-            predicted = {entry.name: judge(entry, solution).largest for entry in out}
+            predicted = {entry.name: judge(entry, solution, self.full).largest for entry in out}
             rest = [entry for entry in out if _most(predicted[entry.name]) <= MARGIN * self.asked]
             if len(rest) == len(out):
                 return solution, out, predicted
@@ -148,7 +148,7 @@ class _Chooser:
     ) -> tuple[Solution, dict[str, Any]]:
         """The solution without all that may be left out, found by trying, and the error of each."""
         reference = self._solve(sure)
-        again = {entry.name: judge(entry, reference).largest for entry in sure}
+        again = {entry.name: judge(entry, reference, self.full).largest for entry in sure}
         if sure and len(self._surely_out(reference, sure, again)) < len(sure):  # finer contacts call them in doubt too
             sure, doubtful, again = [], [*sure, *doubtful], {}
             reference = self._solve(sure)

@@ -22,8 +22,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.operating_point import LIGHT
-from qsbearing.effects.parting import SMALLEST_ANGLE
+from qsbearing.effects.operating_point import LIGHT, SMALLEST_ANGLE
 from qsbearing.solution import Solution
 
 RACEWAYS = ("inner", "outer")

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.effects.changed_geometry import change_of, geometry_errors
+from qsbearing.effects.changed_geometry import change_by, geometry_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import temperature_errors
@@ -68,7 +68,7 @@ def _indicator(point: OperatingPoint) -> NDArray:
 
 
 def _errors(point: OperatingPoint) -> Errors:
-    return geometry_errors(point, *change_of(point, ENTRY.coarser(point.scene)))
+    return geometry_errors(point, change_by(ENTRY, point))
 
 
 ENTRY = Entry(

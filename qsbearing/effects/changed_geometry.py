@@ -1,54 +1,72 @@
 """What follows when grooves move or balls grow: errors of leaving out what changes the bearing before it is loaded.
 
-At an unchanged axial load contact angles follow the free one, by the turn dalpha: loads change by dalpha cot(alpha),
-axial stiffness by twice that, and the ring moves as the position does in which it just touches. At an unchanged axial
-position the contacts approach by that move times sin(alpha), and loads follow the power 3/2 of the approach.
+Between the groove centres, A1 apart axially and A2 radially, lies the contact line, BD + delta long, at the angle alpha.
+At an unchanged axial load delta stays and the line turns:
+
+    dalpha = (dA2 - cos(alpha) dBD)/(BD sin(alpha)),   dA1 = (dBD - cos(alpha) dA2)/sin(alpha)
+
+loads change by dalpha cot(alpha), axial stiffness by twice that, and the ring moves by dA1. At an unchanged axial
+position, and at small contact angles, where the axial way out is long, delta changes by cos(alpha) dA2 - dBD and loads
+follow its power 3/2.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.entry import Errors
-from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.entry import Entry, Errors
+from qsbearing.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 
-SMALLEST_TANGENT = 0.05
-"""Near alpha = 0 nothing carries the axial load that the cotangents rest on."""
+SMALLEST_SINE = 0.05
+"""Of contact angles: below it nothing carries an axial load."""
+SMALL_ANGLE = np.radians(12.0)
+"""Between deep-groove and angular-contact bearings (chosen)."""
 
 
-def geometry_errors(point: OperatingPoint, turn: Any, offset: Any) -> Errors:
-    """Errors of leaving out a change of the bearing.
+class GeometryChange(NamedTuple):
+    """What an effect changes of a bearing; shape (*cases) [m]."""
 
-    Args:
-        point: where.
-        turn: change of the free contact angle (*cases) [rad].
-        offset: of the axial position in which the ring just touches [m].
-    """
-    solution = point.solution
-    angle = np.maximum(np.abs(point.angle), np.radians(1.0))
-    cotangent = 1.0 / np.maximum(np.tan(angle), SMALLEST_TANGENT)
+    radial: Any
+    """dA2, of the radial distance between the groove centres of inner and outer ring."""
+    distance: Any
+    """dBD, BD = ri + ro - D."""
+
+
+def geometry_errors(point: OperatingPoint, change: GeometryChange) -> Errors:
+    """Errors of leaving out a change of the bearing."""
+    solution, held = point.solution, point.axial_is_held
+    sine, cosine = np.maximum(np.abs(np.sin(point.angle)), SMALLEST_SINE), np.cos(point.angle)
+    angle = np.maximum(np.abs(point.angle), SMALLEST_ANGLE)
     approach = point.at_largest_load(solution.inner.approach + solution.outer.approach)
     size = np.maximum(approach, np.abs(solution.displacement[..., :3]).max(axis=-1))
+    nearer = np.abs(cosine * change.radial - change.distance)
     with np.errstate(divide="ignore", invalid="ignore"):
-        closer = 1.5 * np.abs(offset) * np.sin(angle) / approach
-        moved = np.abs(offset) / size
-    held = point.axial_is_held
-    load = closer if held else np.abs(turn) * cotangent
+        if held:
+            turn, moved = np.abs(change.radial) * sine / point.bearing.groove_centre_distance, 0.0 * nearer
+        else:
+            turn = np.abs(change.radial - cosine * change.distance) / (point.bearing.groove_centre_distance * sine)
+            moved = nearer / sine / size
+        tighter = np.where(held | (angle < SMALL_ANGLE), 1.5 * nearer / approach, 0.0)
+    turned = (0.0 if held else 1.0) * turn * cosine / sine
+    load = np.maximum(turned, tighter)
     found = {
-        "contact_angle": np.abs(turn) / angle,
+        "contact_angle": turn / angle,
         "load": load,
         "pressure": load / 3.0,
-        "displacement": 0.0 * moved if held else moved,
-        "stiffness": load / 3.0 if held else 2.0 * np.abs(turn) * cotangent,
+        "displacement": np.maximum(moved, np.where(angle < SMALL_ANGLE, tighter, 0.0)),
+        "stiffness": np.maximum(load / 3.0, 2.0 * turned),
     }
     return {name: np.broadcast_to(error, solution.shape) for name, error in found.items()}
 
 
-def change_of(point: OperatingPoint, coarser: Any) -> tuple[NDArray, NDArray]:
-    """(turn, offset) of the point's scene against one that lacks an effect."""
-    one, other = (np.asarray(each.free_contact_angle, float) for each in (point.bearing, coarser.operating_bearing))
-    shift = np.asarray(point.scene.axial_datum_shift) - np.asarray(coarser.axial_datum_shift)
-    return np.asarray(one - other), np.asarray(shift)
+def change_by(entry: Entry, point: OperatingPoint) -> GeometryChange:
+    """What an effect changes of the bearing of the point's full scene."""
+    now, then = point.full_scene.operating_bearing, entry.coarser(point.full_scene).operating_bearing
+    return GeometryChange(_radial(now) - _radial(then), now.groove_centre_distance - then.groove_centre_distance)
+
+
+def _radial(bearing: Any) -> NDArray:
+    return np.asarray(bearing.inner_groove_centre_radius - bearing.outer_groove_centre_radius)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import radians
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +16,9 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from qsbearing.solution import Solution
+
+SMALLEST_ANGLE = radians(1.0)
+"""Contact angles below it are judged as if they were this large [rad]."""
 
 LIGHT = 0.1
 """Contacts that carry less than this part of the largest load do not count: only their load is read. A ball that light
@@ -28,6 +32,13 @@ class OperatingPoint:
     """A solution as indicators read it; arrays of shape (*cases) unless said otherwise, SI and radians."""
 
     solution: Solution
+    asked: Any = None
+    """A scene with everything whose influence is asked for, parameters included; None: the solution's own."""
+
+    @property
+    def full_scene(self) -> Any:
+        """The scene that says with which parameters an effect is asked for, whether the solution has it or not."""
+        return self.scene if self.asked is None else self.asked
 
     @property
     def scene(self) -> Any:

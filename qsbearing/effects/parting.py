@@ -21,10 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.effects.entry import Errors
-from qsbearing.effects.operating_point import OperatingPoint
-
-SMALLEST_ANGLE = np.radians(1.0)
-"""Contact angles below it are judged as if they were this large, as the comparison of results does [rad]."""
+from qsbearing.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 
 ANGLE, LOAD, PRESSURE, DISPLACEMENT, STIFFNESS = 0.58, 0.58, 0.35, 1.0 / 10.0, 0.4
 OF_LOAD = 0.1

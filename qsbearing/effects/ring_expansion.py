@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
-from qsbearing.effects.changed_geometry import change_of, geometry_errors
+from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
@@ -230,16 +230,13 @@ def _state(
     return RingState(pressure, gap, growth + ring.strain * centre, hoop, equivalent)
 
 
-def _change(point: OperatingPoint) -> tuple[Any, Any]:
-    """(turn, offset), as `geometry_errors` takes them."""
-    if ENTRY.is_in(point.scene):
-        return change_of(point, ENTRY.coarser(point.scene))
+def _change(point: OperatingPoint) -> GeometryChange:
+    if ENTRY.is_in(point.full_scene):
+        return change_by(ENTRY, point)
     bearing, ring = point.bearing, point.bearing.ring_material
     radius, speed = np.asarray(bearing.inner_groove_centre_radius, float), point.ring_speeds[0]
     growth = np.asarray(ring.density * (speed * radius) ** 2 / ring.elastic_modulus * radius)
-    angle = np.maximum(np.asarray(bearing.free_contact_angle, float), np.radians(1.0))
-    # The groove centres part by so much in the radial direction, at a distance that stays.
-    return growth / (bearing.groove_centre_distance * np.sin(angle)), growth / np.tan(angle)
+    return GeometryChange(growth, 0.0)
 
 
 def _indicator(point: OperatingPoint) -> NDArray:
@@ -247,7 +244,7 @@ def _indicator(point: OperatingPoint) -> NDArray:
 
 
 def _errors(point: OperatingPoint) -> Errors:
-    return geometry_errors(point, *_change(point))
+    return geometry_errors(point, _change(point))
 
 
 ENTRY = Entry(

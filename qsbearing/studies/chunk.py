@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import quantities
+from qsbearing.chooser.choose import completed, solve
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.solver import solve
 from qsbearing.status import Reason
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import scene_of_points
@@ -99,7 +100,10 @@ def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution) -> None:
     for name, out in chunk.results.items():
         quantity = quantities.find(name)
         assert quantity is not None
-        found = np.asarray(quantity.read(solution))
+        read = quantity.read(solution)
+        if read is None:  # of an effect that this chunk does not need, where effects are chosen
+            continue
+        found = np.asarray(read)
         if quantity.is_per_ball:
             found = found.reshape(numbers.size, -1)
             out[numbers, : found.shape[1]] = found
@@ -124,7 +128,7 @@ def plan_of(study: Study, scene: Scene, points: Points) -> Plan:
     """
     counts = next((each.values for each in study.axes if each.key == "ball_count"), (float(scene.bearing.ball_count),))  # type: ignore[arg-type]
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
-    solution = solve(scene)
+    solution = solve(scene if scene.tolerance is None else completed(replace(scene, tolerance=None)))
     names = study.quantities
     if names:
         _check_names(study, solution)

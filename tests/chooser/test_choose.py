@@ -15,6 +15,7 @@ from qsbearing.chooser import choose
 from qsbearing.chooser.choose import completed, without
 from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS
+from qsbearing.studies import points
 from tests.benchmarks import auto_accuracy
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, PER_BALL, fewer, resting, solved, turning
 
@@ -137,6 +138,17 @@ def test_a_scene_may_ask_for_it_itself() -> None:
     assert own.scene.tolerance is None
     with pytest.raises(ValueError, match=r"qsbearing\.solve"):
         solver.solve(scene)
+
+
+def test_a_sweep_chooses_for_each_of_its_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a chunk does not need has no number there."""
+    pytest.importorskip("xarray")
+    monkeypatch.setattr(points, "CHUNK", 2)
+    scene = {"effects": "auto", "bearing": {"name": "B218"}, "operation": {"axial_load_N": 17800}}
+    found = qs.sweep(qs.Study.of(scene, {"speed_rpm": [0.0, 100.0, 12_000.0, 15_000.0]}))
+    force = found["centrifugal_force"].values
+    assert np.isnan(force[:2]).all()
+    assert (force[2:] > 0.0).all()
 
 
 def test_a_plain_solve_chooses_nothing() -> None:
