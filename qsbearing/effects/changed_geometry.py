@@ -1,7 +1,7 @@
 """What follows when grooves move or balls grow: errors of leaving out what changes the bearing before it is loaded.
 
-Between the groove centres, A1 apart axially and A2 radially, lies the contact line, BD + delta long, at the angle alpha.
-At an unchanged axial load delta stays and the line turns:
+Between the groove centres, A1 apart axially and A2 radially, lies the contact line of length BD + delta, at the angle
+alpha. At an unchanged axial load delta stays and the line turns:
 
     dalpha = (dA2 - cos(alpha) dBD)/(BD sin(alpha)),   dA1 = (dBD - cos(alpha) dA2)/sin(alpha)
 
