@@ -17,7 +17,7 @@ WORDS = {
     "load": "contact loads",
     "pressure": "contact pressures",
     "displacement": "displacement",
-    "stiffness": "stiffness",
+    "stiffness": "locked stiffness",
 }
 """What people read, in words."""
 
