@@ -66,6 +66,15 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
     if scene.ring_effects:
         names = " and ".join(effect.name for effect in scene.ring_effects)
         raise SceneProblemError(f"scene {name}: names {names}; contacts are judged from the drawing's dimensions alone")
+    moment, control = scene.gyroscopic_moment, qsbearing.RacewayControl.MINIMUM_DISSIPATION
+    beyond = {
+        "friction_coefficient": moment is not None and moment.friction_coefficient is not None,
+        "orbit_radius": scene.orbit_radius is qsbearing.OrbitRadius.DISPLACED,
+        f"raceway_control {control}": scene.raceway_control is control,
+    }
+    if any(beyond.values()):
+        names = " and ".join(what for what, is_named in beyond.items() if is_named)
+        raise SceneProblemError(f"scene {name}: names {names}; the equilibrium is judged for the classical model alone")
     bearing = scene.bearing
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
     return Drawing(

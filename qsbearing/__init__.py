@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         RingState,
     )
     from qsbearing.effects.hertz_angle import HertzAngle
+    from qsbearing.effects.orbit_radius import OrbitRadius
     from qsbearing.effects.raceway_control import RacewayControl
     from qsbearing.effects.tilt_lever import TiltLever
     from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
@@ -53,6 +54,7 @@ _HOMES = {
     "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
     "effects": ("BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares", "RingExpansion", "RingState"),
     "effects.hertz_angle": ("HertzAngle",),
+    "effects.orbit_radius": ("OrbitRadius",),
     "effects.raceway_control": ("RacewayControl",),
     "effects.tilt_lever": ("TiltLever",),
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
@@ -76,8 +78,8 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "CentrifugalForce", "ErrorDetail",
     "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N",
-    "Nm", "Nmm", "Operation", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl", "Reason",
-    "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "Study",
+    "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl",
+    "Reason", "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "Study",
     "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "open_results",
     "point_contact", "rad", "readings", "rpm", "solve", "stiffness", "subsurface_shear", "sweep", "um", "warnings",
     "zero_celsius",

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.scene.keys import BEARING, EFFECT_TABLES, MATERIAL, MATERIALS, OPERATION, PRELOAD, SEAT_MATERIALS
+from qsbearing.scene.keys import (
+    BEARING,
+    EFFECT_TABLES,
+    EFFECTS,
+    MATERIAL,
+    MATERIALS,
+    OPERATION,
+    PRELOAD,
+    SEAT_MATERIALS,
+)
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
@@ -93,6 +102,8 @@ def columns(solution: Solution) -> dict[str, NDArray]:
             out[key] = values[exists] / size
     if solution.raceway_control is not None:
         out["raceway_control"] = solution.raceway_control[exists]
+    if solution.slips is not None:
+        out["slips"] = solution.slips[exists]
     for kind, keys, values in (
         ("displacement", DISPLACEMENT, solution.displacement),
         ("load", LOAD, solution.load),
@@ -136,6 +147,8 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
         holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))
         seats = [(side, getattr(effect, side, None)) for side in SEAT_MATERIALS]
         holders += [(f"{side}_", MATERIAL, material) for side, material in seats if material is not None]
+    if scene.gyroscopic_moment is not None:
+        holders.append(("", EFFECTS, scene.gyroscopic_moment))
     out: dict[str, Any] = {"bearing": scene.bearing.name}
     for prefix, keys, holder in holders:
         for key in keys:

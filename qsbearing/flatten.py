@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
-from qsbearing.effects.gyroscopic_moment import SHARES_CODES
+from qsbearing.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.effects.hertz_angle import HertzAngle
+from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.kernel.case import CASE
@@ -50,6 +51,8 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
         values[f"{body}_elastic_modulus"] = material.elastic_modulus
         values[f"{body}_poisson_ratio"] = material.poisson_ratio
         values[f"{body}_density"] = material.density
+    gyroscopic = scene.gyroscopic_moment
+    values["friction_coefficient"] = None if gyroscopic is None else gyroscopic.friction_coefficient
     return values
 
 
@@ -174,6 +177,9 @@ class CaseMaker:
         gyroscopic = scene.gyroscopic_moment
         cases["centrifugal"] = scene.centrifugal_force is not None
         cases["gyroscopic"] = gyroscopic is not None
+        coefficient = v["friction_coefficient"]
+        cases["friction_coefficient"] = NO_BOUND if coefficient is None else coefficient
+        cases["displaced_orbit"] = scene.orbit_radius is OrbitRadius.DISPLACED
         cases["actual_angle"] = scene.hertz_angle is HertzAngle.ACTUAL
         cases["one_sided"] = scene.bearing.kind is BearingKind.ANGULAR_CONTACT
         cases["control"] = 0 if scene.raceway_control is None else CONTROL_CODES[scene.raceway_control]

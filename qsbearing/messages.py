@@ -281,7 +281,28 @@ def _missing_warnings(solution: Solution, part: slice) -> Warnings:
     yield np.asarray(matters.any(axis=0)), sentence
 
 
+def _slip_warning(solution: Solution, part: slice) -> Warnings:
+    moment = solution.scene.gyroscopic_moment
+    if solution.slips is None or moment is None:
+        return
+    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
+    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
+    sides = (solution.inner.required_friction, solution.outer.required_friction)
+    asked = np.maximum(*(_rows(side, part) for side in sides if side is not None))
+    yield (
+        np.asarray(slips.any(axis=-1)),
+        lambda i: (
+            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g} of the "
+            f"load, contacts carry {given[i]:.3g}. Loads and angles are those with that much; speeds stay those of "
+            "raceway control, which slip breaks."
+        ),
+    )
+
+
 def _friction_warnings(solution: Solution, part: slice) -> Warnings:
+    yield from _slip_warning(solution, part)
+    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
+        return
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is None:
             continue

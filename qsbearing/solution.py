@@ -14,6 +14,7 @@ from qsbearing import ring_stiffness
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.effects import OperatingPoint, RingState
+from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
@@ -243,6 +244,17 @@ class Solution:
         return self._read_if(self.scene.gyroscopic_moment, OUTER_SIDE, readings.GYROSCOPIC_MOMENT, "moment")
 
     @cached_property
+    def slips(self) -> NDArray | None:
+        """Whether each ball slips: some contact is asked for more friction than its coefficient allows.
+
+        Shape (*cases, ball); False where there is no ball; None where the scene gives no `friction_coefficient`.
+        """
+        moment = self.scene.gyroscopic_moment
+        if moment is None or moment.friction_coefficient is None:
+            return None
+        return np.asarray(self._read(OUTER_SIDE, readings.SLIPS, "") == 1.0)
+
+    @cached_property
     def orbital_speed(self) -> NDArray | None:
         """omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."""
         return self._read_if(self.scene.raceway_control, OUTER_SIDE, readings.ORBITAL_SPEED, "speed")
@@ -261,10 +273,10 @@ class Solution:
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
-        """ "outer" or "inner" for each ball; shape (*cases, ball); None without a ball effect."""
+        """Of each ball: "outer", "inner" or "minimum_dissipation"; None without a ball effect; shape (*cases, ball)."""
         if self.scene.raceway_control is None:
             return None
-        names = np.array(["outer", "inner", ""])
+        names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
         index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._controls, self._maker.ball_axis))
         return names[index]
 
@@ -390,6 +402,8 @@ def stiffness(scene: Scene, solution: Solution) -> NDArray:
 
 def _is_equal(one: Any, other: Any) -> bool:
     """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_equal, one, other))
     if is_dataclass(one) and type(one) is type(other):
         return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
     return np.array_equal(one, other)

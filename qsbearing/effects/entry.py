@@ -105,10 +105,12 @@ def effect(slot: str, effect_type: Any, make: Callable[[], Any] | None = None) -
 
 def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
     """Raceway control comes with the first ball effect, as Jones's criterion where the scene states none, and goes with
-    the last: nothing else asks for it."""
+    the last, as do orbits of the balls' own: nothing else asks for them."""
     changes: dict[str, Any] = {slot: effects}
     if slot == "ball_effects":
         changes["raceway_control"] = (scene.raceway_control or "per_ball") if effects else None
+        if not effects:
+            changes["orbit_radius"] = "pitch_circle"
     return replace(scene, **changes)
 
 

@@ -4,13 +4,15 @@ Source        Jones 1960; Harris & Kotzalas; Wang et al. (19.12)
 Equation      Mg = J omega_R omega_m sin(beta), J = m D^2/10 (missing in the source). omega_R is signed: the ball
               rolls backwards, Mg is negative, and only then do (19.9) and (19.10) hold as printed. Each raceway
               carries its share lambda_i, lambda_o of the friction force 2 Mg/D: T = lambda Mg/D along the contact.
-Assumes       no gyroscopic slip: friction can carry the force. What it would take, mu = lambda |Mg|/(D Q), is part
-              of every result; above what the contact offers (0.06 to 0.1 is typical) the ball slips
+Assumes       without a friction coefficient no gyroscopic slip: friction can carry the force. What it would take,
+              lambda |Mg|/(D Q), is part of every result; above what the contact offers (0.06 to 0.1 is typical) the
+              ball slips. With one, mu, a contact carries |T| <= mu Q; the rest of Mg turns the ball about the tangent
+              of its orbit, which the kinematics do not follow: orbit and attitude stay those of raceway control
 When not      at rest or in radial-only contact (sin(beta) = 0) there is none, nor where a ball touches neither
-              raceway and so is rolled by neither; with slip the hypothesis fails
-Parameters    moment_shares: which raceway carries the friction
+              raceway and so is rolled by neither; far into slip raceway control is no hypothesis to rest on
+Parameters    moment_shares: which raceway carries the friction; friction_coefficient: mu, 0 < mu <= 1, or None
 Indicator     y = 2 |Mg|/(D Q) at the least load that counts: the contact angles part by y
-Example       GyroscopicMoment(MomentShares.HARRIS)
+Example       GyroscopicMoment(MomentShares.HARRIS, friction_coefficient=0.07)
 """
 
 from __future__ import annotations
@@ -20,13 +22,16 @@ from enum import StrEnum
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import kernel
 from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
-from qsbearing.validation import choose, raise_if_any
+from qsbearing.validation import RATIO, choose, raise_if_any, within
+
+LEAST_FRICTION = 1e-6
+"""Of a coefficient: less is no contact, and zero would be no moment at all (then leave the effect out)."""
 
 
 class MomentShares(StrEnum):
@@ -41,17 +46,25 @@ class MomentShares(StrEnum):
 SHARES_CODES = {shares: code for code, shares in enumerate(MomentShares)}
 _HARRIS = 1
 
+# No bound on the friction that a contact carries: the equations as they stand.
+NO_BOUND = 0.0
+
 
 @dataclass(frozen=True)
 class GyroscopicMoment:
     """Ask for the gyroscopic moment of the balls."""
 
     moment_shares: MomentShares = MomentShares.CONTROLLING
+    friction_coefficient: ArrayLike | None = None
+    """The most friction that a contact carries, over its load; it may span cases. None: whatever is asked."""
     name: ClassVar[str] = "gyroscopic_moment"
 
     def __post_init__(self) -> None:
         shares, errors = choose("moment_shares", self.moment_shares, MomentShares)
         object.__setattr__(self, "moment_shares", shares)
+        if self.friction_coefficient is not None:
+            meaning = "no contact carries such friction; left out, there is no bound on it"
+            errors += within("friction_coefficient", self.friction_coefficient, RATIO, LEAST_FRICTION, 1.0, meaning)
         raise_if_any(errors)
 
 
@@ -61,6 +74,20 @@ def moment_shares(convention: int, inner_control: bool) -> tuple[float, float]:
     if not inner_control:
         return 0.0, 2.0
     return (1.0, 1.0) if convention == _HARRIS else (2.0, 0.0)
+
+
+@kernel
+def carried_friction(share: float, mg: float, load: float, bound: float) -> tuple[float, float, float, float]:
+    """T, the friction at a contact that carries its share of the moment, as far as the bound on T/Q allows.
+
+    Returns:
+        (T, dT/dMg, dT/d share, dT/dQ).
+    """
+    friction = share * mg
+    if bound == NO_BOUND or abs(friction) <= bound * load:
+        return friction, share, mg, 0.0
+    slope = bound if friction > 0.0 else -bound
+    return slope * load, 0.0, 0.0, slope
 
 
 @kernel

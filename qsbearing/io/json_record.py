@@ -84,6 +84,7 @@ def choices(scene: Scene) -> dict[str, str | None]:
         "hertz_angle": str(scene.hertz_angle),
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),
+        "orbit_radius": str(scene.orbit_radius) if scene.ball_effects else None,
     }
 
 
@@ -124,12 +125,13 @@ def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
     def contact(side: str, ball: int) -> dict[str, float | None]:
         return {key: value(getattr(getattr(solution, side), name), ball, size) for key, name, size in CONTACT}
 
-    control = solution.raceway_control
+    control, slips = solution.raceway_control, solution.slips
     return [
         {"azimuth_deg": value(solution.azimuth, ball, deg), "inner": contact("inner", ball)}
         | {"outer": contact("outer", ball)}
         | {key: value(getattr(solution, name), ball, size) for key, name, size in BALL}
         | {"raceway_control": None if control is None else str(control[index][ball])}
+        | {"slips": None if slips is None else bool(slips[index][ball])}
         for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
     ]
 

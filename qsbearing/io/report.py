@@ -123,6 +123,8 @@ def _asked_for(found: dict[str, Any]) -> str:
         text += f"; raceway control: {choices['raceway_control']}"
     if choices["moment_shares"]:
         text += f"; moment shares: {choices['moment_shares']}"
+    if choices["orbit_radius"] == "displaced":
+        text += "; balls on orbits of their own"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
         if choices[name] != usual:
             text += f"; {name}: {choices[name]}"
@@ -230,6 +232,8 @@ def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
         columns[name] = _column([row.ball[key] for row in rows], 5)
     if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
         columns["control"] = [row.ball["raceway_control"] for row in rows]
+    if any(row.ball["slips"] is not None for row in rows):
+        columns["slips"] = ["yes" if row.ball["slips"] else "no" for row in rows]
     return _per_ball(title, list(columns), rows, count, list(columns.values()))
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.effects import BallEffect, GyroscopicMoment, MomentShares, types_in
+from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.io import catalogue
 from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
@@ -23,6 +24,7 @@ from qsbearing.scene.keys import (
     BEARING,
     EFFECT_SECTIONS,
     EFFECT_TABLES,
+    EFFECTS,
     MATERIALS,
     OPERATION,
     PRELOAD,
@@ -47,7 +49,7 @@ tables print both to three or four digits)."""
 _BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
 _OPERATION = table_model("operation", OPERATION, {})
 _PRELOAD = table_model("preload", PRELOAD, {})
-_EFFECTS = table_model("effects", (), {"ball": (list[str], [])} | choice_fields("moment_shares", *CHOICES))
+_EFFECTS = table_model("effects", EFFECTS, {"ball": (list[str], [])} | choice_fields("moment_shares", *CHOICES))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -288,19 +290,24 @@ def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
         table = {name: value for name, value in table.items() if name not in within}
     good, unusable = checked(_EFFECTS, "effects", table, errors)
     names, shares = good.get("ball", []), good.pop("moment_shares", None)
+    friction = good.pop("friction_coefficient", None)
     for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
         cause = did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
         errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
         unusable.add("ball")
     made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
-    made[GyroscopicMoment.name] = GyroscopicMoment(shares or MomentShares.CONTROLLING)
+    made[GyroscopicMoment.name] = _gyroscopic_moment(shares, friction, errors)
     effects = tuple(made[name] for name in names if name in made)
     if not unusable & {"ball", "raceway_control"}:
-        errors += map(translate, effect_errors(effects, good.get("raceway_control")))
-    if shares is not None and "ball" not in unusable and GyroscopicMoment.name not in names:
+        asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
+        errors += map(translate, effect_errors(effects, *asked))
+    if "ball" not in unusable and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
-        problem = "is given, but no gyroscopic moment is there to share"
-        errors.append(FileErrorDetail("effects.moment_shares", problem, str(shares), cause=cause))
+        for name, value, verb in (("moment_shares", shares, "share"), ("friction_coefficient", friction, "carry")):
+            if value is not None:
+                problem = f"is given, but no gyroscopic moment is there to {verb}"
+                shown = value if isinstance(value, float) else str(value)
+                errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
     made_of_tables = [ring_effect(name, within[name], errors) for name in within]
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
     return {"ball_effects": effects, "ring_effects": ring_effects} | {
@@ -314,3 +321,12 @@ def _tolerance(value: Any, errors: Errors) -> float | None:
         errors.append(FileErrorDetail("tolerance", "is no relative error", value, cause=cause))
         return None
     return float(value)
+
+
+def _gyroscopic_moment(shares: MomentShares | None, friction: float | None, errors: Errors) -> GyroscopicMoment:
+    shares = shares or MomentShares.CONTROLLING
+    try:
+        return GyroscopicMoment(shares, friction)
+    except SceneError as error:
+        errors += map(translate, error.errors)
+        return GyroscopicMoment(shares)

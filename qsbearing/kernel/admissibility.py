@@ -6,8 +6,9 @@ from numpy import ndarray, recarray
 
 from qsbearing.compiled import kernel
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.effects.raceway_control import INNER, OUTER, outer_controls
-from qsbearing.kernel.ball_inertia import NO_BOUND, friction_shares, inertia_of, is_moving, is_rolled
+from qsbearing.kernel.ball_inertia import friction_asked, is_moving, is_rolled
 from qsbearing.kernel.newton import STALLED
 from qsbearing.kernel.raceway_stiffness import contact_loads, spin_constant
 
@@ -70,9 +71,7 @@ def demands_friction(case: recarray, work: recarray, ball: recarray, most: float
     if not is_rolled(ball):
         return False
     inner, outer = contact_loads(case, ball)
-    share_i, share_o = friction_shares(case, ball.control)
-    moment = abs(inertia_of(case, work, ball)[1])
-    at_inner, at_outer = share_i * moment, share_o * moment
+    at_inner, at_outer = friction_asked(case, work, ball)
     small = least * work.largest_force
     return (at_inner > most * inner and at_inner > small) or (at_outer > most * outer and at_outer > small)
 
@@ -111,9 +110,12 @@ def inadmissibility(case: recarray, work: recarray, balls: ndarray) -> int:
     """What makes an equilibrium inadmissible, as bits; 0 where nothing does.
 
     Beside a contact outside its groove: friction at a contact without load, which does not exist. Friction below the
-    solver's accuracy is none. Under a friction bound: friction that would have to be above the load.
+    solver's accuracy is none. Under a friction bound: friction that would have to be above the load. Where the case
+    itself says what friction there is, what is asked beyond it makes a ball slip, and no case inadmissible.
     """
     found = contacts_outside_groove(case, work, balls)
+    if case.friction_coefficient != NO_BOUND:
+        return found
     most, least = FAR_MORE_THAN_LOAD, STALLED
     if work.friction_bound != NO_BOUND:
         most, least = LOAD_BOUND, NO_FORCE

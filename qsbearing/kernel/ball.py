@@ -17,15 +17,20 @@ from numpy import recarray
 
 from qsbearing.compiled import kernel
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
+from qsbearing.effects.gyroscopic_moment import carried_friction
+from qsbearing.effects.raceway_control import MINIMUM_DISSIPATION
 from qsbearing.kernel.ball_inertia import (
-    carried_friction,
+    ball_axis,
+    control_weight,
     friction_shares,
-    inertia,
     is_moving,
     is_rolled,
+    motion_loads,
+    orbit_radius,
     rolling_line,
 )
 from qsbearing.kernel.contact_line import contact_load, contact_tangent, inverse_of, line_displacement
+from qsbearing.kernel.inertia_slopes import axis_by_g, directional, inner_share_slope, weight_changes
 from qsbearing.kernel.loop_closure import ball_displacement, closure_residual, inner_closure
 from qsbearing.kernel.raceway_stiffness import groove_stiffness, series_stiffness
 
@@ -59,15 +64,32 @@ def moving_ball(
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
     s_seen, c_seen, by_inner, by_outer, by_approach = rolling_line(case, ball)
-    fc, fc_s, fc_o, mg, mg_s, mg_o = inertia(case, work, ball.control, s_seen, c_seen, so, co)
+    radius = orbit_radius(case, ball)
+    weight = control_weight(work, ball, radius, c_seen, co, qi, qo)
+    axis = ball_axis(ball, weight, radius, s_seen, c_seen, so, co)
+    fc, fc_s, fc_o, mg, mg_s, mg_o = motion_loads(case, work, axis, radius, s_seen, c_seen, so, co)
     fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
     mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
-    share_i, share_o = friction_shares(case, ball.control)
+    share_i, share_o = friction_shares(case, ball.control, weight)
+    share_w = inner_share_slope(case, ball)
     if not is_rolled(ball):
-        share_i, share_o = 0.0, 0.0
-    ti, ti_m, ti_q = carried_friction(share_i, mg, qi, work.friction_bound)
-    to, to_m, to_q = carried_friction(share_o, mg, qo, work.friction_bound)
-    ti_i, ti_o, to_i, to_o = ti_m * mg_i, ti_m * mg_o, to_m * mg_i, to_m * mg_o
+        share_i, share_o, share_w = 0.0, 0.0, 0.0
+    ti, ti_m, ti_s, ti_q = carried_friction(share_i, mg, qi, work.friction_bound)
+    to, to_m, to_s, to_q = carried_friction(share_o, mg, qo, work.friction_bound)
+    ti_w, to_w = ti_s * share_w, -to_s * share_w
+    fc_w, mg_w, w_di, w_do, w_r = 0.0, 0.0, 0.0, 0.0, 0.0
+    if ball.control == MINIMUM_DISSIPATION:  # the axis, and the shares with it, follow the loads
+        lines = (s_seen, c_seen, so, co)
+        fc_w, mg_w = directional(case, work, lines, axis, radius, s_seen - so, c_seen - co - 1.0 / radius, 0.0)
+        w_i, w_o, w_di, w_do, w_r = weight_changes(
+            case, ball, weight, radius, lines, (by_inner, by_outer, by_approach), (qi, qi_slope, ki_slope),
+            (qo, qo_slope, ko_slope),
+        )  # fmt: skip
+        fc_i, fc_o, mg_i, mg_o = fc_i + fc_w * w_i, fc_o + fc_w * w_o, mg_i + mg_w * w_i, mg_o + mg_w * w_o
+        ti_i, ti_o = ti_m * mg_i + ti_w * w_i, ti_m * mg_o + ti_w * w_o
+        to_i, to_o = to_m * mg_i + to_w * w_i, to_m * mg_o + to_w * w_o
+    else:
+        ti_i, ti_o, to_i, to_o = ti_m * mg_i, ti_m * mg_o, to_m * mg_i, to_m * mg_o
 
     r1 = qi * si - qo * so - ti * ci + to * co
     r2 = qi * ci - qo * co + ti * si - to * so + fc
@@ -91,16 +113,16 @@ def moving_ball(
     r1_o = h1_o - qo_a * so + to_o * co - to * so
     r2_o = h2_o - qo_a * co - to_o * so - to * co + fc_o
 
-    # By A (through ai, and where contact has just been lost the approach), then by X (through -W, and ao).
+    # By A (through ai, and the inner approach where speeds follow it), then by X (through -W, and ao).
     fi = case.inner_coefficient
     ra11, ra12 = hi11 + r1_i * ei1, hi12 + r1_i * ei2
     ra21, ra22 = hi21 + r2_i * ei1, hi22 + r2_i * ei2
     ha11, ha12 = hi11 + h1_i * ei1, hi12 + h1_i * ei2
     ha21, ha22 = hi21 + h2_i * ei1, hi22 + h2_i * ei2
     ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
-    if by_approach != 0.0:
-        fc_d, mg_d = fc_s * by_approach, mg_s * by_approach
-        ti_d, to_d = ti_m * mg_d, to_m * mg_d
+    if by_approach != 0.0 or w_di != 0.0:
+        fc_d, mg_d = fc_s * by_approach + fc_w * w_di, mg_s * by_approach + mg_w * w_di
+        ti_d, to_d = ti_m * mg_d + ti_w * w_di, to_m * mg_d + to_w * w_di
         h1_d, h2_d = -ti_d * ci, ti_d * si
         r1_d, r2_d = h1_d + to_d * co, h2_d - to_d * so + fc_d
         ra11, ra12, ra21, ra22 = ra11 + r1_d * si, ra12 + r1_d * ci, ra21 + r2_d * si, ra22 + r2_d * ci
@@ -111,6 +133,21 @@ def moving_ball(
     hx11, hx12 = -ha11 + h1_o * eo1, -ha12 + h1_o * eo2
     hx21, hx22 = -ha21 + h2_o * eo1, -ha22 + h2_o * eo2
     mx1, mx2 = -ma1 + fi * ti_o * eo1, -ma2 + fi * ti_o * eo2
+    if w_do != 0.0:  # by the outer approach, which X changes along the outer line
+        ti_d, to_d = ti_m * mg_w * w_do + ti_w * w_do, to_m * mg_w * w_do + to_w * w_do
+        h1_d, h2_d = -ti_d * ci, ti_d * si
+        r1_d, r2_d = h1_d + to_d * co, h2_d - to_d * so + fc_w * w_do
+        rx11, rx12, rx21, rx22 = rx11 + r1_d * so, rx12 + r1_d * co, rx21 + r2_d * so, rx22 + r2_d * co
+        hx11, hx12, hx21, hx22 = hx11 + h1_d * so, hx12 + h1_d * co, hx21 + h2_d * so, hx22 + h2_d * co
+        mx1, mx2 = mx1 + fi * ti_d * so, mx2 + fi * ti_d * co
+    if case.displaced_orbit:  # by the radius, which X2 changes
+        dq = -axis_by_g(ball, weight) * 0.5 / (radius * radius)
+        fc_d, mg_d = directional(case, work, (s_seen, c_seen, so, co), axis, radius, 0.0, dq, 1.0)
+        fc_d, mg_d = fc_d + fc_w * w_r, mg_d + mg_w * w_r
+        ti_d, to_d = ti_m * mg_d + ti_w * w_r, to_m * mg_d + to_w * w_r
+        h1_d, h2_d = -ti_d * ci, ti_d * si
+        rx12, rx22 = rx12 + h1_d + to_d * co, rx22 + h2_d - to_d * so + fc_d
+        hx12, hx22, mx2 = hx12 + h1_d, hx22 + h2_d, mx2 + fi * ti_d
 
     # Where rounding leaves no stiffness across its line (an approach below that of a position), the ball keeps still.
     determinant = rx11 * rx22 - rx12 * rx21

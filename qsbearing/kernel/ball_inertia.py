@@ -7,12 +7,12 @@ from numpy import recarray
 from qsbearing.compiled import kernel
 from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
-from qsbearing.effects.raceway_control import INNER, rotation_axis
+from qsbearing.effects.orbit_radius import displaced_radius
+from qsbearing.effects.raceway_control import INNER, MINIMUM_DISSIPATION, inner_weight, rotation_axis, weighted_axis
 from qsbearing.kernel.case import BALL_INERTIA, BALL_MASS
 from qsbearing.kernel.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kernel.raceway_stiffness import contact_loads
 
-# No bound on the friction that a contact carries: the equations as they stand.
-NO_BOUND = 0.0
 # An approach, in ball diameters, that is none: the sum of the roundings of ring, grooves and both contact lines.
 POSITION_ROUNDING = 4.0 * 2.0**-52
 
@@ -24,23 +24,31 @@ def is_moving(case: recarray) -> bool:
 
 
 @kernel
-def inertia(
-    case: recarray, work: recarray, control: int, si: float, ci: float, so: float, co: float
+def motion_loads(
+    case: recarray, work: recarray, axis: tuple[float, ...], radius: float, si: float, ci: float, so: float, co: float
 ) -> tuple[float, float, float, float, float, float]:
     """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao, as rolling sees them."""
-    g = 1.0 / case.pitch_diameter
+    g = 0.5 / radius
     inner_speed, outer_speed = work.speed_factor * case.inner_speed, work.speed_factor * case.outer_speed
-    axis = rotation_axis(control, g, si, ci, so, co)
     terms = rolling_terms(g, si, ci, so, co, axis)
     orbit = orbital_speed(terms, inner_speed, outer_speed)
     fc, fc_i, fc_o = 0.0, 0.0, 0.0
     if case.centrifugal:
-        fc, fc_i, fc_o = centrifugal_force(BALL_MASS, case.pitch_diameter, orbit)
+        fc, fc_i, fc_o = centrifugal_force(BALL_MASS, 2.0 * radius, orbit)
     mg, mg_i, mg_o = 0.0, 0.0, 0.0
     if case.gyroscopic:
         rotation = rotation_per_axis_length(terms, g, inner_speed, outer_speed)
         mg, mg_i, mg_o = gyroscopic_moment(BALL_INERTIA, orbit, rotation, axis)
     return fc, fc_i, fc_o, mg, mg_i, mg_o
+
+
+@kernel
+def inertia(
+    case: recarray, work: recarray, control: int, si: float, ci: float, so: float, co: float
+) -> tuple[float, float, float, float, float, float]:
+    """The same on the pitch circle, before loads are known: minimum dissipation counts as outer control."""
+    axis = rotation_axis(control, 1.0 / case.pitch_diameter, si, ci, so, co)
+    return motion_loads(case, work, axis, 0.5 * case.pitch_diameter, si, ci, so, co)
 
 
 @kernel
@@ -52,10 +60,62 @@ def rolling_line(case: recarray, ball: recarray) -> tuple[float, float, float, f
 
 
 @kernel
+def orbit_radius(case: recarray, ball: recarray) -> float:
+    """The radius at which the ball's centre goes round: the pitch circle's, or its own."""
+    if not case.displaced_orbit:
+        return 0.5 * case.pitch_diameter
+    length = case.outer_coefficient - 0.5
+    return displaced_radius(case.pitch_diameter, length, case.cos_free, ball.outer_cosine, ball.outer_approach)
+
+
+@kernel
+def control_weight(
+    work: recarray, ball: recarray, radius: float, ci: float, co: float, inner_load: float, outer_load: float
+) -> float:
+    """The inner raceway's weight in the ball's axis under minimum dissipation; 0 under any other control."""
+    if ball.control != MINIMUM_DISSIPATION:
+        return 0.0
+    return inner_weight(0.5 / radius, ci, co, inner_load, outer_load, work.inner_spin, work.outer_spin)
+
+
+@kernel
+def ball_axis(
+    ball: recarray, weight: float, radius: float, si: float, ci: float, so: float, co: float
+) -> tuple[float, ...]:
+    """The ball's axis and its derivatives by ai and ao, weight and radius fixed."""
+    if ball.control == MINIMUM_DISSIPATION:
+        return weighted_axis(weight, 0.5 / radius, si, ci, so, co)
+    return rotation_axis(ball.control, 0.5 / radius, si, ci, so, co)
+
+
+@kernel
+def axis_where_it_is(
+    case: recarray, work: recarray, ball: recarray
+) -> tuple[float, float, float, float, tuple[float, ...]]:
+    """(radius of the orbit, weight of the inner raceway, sine and cosine of the inner line as seen, axis) of a ball."""
+    s, c, _, _, _ = rolling_line(case, ball)
+    so, co = ball.outer_sine, ball.outer_cosine
+    radius, weight = orbit_radius(case, ball), 0.0
+    if ball.control == MINIMUM_DISSIPATION:
+        qi, qo = contact_loads(case, ball)
+        weight = control_weight(work, ball, radius, c, co, qi, qo)
+    return radius, weight, s, c, ball_axis(ball, weight, radius, s, c, so, co)
+
+
+@kernel
+def friction_asked(case: recarray, work: recarray, ball: recarray) -> tuple[float, float]:
+    """|lambda Mg|/D at the inner and at the outer contact, whatever they can carry."""
+    radius, weight, s, c, axis = axis_where_it_is(case, work, ball)
+    _, _, _, mg, _, _ = motion_loads(case, work, axis, radius, s, c, ball.outer_sine, ball.outer_cosine)
+    share_i, share_o = friction_shares(case, ball.control, weight)
+    return abs(share_i * mg), abs(share_o * mg)
+
+
+@kernel
 def inertia_of(case: recarray, work: recarray, ball: recarray) -> tuple[float, float]:
     """(Fc, Mg) of a ball where it is."""
-    s, c, _, _, _ = rolling_line(case, ball)
-    fc, _, _, mg, _, _ = inertia(case, work, ball.control, s, c, ball.outer_sine, ball.outer_cosine)
+    radius, _, s, c, axis = axis_where_it_is(case, work, ball)
+    fc, _, _, mg, _, _ = motion_loads(case, work, axis, radius, s, c, ball.outer_sine, ball.outer_cosine)
     return fc, mg
 
 
@@ -66,18 +126,11 @@ def is_rolled(ball: recarray) -> bool:
 
 
 @kernel
-def friction_shares(case: recarray, control: int) -> tuple[float, float]:
+def friction_shares(case: recarray, control: int, weight: float) -> tuple[float, float]:
     """(lambda_i, lambda_o) of a ball; none where no gyroscopic moment is asked for."""
     if not case.gyroscopic:
         return 0.0, 0.0
+    if control == MINIMUM_DISSIPATION:
+        whole, _ = moment_shares(case.shares, True)
+        return whole * weight, 2.0 - whole * weight
     return moment_shares(case.shares, control == INNER)
-
-
-@kernel
-def carried_friction(share: float, mg: float, load: float, friction_bound: float) -> tuple[float, float, float]:
-    """T, the friction at a contact that carries its share of the gyroscopic moment, and dT/dMg, dT/dQ."""
-    friction = share * mg
-    if friction_bound == NO_BOUND or abs(friction) <= friction_bound * load:
-        return friction, share, 0.0
-    slope = friction_bound if friction > 0.0 else -friction_bound
-    return slope * load, 0.0, slope

@@ -37,6 +37,8 @@ CASE = record(
     ("displacement_given", np.uint8, (5,)),  # which of the two
     ("centrifugal", np.bool_),
     ("gyroscopic", np.bool_),
+    ("friction_coefficient", np.float64),  # that contacts offer against the gyroscopic moment; NO_BOUND for no bound
+    ("displaced_orbit", np.bool_),  # balls go round at their own radius
     ("actual_angle", np.bool_),
     ("one_sided", np.bool_),
     ("control", np.int64),

@@ -7,7 +7,8 @@ At speed two strategies are tried, each ending in Newton's method: continuation 
 speed; pseudo-time steps go on where a continuation ends or Newton's method finds nothing. They are tried for the
 equations as they stand, in which friction carries the gyroscopic moment whatever the load, then with friction bounded
 by the load and by a tenth of it. A ball that reaches the bound slips. From there the bound is released, and where
-Newton's method then finds an equilibrium, it stands.
+Newton's method then finds an equilibrium, it stands. A case with a friction coefficient of its own is tried under that
+one in place of none, and under the tighter ones of the two.
 
 The first sound equilibrium is taken. Where there is none, the first inadmissible one refuses the case: a contact where
 no groove is, or friction above its load. That another exists somewhere is not excluded.
@@ -18,6 +19,7 @@ from __future__ import annotations
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import entry, kernel
+from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.effects.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.kernel.admissibility import (
     CONVERGED,
@@ -30,7 +32,7 @@ from qsbearing.kernel.admissibility import (
     contacts_outside_groove,
     inadmissibility,
 )
-from qsbearing.kernel.ball_inertia import NO_BOUND, is_moving
+from qsbearing.kernel.ball_inertia import is_moving
 from qsbearing.kernel.continuation import follow, heaviest_factor, pseudo_transient
 from qsbearing.kernel.initial_guess import guess_from_rest, guess_ring_at_rest, split_contacts
 from qsbearing.kernel.newton import newton
@@ -103,12 +105,13 @@ def try_strategy(case: recarray, work: recarray, balls: ndarray, tolerance: floa
 
 @kernel
 def release_bound(case: recarray, work: recarray, balls: ndarray, tolerance: float, found: int) -> int:
-    """From an equilibrium with bounded friction to one without the bound, if there is one: what is found."""
+    """From an equilibrium with bounded friction to one without the bound, or with the case's own: what is found."""
+    own = case.friction_coefficient
     if not any_demands_friction(case, work, balls, work.friction_bound, NO_FORCE):
-        work.friction_bound = NO_BOUND
+        work.friction_bound = own
         return found
     save(work, balls, BOUNDED)
-    work.friction_bound = NO_BOUND
+    work.friction_bound = own
     released = solve_with_controls(case, work, balls, tolerance)
     if released >= CONTRADICTED:
         return released
@@ -120,15 +123,19 @@ def release_bound(case: recarray, work: recarray, balls: ndarray, tolerance: flo
 def solve_at_speed_by_fallback(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> int:
     """All strategies, without and with a bound on friction: what is found, with ring and balls left in it."""
     is_contradicted, evidence = False, 0
-    for bound in (NO_BOUND, LOAD_BOUND, OILED_BOUND):
-        if bound != NO_BOUND and not case.gyroscopic:
+    own = case.friction_coefficient
+    for tried in (NO_BOUND, LOAD_BOUND, OILED_BOUND):
+        if tried != NO_BOUND and not case.gyroscopic:
             break
+        if own != NO_BOUND and tried != NO_BOUND and tried >= own:
+            continue
+        bound = own if tried == NO_BOUND else tried
         for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
             for strategy in (LIGHTER_LOADS, UP_IN_SPEED):
                 set_controls(case, work, balls, control)
                 work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, bound
                 found = try_strategy(case, work, balls, tolerance, strategy)
-                if bound != NO_BOUND and found != NOTHING and work.speed_factor == 1.0:
+                if bound != own and found != NOTHING and work.speed_factor == 1.0:
                     found = release_bound(case, work, balls, tolerance, found)
                 if found == SOUND:
                     return SOUND
@@ -158,7 +165,7 @@ def solve_by_fallback(case: recarray, work: recarray, balls: ndarray, tolerance:
     else:
         found = solve_at_speed_by_fallback(case, work, balls, tolerance)
         if found == NOTHING:  # unless it has no equilibrium at rest already
-            work.load_factor, work.speed_factor, work.friction_bound = 1.0, 0.0, NO_BOUND
+            work.load_factor, work.speed_factor, work.friction_bound = 1.0, 0.0, case.friction_coefficient
             residual = work.residual
             if solve_rest(case, work, balls, tolerance) == REFUSED:
                 found = REFUSED

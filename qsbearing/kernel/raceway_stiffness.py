@@ -13,6 +13,7 @@ from qsbearing.contact.hertz import (
     stiffness_at_angle,
     transverse_curvature,
 )
+from qsbearing.effects.raceway_control import MINIMUM_DISSIPATION
 from qsbearing.kernel.contact_line import contact_load
 
 
@@ -50,6 +51,14 @@ def spin_constant(case: recarray, side: float, cosine: float) -> float:
     """a E/Q^(1/3) of a raceway's contact, for Jones's criterion."""
     a, _, _, E = raceway_ellipse(case, side, cosine)
     return a * E
+
+
+@kernel
+def set_spin_constants(case: recarray, work: recarray) -> None:
+    """Find what minimum dissipation weighs the raceways with, once for the case; nothing under any other control."""
+    if case.control == MINIMUM_DISSIPATION:
+        work.inner_spin = spin_constant(case, INNER_SIDE, case.hertz_cosine)
+        work.outer_spin = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
 
 
 @kernel

@@ -7,18 +7,23 @@ from math import atan2, nan, pi
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import entry, kernel
-from qsbearing.effects.raceway_control import rotation_axis
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.ball import evaluate_ball
-from qsbearing.kernel.ball_inertia import NO_BOUND, friction_shares, inertia_of, is_moving, is_rolled, rolling_line
+from qsbearing.kernel.ball_inertia import axis_where_it_is, friction_asked, inertia_of, is_moving, is_rolled
 from qsbearing.kernel.contact_line import contact_load
 from qsbearing.kernel.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.kernel.loop_closure import close_loaded, load_position
-from qsbearing.kernel.raceway_stiffness import groove_stiffness, raceway_ellipse
+from qsbearing.kernel.newton import STALLED
+from qsbearing.kernel.raceway_stiffness import (
+    contact_loads,
+    groove_stiffness,
+    raceway_ellipse,
+    set_spin_constants,
+)
 from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
 
 ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
-CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED, ATTITUDE_ANGLE = range(7, 12)
+CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED, ATTITUDE_ANGLE, SLIPS = range(7, 13)
 
 # Of a contact's stiffness: far below any, it lets a ball out of contact be eliminated.
 LEAST_STIFFNESS = 1e-30
@@ -26,8 +31,9 @@ LEAST_STIFFNESS = 1e-30
 
 @kernel
 def set_full_scale(case: recarray, work: recarray) -> None:
-    """The case as it was asked for: all loads and speeds, no bound on friction."""
-    work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
+    """The case as it was asked for: all loads and speeds, its own bound on friction."""
+    work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, case.friction_coefficient
+    set_spin_constants(case, work)
     work.regularisation = LEAST_STIFFNESS * case.series_stiffness
 
 
@@ -38,7 +44,7 @@ def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what:
     A ball at rest that touches neither raceway has no determined position, and so no angle.
     """
     si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
-    is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION
+    is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION or what == SLIPS
     if is_moment and not is_rolled(ball):
         return 0.0
     if what >= CENTRIFUGAL_FORCE:
@@ -55,9 +61,8 @@ def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what:
     if what == APPROACH:
         return delta
     if what == REQUIRED_FRICTION:
-        _, mg = inertia_of(case, work, ball)
-        share_i, share_o = friction_shares(case, ball.control)
-        friction = abs((share_i if side < 0 else share_o) * mg)
+        at_inner, at_outer = friction_asked(case, work, ball)
+        friction = at_inner if side < 0 else at_outer
         if friction == 0.0:
             return 0.0
         return friction / load if load > 0.0 else nan
@@ -86,17 +91,27 @@ def read_motion(case: recarray, work: recarray, ball: recarray, what: int) -> fl
         return inertia_of(case, work, ball)[0]
     if what == GYROSCOPIC_MOMENT:
         return inertia_of(case, work, ball)[1]
-    g = 1.0 / case.pitch_diameter
-    so, co = ball.outer_sine, ball.outer_cosine
-    si, ci, _, _, _ = rolling_line(case, ball)
-    axis = rotation_axis(ball.control, g, si, ci, so, co)
+    if what == SLIPS:
+        return 1.0 if slips(case, work, ball) else 0.0
+    radius, _, si, ci, axis = axis_where_it_is(case, work, ball)
     if what == ATTITUDE_ANGLE:
         return atan2(axis[0], axis[1])
-    terms = rolling_terms(g, si, ci, so, co, axis)
+    g = 0.5 / radius
+    terms = rolling_terms(g, si, ci, ball.outer_sine, ball.outer_cosine, axis)
     if what == ORBITAL_SPEED:
         return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]
     length = (axis[0] * axis[0] + axis[1] * axis[1]) ** 0.5
     return rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)[0] * length
+
+
+@kernel
+def slips(case: recarray, work: recarray, ball: recarray) -> bool:
+    """Whether some contact is asked for more friction than the case says that it carries."""
+    asked_i, asked_o = friction_asked(case, work, ball)
+    inner, outer = contact_loads(case, ball)
+    small = STALLED * max(inner, outer)  # what the solver may leave
+    bound = case.friction_coefficient
+    return bool(asked_i > bound * inner + small or asked_o > bound * outer + small)
 
 
 @entry

@@ -10,18 +10,21 @@ from __future__ import annotations
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import entry, kernel
+from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.effects.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     NO_CONSISTENT_CONTROL,
+    NO_FORCE,
     UNLOADED_RING,
+    any_demands_friction,
     contradicted_controls,
     inadmissibility,
     is_unloaded,
 )
 from qsbearing.kernel.assembly import REGULARISATION, any_displacement_given, close_loops
 from qsbearing.kernel.ball import evaluate_ball
-from qsbearing.kernel.ball_inertia import NO_BOUND, is_moving
+from qsbearing.kernel.ball_inertia import is_moving
 from qsbearing.kernel.initial_guess import (
     guess_closed_form,
     guess_from_rest,
@@ -32,6 +35,7 @@ from qsbearing.kernel.initial_guess import (
 )
 from qsbearing.kernel.loop_closure import load_position, set_inner_line, set_outer_line, store_position
 from qsbearing.kernel.newton import newton, newton_at_rest
+from qsbearing.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.kernel.ring import add_force, find_distinct_balls, inner_groove_centre, set_azimuths
 from qsbearing.kernel.snapshots import ADMISSIBLE, CONTROLS, restore_all, save
 
@@ -63,6 +67,7 @@ def prepare(
     find_distinct_balls(case, work, balls)
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
     work.regularisation = REGULARISATION * case.series_stiffness
+    set_spin_constants(case, work)
     work.at_rest, work.iterations, work.budget, work.residual = False, 0, BUDGET, 1.0
     for i in range(5):
         work.displacement[i] = result.displacement[i] * work.in_plane[i] if is_warm else 0.0
@@ -118,6 +123,38 @@ def solve_at_rest(case: recarray, work: recarray, balls: ndarray, tolerance: flo
 
 @kernel
 def solve_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: float, is_warm: bool) -> int:
+    """Newton's method from the starts, and with the case's own friction coefficient where balls slip: what is found.
+
+    A case in which no ball need slip has its balance without a bound on friction, which is found first. Where some
+    contact is asked for more than it can carry, that is the start; where it leads nowhere, or nothing was found, so are
+    the others.
+    """
+    found = search_at_speed(case, work, balls, tolerance, is_warm)
+    if case.friction_coefficient == NO_BOUND:
+        return found
+    if found >= CONTRADICTED:
+        found = bound_friction(case, work, balls, tolerance, found)
+        if found >= CONTRADICTED:
+            return found
+    work.friction_bound = case.friction_coefficient
+    return search_at_speed(case, work, balls, tolerance, False)
+
+
+@kernel
+def bound_friction(case: recarray, work: recarray, balls: ndarray, tolerance: float, found: int) -> int:
+    """From an equilibrium, under the case's own friction coefficient to one under it: what is found."""
+    bound = case.friction_coefficient
+    is_slipping = any_demands_friction(case, work, balls, bound, NO_FORCE)
+    work.friction_bound = bound
+    if not is_slipping:
+        return found
+    for n in range(work.ball_count):
+        balls[n].control_changes = 0
+    return solve_with_controls(case, work, balls, tolerance)
+
+
+@kernel
+def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: float, is_warm: bool) -> int:
     """From the start given, then from closed forms and from rest, the likelier first: what is found.
 
     Under per-ball control from the outer control of all balls, then from the inner. An equilibrium that contradicts its

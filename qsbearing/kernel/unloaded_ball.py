@@ -35,7 +35,7 @@ def inertia_force(
 ) -> tuple[float, float]:
     """f: the inertia force on the ball and the friction that carries its gyroscopic moment."""
     fc, mg = corner_inertia(case, work, control, si, ci, so, co)
-    share_i, share_o = friction_shares(case, control)
+    share_i, share_o = friction_shares(case, control, 0.0)
     return mg * (share_o * co - share_i * ci), mg * (share_i * si - share_o * so) + fc
 
 

@@ -66,6 +66,8 @@ WORKSPACE = record(
     ("load_factor", np.float64),  # on the loads of the case
     ("speed_factor", np.float64),  # on the speeds of the case
     ("friction_bound", np.float64),  # the most friction that contacts carry, over their load; NO_BOUND for none
+    ("inner_spin", np.float64),  # a E/Q^(1/3) of each raceway, where raceway control weighs them
+    ("outer_spin", np.float64),
     ("at_rest", np.bool_),  # no inertia acts: each ball is one contact line
     ("displacement", np.float64, (5,)),
     ("step", np.float64, (5,)),

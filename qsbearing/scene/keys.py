@@ -128,6 +128,7 @@ READING_TABLES: dict[str, tuple[Key, ...]] = {
 }
 """Tables within [readings]: each asks for its reading and holds its numbers; the lubricant is what others need."""
 READING_CHOICES = {"life": ("rating", "capacity", "cleanliness", "fatigue_limit_by")}
+EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
@@ -137,6 +138,7 @@ NUMBERS = {
     "bearing": BEARING,
     "operation": OPERATION,
     "preload": PRELOAD,
+    "effects": EFFECTS,
     "material": MATERIAL,
     **EFFECT_TABLES,
     **READING_TABLES,
@@ -147,7 +149,17 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "bearing": ("name", "kind", *(key.name for key in BEARING), *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
     "preload": tuple(key.name for key in PRELOAD),
-    "effects": ("ball", "raceway_control", "moment_shares", "hertz_angle", "hertz_form", "tilt_lever", *EFFECT_TABLES),
+    "effects": (
+        "ball",
+        "raceway_control",
+        "moment_shares",
+        *(key.name for key in EFFECTS),
+        "orbit_radius",
+        "hertz_angle",
+        "hertz_form",
+        "tilt_lever",
+        *EFFECT_TABLES,
+    ),
     "readings": tuple(READING_TABLES),
 }
 """Every key a file may hold, by its table."""
@@ -178,7 +190,7 @@ def find(path: str) -> Key | None:
 
 def path_in_file(path: str) -> str:
     """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
-    if path in ("ball_effects", "raceway_control"):
+    if path in ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient"):
         return f"effects.{_KEY_OF_FIELD.get(path, path)}"
     key = find(path)
     path = f"{path.rpartition('.')[0]}.{key.name}" if key else path

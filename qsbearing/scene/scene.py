@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from qsbearing.contact.hertz import HertzForm
 from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, RingEffect, RingExpansion, types_in
 from qsbearing.effects.hertz_angle import HertzAngle
+from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
@@ -41,6 +42,7 @@ CHOICES: dict[str, type[StrEnum]] = {
     "hertz_angle": HertzAngle,
     "hertz_form": HertzForm,
     "tilt_lever": TiltLever,
+    "orbit_radius": OrbitRadius,
 }
 """The fields of a scene that choose one of several; each may be given as a member or as its word."""
 
@@ -70,6 +72,8 @@ class Scene:
     at it."""
     tolerance: float | None = None
     """With one, `solve` chooses the effects, to this relative error of what people read: effects = "auto" of a file."""
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    """Of the balls, for their motion; only the ball effects ask for it."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -78,7 +82,7 @@ class Scene:
                 choice, wrong = choose(name, getattr(self, name), choices)
                 object.__setattr__(self, name, choice)
                 errors += wrong
-        errors += effect_errors(self.ball_effects, self.raceway_control)
+        errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
         if self.preload is not None:
             errors += _beside(self.preload, self.operation)
         errors += ring_effect_errors(self.ring_effects, self.bearing, self.operation)
@@ -150,7 +154,11 @@ def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
     return [ErrorDetail("preload", "is not a preload", preload, cause=cause)]
 
 
-def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: RacewayControl | None) -> list[ErrorDetail]:
+def effect_errors(
+    ball_effects: tuple[BallEffect, ...],
+    raceway_control: RacewayControl | None,
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE,
+) -> list[ErrorDetail]:
     """Errors of what is asked for, whatever the bearing."""
     if not _are_all(ball_effects, "ball_effects"):
         cause = "Write (qs.CentrifugalForce(), qs.GyroscopicMoment()): a tuple of effects, each with its brackets"
@@ -162,12 +170,17 @@ def effect_errors(ball_effects: tuple[BallEffect, ...], raceway_control: Raceway
     if names and raceway_control is None:
         need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
         problem = f"missing: {need} the balls' motion, which raceway control sets"
-        cause = "State raceway_control: outer, inner or per_ball"
+        *others, last = RacewayControl
+        cause = f"State raceway_control: {', '.join(others)} or {last}"
         errors.append(ErrorDetail("raceway_control", problem, cause=cause))
     if raceway_control is not None and not names:
         problem = "is given, but no ball effect needs it"
         cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
         errors.append(ErrorDetail("raceway_control", problem, str(raceway_control), cause=cause))
+    if orbit_radius == OrbitRadius.DISPLACED and not names:
+        problem = "is given, but no ball effect makes the balls' orbit count"
+        cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
+        errors.append(ErrorDetail("orbit_radius", problem, str(orbit_radius), cause=cause))
     return errors
 
 

@@ -127,9 +127,13 @@ def findings(
     Args:
         scene: the solution's, or one that differs from it in speed alone.
         reactions: whether the loads of held channels are to be the balls' sums.
-        friction_limit: over load: a contact asked for more gives only as much; None for whatever is asked.
+        friction_limit: over load: a contact asked for more gives only as much; None for the scene's own coefficient,
+            or whatever is asked.
     """
     bearing = scene.bearing
+    own = None if scene.gyroscopic_moment is None else scene.gyroscopic_moment.friction_coefficient
+    friction_limit = own if friction_limit is None else friction_limit
+    limit = None if friction_limit is None else _column(friction_limit)
     diameter = _column(bearing.ball_diameter)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
     idle = ~(inner.loaded | outer.loaded)
@@ -145,8 +149,8 @@ def findings(
         for side in (inner, outer):
             side.friction = side.share * moment / diameter
             side.asked = np.abs(side.friction)
-            if friction_limit is not None:
-                side.friction = np.sign(side.friction) * np.minimum(side.asked, friction_limit * side.load)
+            if limit is not None:
+                side.friction = np.sign(side.friction) * np.minimum(side.asked, limit * side.load)
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
         turned = [GAP * _turn(scene, solution, inner, outer, side) for side in (inner, outer)]
@@ -172,7 +176,7 @@ def findings(
         tension=_tension(solution),
         friction_without_load=_any(
             (
-                ~side.loaded & (side.asked > least) & there
+                ~side.loaded & (side.asked > least) & there & (own is None)
                 for side, least in zip((inner, outer), no_friction, strict=True)
             ),
             there,

@@ -12,7 +12,7 @@ from qsbearing.compiled import COMPILED
 from tests.campaign.envelope import CHUNK, ENVELOPES, WHOLE, chunk_groups, scene_file, scene_name
 from tests.campaign.group import GROUP, Group
 from tests.campaign.realistic import ANGLES
-from tests.campaign.wild import HELD
+from tests.campaign.wild import CONTROLS, HELD
 
 BEARING_KEYS = ("ball_diameter_mm", "inner_groove_radius_mm", "free_contact_angle_deg")
 PINNED = {
@@ -77,7 +77,7 @@ def test_the_wild_envelope_is_as_wide_as_it_says() -> None:
     """Sizes, angles, grooves, speeds, loads and every pattern of held channels come up."""
     groups = [group for chunk in range(8) for group in chunk_groups(5, chunk)]
     assert {group.held for group in groups} == set(HELD)
-    assert {group.control for group in groups} == {None, *qs.RacewayControl}
+    assert {group.control for group in groups} == {None, *CONTROLS}
     assert {group.kind for group in groups} == set(qs.BearingKind)
     assert {group.hertz_angle for group in groups} == set(qs.HertzAngle)
     diameter = drawn(groups, "bearing", "ball_diameter_mm")

@@ -14,7 +14,16 @@ from types import CodeType, FrameType
 from typing import Any
 
 import qsbearing as qs
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, INNER, PER_BALL, resting, turning
+from tests.qsbearing.scenes import (
+    B218,
+    BOTH,
+    CENTRIFUGAL,
+    INNER,
+    MINIMUM_DISSIPATION,
+    PER_BALL,
+    resting,
+    turning,
+)
 
 PACKAGE = f"{Path(qs.__file__).parent}/"
 FEW = replace(B218, ball_count=5)
@@ -58,6 +67,9 @@ def main() -> None:
         "both": turning(6000, FEW, effects=BOTH, **LOADS),
         "both, actual angle": turning(6000, FEW, effects=BOTH, hertz_angle="actual", **LOADS),
         "inner control": turning(6000, FEW, effects=BOTH, control=INNER, **LOADS),
+        "friction coefficient": turning(6000, FEW, effects=(qs.GyroscopicMoment(friction_coefficient=0.01),), **LOADS),
+        "own orbits": replace(turning(6000, FEW, effects=BOTH, **LOADS), orbit_radius="displaced"),
+        "minimum dissipation": turning(6000, FEW, effects=BOTH, control=MINIMUM_DISSIPATION, **LOADS),
         "by each ball": turning(2000, FEW, effects=BOTH, control=PER_BALL, **LOADS),
     }
     print(json.dumps({name: calls_of(scene) for name, scene in scenes.items()}))

@@ -42,16 +42,27 @@ def test_each_effect_is_evaluated_where_it_is_named_and_nowhere_else(calls: dict
     control only."""
     force, moment = "centrifugal_force.centrifugal_force", "gyroscopic_moment.gyroscopic_moment"
     rotation, criterion = "kinematics.rotation_per_axis_length", "raceway_control.outer_controls"
+    radius, weight, spin = (
+        "orbit_radius.displaced_radius",
+        "raceway_control.inner_weight",
+        "raceway_stiffness.spin_constant",
+    )
+    slip, slopes = "solve_case.bound_friction", "inertia_slopes.directional"
+    watched = {force, moment, rotation, criterion, radius, weight, spin, slip, slopes}
+    both = {force, moment, rotation}
     expected = {
         "centrifugal": {force},
         "gyroscopic": {moment, rotation},
-        "both": {force, moment, rotation},
-        "inner control": {force, moment, rotation},
-        "by each ball": {force, moment, rotation, criterion},
+        "both": both,
+        "inner control": both,
+        "by each ball": both | {criterion, spin},
+        "friction coefficient": {moment, rotation, slip},
+        "own orbits": both | {radius, slopes},
+        "minimum dissipation": both | {weight, spin, slopes},
     }
     for name, functions in expected.items():
         assert calls[name]["kinematics.orbital_speed"] > 0
-        assert {function for function in (force, moment, rotation, criterion) if function in calls[name]} == functions
+        assert watched & set(calls[name]) == functions, name
 
 
 @pytest.mark.parametrize(("free", "actual"), [("static", "static, actual angle"), ("both", "both, actual angle")])

@@ -58,7 +58,7 @@ def test_wrong_material_is_seen():
     assert failing(replace(DRAWING, ball=soft)) >= CONTACT
 
 
-@pytest.mark.parametrize("control", list(qs.RacewayControl))
+@pytest.mark.parametrize("control", ["outer", "inner", "per_ball"])
 @pytest.mark.parametrize("shares", list(qs.MomentShares))
 @pytest.mark.parametrize("angle", ["free", "actual", "zero"])
 def test_every_choice_of_the_model_is_followed(control, shares, angle):

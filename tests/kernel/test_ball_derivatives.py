@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy import ndarray, recarray
@@ -9,12 +11,13 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.compiled import entry
+from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import LOAD_BOUND
 from qsbearing.kernel.ball import moving_ball
-from qsbearing.kernel.ball_inertia import NO_BOUND
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.loop_closure import set_inner_line, set_outer_line
+from qsbearing.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, OUTER, turning
 
@@ -53,6 +56,7 @@ def ball_between(
     """
     case: recarray = cases[0]
     work, ball = workspaces[0], balls[0]
+    set_spin_constants(case, work)
     work.speed_factor, work.regularisation, work.friction_bound = 1.0, 0.0, friction_bound
     ball.control = case.control
     s, c = case.sin_free, case.cos_free
@@ -83,15 +87,16 @@ def line(angle: float, length: float) -> NDArray:
 
 
 @pytest.mark.parametrize("bound", [NO_BOUND, LOAD_BOUND], ids=["friction whatever the load", "no more than load"])
-@pytest.mark.parametrize("control", [OUTER, INNER])
+@pytest.mark.parametrize("orbit", list(qs.OrbitRadius))
+@pytest.mark.parametrize("control", [OUTER, INNER, qs.RacewayControl.MINIMUM_DISSIPATION])
 @pytest.mark.parametrize("position", POSITIONS.values(), ids=POSITIONS.keys())
 def test_elimination_is_what_differences_say(
-    position: tuple[float, float, float, float], control: qs.RacewayControl, bound: float
+    position: tuple[float, float, float, float], control: qs.RacewayControl, orbit: qs.OrbitRadius, bound: float
 ) -> None:
     """Imbalance r and force h by the inner groove centre's displacement A and by the ball's own X, by differences;
     then y = rx^-1 r, Y = rx^-1 ra, the condensed force h - hx y and its stiffness ha - hx Y."""
     scene = turning(9_000.0, effects=BOTH_HARRIS, control=control, hertz_angle=qs.HertzAngle.ACTUAL, axial_load=900.0)
-    cases = CaseMaker(scene).make()
+    cases = CaseMaker(replace(scene, orbit_radius=orbit)).make()
     li, lo = (float(cases[0][f"{race}_coefficient"]) - 0.5 for race in ("inner", "outer"))
     x, w = line(position[0], lo * (1.0 + position[1])), line(position[2], li * (1.0 + position[3]))
     forces, eliminated = forces_and_elimination(cases, x, w, bound)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.ball_inertia import inertia
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.messages import warnings
+from qsbearing.solver import thread_count
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
     B218,
@@ -43,7 +43,6 @@ from tests.qsbearing.scenes import (
 )
 
 SCENES = general_scenes()
-thread_count = import_module(qs.solve.__module__).thread_count
 READINGS = (
     "displacement",
     "load",

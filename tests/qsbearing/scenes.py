@@ -54,6 +54,7 @@ BOTH = (qs.CentrifugalForce(), qs.GyroscopicMoment())
 BOTH_HARRIS = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
 
 OUTER, INNER, PER_BALL = qs.RacewayControl.OUTER, qs.RacewayControl.INNER, qs.RacewayControl.PER_BALL
+MINIMUM_DISSIPATION = qs.RacewayControl.MINIMUM_DISSIPATION
 
 UPRIGHT = {"tilt_y": 0.0, "tilt_z": 0.0}
 """A shaft so stiff that it holds both tilts at nothing."""

@@ -88,7 +88,8 @@ def test_every_commented_line_of_a_printed_scene_is_good_when_taken_in(name: str
             changed = [line.removeprefix("# ") if line.startswith("# [preload]") else line for line in changed]
             axial = ("axial_load_N", "axial_displacement_um")
             changed = [f"# {each}" if each.startswith(axial) and j != i else each for j, each in enumerate(changed)]
-        if key in ("ball", "raceway_control", "moment_shares") and not qs.load_scene(name).ball_effects:
+        of_motion = ("ball", "raceway_control", "moment_shares", "friction_coefficient", "orbit_radius")
+        if key in of_motion and not qs.load_scene(name).ball_effects:
             continue
         file = tmp_path / "scene.toml"
         file.write_text("\n".join(changed))

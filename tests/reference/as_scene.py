@@ -52,7 +52,7 @@ def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
     def gather(numbers: list[dict[str, float]]) -> dict[str, Any]:
         if len(numbers) == 1 and not stacked:
             return dict(numbers[0])
-        return {key: np.array([one[key] for one in numbers]) for key in numbers[0]}
+        return {key: np.array([one[key] for one in numbers]) for key in numbers[:1] and numbers[0]}
 
     first = cases[0]
     bearing = qs.BallBearing(
@@ -63,11 +63,15 @@ def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
     )
     effects: tuple[Any, ...] = (qs.CentrifugalForce(),) if first["centrifugal_force"] else ()
     if first["gyroscopic_moment"]:
-        effects += (qs.GyroscopicMoment(qs.MomentShares(first["shares"])),)
+        coefficient = gather(
+            [{"mu": float(case["friction_coefficient"])} for case in cases if "friction_coefficient" in case]
+        )
+        effects += (qs.GyroscopicMoment(qs.MomentShares(first["shares"]), coefficient.get("mu")),)
     return qs.Scene(
         bearing,
         qs.Operation(**gather([operation_numbers(case) for case in cases])),
         effects,
         qs.RacewayControl(first["control"]) if effects else None,
         hertz_angle=qs.HertzAngle(first["hertz_angle"]),
+        orbit_radius=qs.OrbitRadius(first.get("orbit_radius", "pitch_circle")),
     )

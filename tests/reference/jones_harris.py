@@ -52,6 +52,14 @@ w_o - w_m = g w_R cos beta u in it and the speeds cancel:
 
 whichever ring turns.
 
+*Minimum dissipation* lets the ball spin at both contacts, at w_s = W . n - (w_ring - w_m) sin alpha there.  Friction
+moments c w_s with c = Q a E (a the semi-major axis, E of the second kind) dissipate c_i w_si^2 + c_o w_so^2, which is
+least where c_i w_si + c_o w_so = 0.  That balance is linear in tan beta but for factors that do not vanish, so two
+axes tell the third; shares of the gyroscopic moment follow the weights, see `shares_by_weight`.
+
+*The orbit* is the pitch circle, or the circle through the ball's own centre: then R = dm/2 + X2 - L_o cos alpha0
+takes the place of dm/2, and g = D/(2 R), in all that follows from the ball's motion.
+
 *A ball that has lost the inner race* has no contact line there.  It goes round as with equal contact angles: its inner
 line counts as lying on the outer one.  So that its speeds do not jump where contact is lost, it goes over to that
 within a gap of a fiftieth of the inner line's free length L_i, at the angle
@@ -66,7 +74,8 @@ at w_m about x, which takes the moment  w_m x cross J W = J w_m W_r t = -Mg t  w
 signed: negative if the inner ring alone turns, positive if the outer ring alone turns.  The friction that supplies it
 is lambda_o (Mg/D) (cos alpha_o, -sin alpha_o) on the ball at the outer contact and the opposite-handed
 -lambda_i (Mg/D) (cos alpha_i, -sin alpha_i) at the inner contact; its moment about the ball's centre is
--(lambda_o + lambda_i) (Mg/2) t, hence lambda_i + lambda_o = 2.
+-(lambda_o + lambda_i) (Mg/2) t, hence lambda_i + lambda_o = 2.  Where the contacts' friction
+coefficient mu is given, a contact carries at most mu Q.
 """
 
 from __future__ import annotations
@@ -191,6 +200,8 @@ class Scene:
     control: tuple[str | None, ...]  # per ball: "outer", "inner" or None
     shares: str | None
     actual_angle: bool  # Hertz constants at each ball's own angle
+    mu: Number | None  # friction that a contact carries at most, over its load
+    own_orbit: bool  # balls go round on their own circles
 
     @property
     def Lo(self) -> Number:
@@ -230,6 +241,7 @@ class Scene:
         """The same scene in double precision, with the Hertz constants of the free angle."""
         names = ("D", "dm", "ri", "ro", "alpha0", "sin0", "cos0", "mass", "inertia", "modulus", "wi", "wo", "Ki", "Ko")
         values: dict[str, Any] = {name: float(getattr(self, name)) for name in names}
+        values["mu"] = None if self.mu is None else float(self.mu)
         values["psi"] = tuple((float(c), float(s)) for c, s in self.psi)
         values["loads"] = tuple(None if v is None else float(v) for v in self.loads)
         values["held"] = tuple(None if v is None else float(v) for v in self.held)
@@ -266,6 +278,8 @@ def read_case(case: dict[str, Any]) -> Scene:
         held=tuple(mp.mpf(value) if kind == "displacement" else None for kind, value in channels),
         centrifugal=bool(case["centrifugal_force"]), gyroscopic=mp.mpf(1 if case["gyroscopic_moment"] else 0),
         control=choices, shares=case["shares"], actual_angle=case["hertz_angle"] == "actual",
+        mu=mp.mpf(case["friction_coefficient"]) if "friction_coefficient" in case else None,
+        own_orbit=case.get("orbit_radius") == "displaced",
     )  # fmt: skip
     return replace(scene, Ki=inner_contact(scene, scene.cos0).stiffness, Ko=outer_contact(scene, scene.cos0).stiffness)
 
@@ -330,9 +344,62 @@ def rolling_line(
     return exact.sin(angle), exact.cos(angle)
 
 
-def centrifugal_force(scene: Scene, wm: Number) -> Number:
-    """Fc = m (dm/2) w_m^2, N."""
-    return scene.mass * scene.dm / 2 * wm**2
+def spins(inner: Sequence[Number], outer: Sequence[Number], tan_beta: Number, g: Number) -> tuple[Number, Number]:
+    """(w_si, w_so) of a ball beside each ring along the contact's normal, for rings that turn at 1 and at 0, times
+    (u + v): both are then linear in tan beta."""
+    wm, wR = ball_speeds(1 + 0 * g, 0 * g, inner, outer, tan_beta, g)
+    cosine = 1 / root(1 + tan_beta**2)
+    axial, radial = wR * cosine, -wR * tan_beta * cosine
+    u = (outer[1] + tan_beta * outer[0]) / (1 + g * outer[1])
+    v = (inner[1] + tan_beta * inner[0]) / (1 - g * inner[1])
+    at_inner = axial * inner[0] + radial * inner[1] - (1 - wm) * inner[0]
+    at_outer = axial * outer[0] + radial * outer[1] - (0 - wm) * outer[0]
+    return at_inner * (u + v), at_outer * (u + v)
+
+
+def least_dissipation(inner: Sequence[Number], outer: Sequence[Number], c_i: Number, c_o: Number, g: Number) -> Number:
+    """tan(beta) at which the friction moments c w_s of both races are in balance."""
+
+    def balance(tan_beta: Number) -> Number:
+        at_inner, at_outer = spins(inner, outer, tan_beta, g)
+        return c_i * at_inner + c_o * at_outer
+
+    here, there = balance(0 * g), balance(1 + 0 * g)
+    return here / (here - there)
+
+
+def shares_by_weight(shares: str | None, weight: Number) -> tuple[Number, Number]:
+    """(lambda_i, lambda_o) under minimum dissipation: between outer control, weight 0, and inner control, weight 1."""
+    whole = moment_shares("inner", shares)[0]
+    return whole * weight, 2 - whole * weight
+
+
+def spin_weights(scene: Scene, Qi: Number, Qo: Number) -> tuple[Number, Number]:
+    """c = Q a E of both contacts, ellipses at the free angle."""
+    c = []
+    for load, contact in ((Qi, inner_contact), (Qo, outer_contact)):
+        hertz = contact(scene, scene.cos0)
+        per_load = hertz.semi_major_axis(mp.mpf(1)) * hertz.second_kind
+        c.append(
+            0 * load
+            if load <= 0
+            else load ** (4 / mp.mpf(3) if isinstance(load, mp.mpf) else 4 / 3)
+            * (per_load if isinstance(load, mp.mpf) else float(per_load))
+        )
+    return c[0], c[1]
+
+
+def friction(scene: Scene, share: Number, Mg: Number, load: Number) -> Number:
+    """T = lambda Mg/D, N, as far as the contact carries it."""
+    T = share * Mg / scene.D
+    if scene.mu is None or abs(T) <= scene.mu * load:
+        return T
+    return scene.mu * load if T > 0 else -scene.mu * load
+
+
+def centrifugal_force(scene: Scene, wm: Number, R: Number) -> Number:
+    """Fc = m R w_m^2, N."""
+    return scene.mass * R * wm**2
 
 
 def gyroscopic_moment(scene: Scene, wm: Number, wR: Number, tan_beta: Number) -> Number:
@@ -365,8 +432,10 @@ class Ball:
     tan_beta: Number
     Fc: Number
     Mg: Number
-    share_i: int
-    share_o: int
+    share_i: Number
+    share_o: Number
+    Ti: Number  # friction that carries the moment
+    To: Number
 
 
 def ball_state(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]) -> Ball:
@@ -381,17 +450,26 @@ def ball_state(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]
     zero = 0 * X1
     wm = wR = tan_beta = Fc = Mg = zero
     control = scene.control[ball]
+    Qi, Qo = hertz_load(Ki, delta_i), hertz_load(Ko, delta_o)
+    R = scene.dm / 2 + (X2 - scene.Lo * scene.cos0 if scene.own_orbit else 0)
+    g = scene.D / (2 * R)
+    share_i, share_o = moment_shares(control, scene.shares)
     if control is not None:
         rolled = rolling_line(inner, outer, delta_i, scene.Li)
-        tan_beta = attitude_tangent(control, rolled, outer, scene.g)
-        wm, wR = ball_speeds(scene.wi, scene.wo, rolled, outer, tan_beta, scene.g)
+        if control == "minimum_dissipation":
+            c_i, c_o = spin_weights(scene, Qi, Qo)
+            tan_beta = least_dissipation(rolled, outer, c_i, c_o, g)
+            along_i, along_o = c_i * (1 + g * outer[1]), c_o * (1 - g * rolled[1])
+            share_i, share_o = shares_by_weight(scene.shares, along_i / (along_i + along_o))
+        else:
+            tan_beta = attitude_tangent(control, rolled, outer, g)
+        wm, wR = ball_speeds(scene.wi, scene.wo, rolled, outer, tan_beta, g)
     if scene.centrifugal:
-        Fc = centrifugal_force(scene, wm)
+        Fc = centrifugal_force(scene, wm, R)
     if scene.gyroscopic:
         Mg = scene.gyroscopic * gyroscopic_moment(scene, wm, wR, tan_beta)
-    share_i, share_o = moment_shares(control, scene.shares)
-    Qi, Qo = hertz_load(Ki, delta_i), hertz_load(Ko, delta_o)
-    return Ball(inner, outer, Qi, Qo, wm, wR, tan_beta, Fc, Mg, share_i, share_o)
+    Ti, To = friction(scene, share_i, Mg, Qi), friction(scene, share_o, Mg, Qo)
+    return Ball(inner, outer, Qi, Qo, wm, wR, tan_beta, Fc, Mg, share_i, share_o, Ti, To)
 
 
 def ball_equations(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]) -> list[Number]:
@@ -400,7 +478,7 @@ def ball_equations(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Num
     A1, A2 = groove_centre(scene, ball, d)
     b = ball_state(scene, ball, x, d)
     (sin_i, cos_i), (sin_o, cos_o) = b.inner, b.outer
-    Ti, To = b.share_i * b.Mg / scene.D, b.share_o * b.Mg / scene.D
+    Ti, To = b.Ti, b.To
     return [
         X1**2 + X2**2 - (scene.Lo + delta_o) ** 2,
         (A1 - X1) ** 2 + (A2 - X2) ** 2 - (scene.Li + delta_i) ** 2,
@@ -417,10 +495,10 @@ def ring_contribution(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[
     """
     b = ball_state(scene, ball, x, d)
     (sin_i, cos_i), (c, s) = b.inner, scene.psi[ball]
-    Ti = b.share_i * b.Mg / scene.D
+    Ti = b.Ti
     axial = b.Qi * sin_i - Ti * cos_i
     radial = b.Qi * cos_i + Ti * sin_i
-    moment = axial * scene.Ri + b.share_i * scene.ri / scene.D * b.Mg
+    moment = axial * scene.Ri + scene.ri * Ti
     return [axial, radial * c, radial * s, moment * s, -moment * c]
 
 
@@ -568,6 +646,8 @@ def solve(case: dict[str, Any], digits: int = 50) -> dict[str, Any]:
 
 def refuse_friction_without_contact(scene: Scene, balls: dict[int, list[Number]], d: Sequence[Number]) -> None:
     """The equations let an unloaded contact carry its share of the gyroscopic moment; mechanics does not."""
+    if scene.mu is not None:
+        return
     for ball, x in balls.items():
         b = ball_state(scene, ball, x, d)
         tiny = mp.mpf(10) ** -(mp.dps // 2) * scene.D * greatest_force(scene, balls, d)

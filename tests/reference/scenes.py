@@ -241,6 +241,37 @@ SCENES: list[Case] = [
         "the same bearing faster with a general load",
         SPINDLE, load("1500", "200", "150", "2", "-3"), "24000",
     ),
+    turning(
+        "b218_minimum_dissipation",
+        "balls that spin on both raceways, their axes by the loads; both raceways carry the gyroscopic moment",
+        B218, load("14000", "2500", "1000", "25", "-80"), "5000", control="minimum_dissipation",
+    ),
+    turning(
+        "b218_minimum_dissipation_idle_balls",
+        "the same where balls have lost the inner raceway, or just: no weight there, and no friction",
+        B218, upright(load("5000", "6500")), "8000", control="minimum_dissipation", shares="harris",
+    ),
+    turning(
+        "b218_slipping",
+        "contacts that carry a twentieth of their load of friction: some balls slip, others do not",
+        B218, load("8000", "4000"), "10000", friction_coefficient="0.05",
+    ),
+    turning(
+        "b218_slipping_inner_control",
+        "friction at the inner groove bounded: its term in the ring's moment too",
+        B218, load("14000", "2500", "1000", "25", "-80"), "8000", control="inner", friction_coefficient="0.03",
+    ),
+    turning(
+        "b218_own_orbits",
+        "balls that go round on circles of their own; both rings turn",
+        B218, load("12000", "3000", "0", "20", "-40"), "9000", outer_speed_rpm="-4000", orbit_radius="displaced",
+    ),
+    turning(
+        "spindle_slip_dissipation_own_orbits",
+        "all three at once",
+        SPINDLE, load("600", "200", "150", "2", "-3"), "24000", control="minimum_dissipation", shares="harris",
+        friction_coefficient="0.015", orbit_radius="displaced",
+    ),
     at_rest(
         "deep_groove_moment_alone",
         "no clearance, no free angle, a moment of 1 N m alone: every angle comes from the tilt",

@@ -28,7 +28,8 @@ def structure(case: dict[str, Any]) -> tuple:
     """What one array call cannot vary: which channels are held, and the choices of the model."""
     held = tuple(case["channels"][key][0] for key in CHANNELS)
     effects = case["centrifugal_force"], case["gyroscopic_moment"]
-    return held, effects, case["control"], case["shares"], case["hertz_angle"]
+    choices = case["control"], case["shares"], case["hertz_angle"], case.get("orbit_radius")
+    return held, effects, *choices, "friction_coefficient" in case
 
 
 BATCHES: dict[tuple, list[str]] = defaultdict(list)
