@@ -82,7 +82,7 @@ READINGS: dict[str, Reading] = {
     "frequencies": Reading(lambda scene, arguments, oil: [], lambda solution, arguments, oil: frequencies(solution)),
     "film": Reading(_film_errors, lambda solution, arguments, oil: film(solution, oil, **arguments)),  # type: ignore[arg-type]
     "friction": Reading(
-        lambda scene, arguments, oil: friction_errors(scene, **arguments),
+        lambda scene, arguments, oil: friction_errors(**arguments),
         lambda solution, arguments, oil: friction(solution, **arguments),
     ),
     "overrun": Reading(

@@ -6,11 +6,15 @@ part along the contact's normal is spin, the part along its tangent in the ball'
 Kotzalas, *Advanced Concepts of Bearing Technology*, 2.2), for either raceway:
 
     spin = omega_R sin(alpha - beta) - (omega - omega_m) sin(alpha)
-    roll = omega_R cos(alpha - beta) - (omega - omega_m) cos(alpha)
+    roll = omega_R cos(alpha - beta) - (omega - omega_m) cos(alpha) = +/-(omega - omega_m)/g,    g = D/dm, + outside
+
+the latter since nothing slips at the contacts' centres. A scene without ball effects names no raceway control; its
+contact angles are equal, and whatever the control, the two spins then differ by (omega_i - omega_o) sin(alpha): outer
+control, which puts it all on the inner raceway, is assumed and said.
 
 No slip at the contact's centre, so the surfaces of ball and ring pass the contact at one speed, the entrainment speed
 
-    u = |omega - omega_m| (dm/2)(1 -/+ g cos alpha),   g = D/dm, upper sign inside.
+    u = |omega - omega_m| (dm/2)(1 -/+ g cos alpha),   upper sign inside.
 
 Range: as raceway control, which supplies beta; no skidding.
 """
@@ -24,6 +28,7 @@ from numpy.typing import NDArray
 
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
 
 
@@ -33,17 +38,17 @@ class RacewayMotion:
 
     entrainment_speed: NDArray
     """u, of the surfaces through the contact [m/s]."""
-    rolling_speed: NDArray | None
-    """Of the ball on the raceway, about the contact's tangent [rad/s]; None without raceway control."""
-    spin_speed: NDArray | None
+    rolling_speed: NDArray
+    """Of the ball on the raceway, about the contact's tangent [rad/s]."""
+    spin_speed: NDArray
     """Of the ball on the raceway, about the contact's normal, positive from ball to ring outside and from ring to ball
-    inside [rad/s]; None without raceway control."""
-    spin_to_roll: NDArray | None
-    """|spin/roll| [-]; None without raceway control."""
-    spin_sliding_speed: NDArray | None
-    """|spin| a: of spin at the tips of the ellipse [m/s]; None without raceway control."""
-    spin_pressure_speed: NDArray | None
-    """The largest product of pressure and spin's sliding speed, p0 |spin| a/2 [Pa m/s]; None without raceway control.
+    inside [rad/s]."""
+    spin_to_roll: NDArray
+    """|spin/roll| [-]."""
+    spin_sliding_speed: NDArray
+    """|spin| a: of spin at the tips of the ellipse [m/s]."""
+    spin_pressure_speed: NDArray
+    """The largest product of pressure and spin's sliding speed, p0 |spin| a/2 [Pa m/s].
 
     On the major axis p v = p0 sqrt(1 - x^2/a^2) |spin| x is largest at x = a/sqrt(2)."""
 
@@ -56,18 +61,20 @@ class BallMotion:
     """omega_m of each ball's centre; shape (*cases, ball) [rad/s]."""
     inner: RacewayMotion
     outer: RacewayMotion
+    warnings: Remarks
 
 
 def kinematics(solution: Solution) -> BallMotion:
-    """Rolling, spin and sliding in every contact.
-
-    A scene without ball effects has no raceway control and so no spin: only orbital and entrainment speeds, for which
-    the ball is then taken to roll between equal contact angles.
-    """
+    """Rolling, spin and sliding in every contact."""
     orbit = orbital_speed(solution)
-    return BallMotion(
-        orbit, *(_raceway(solution, orbit, *side) for side in ((INNER, solution.inner), (OUTER, solution.outer)))
-    )
+    inner, outer = (_raceway(solution, orbit, *side) for side in ((INNER, solution.inner), (OUTER, solution.outer)))
+    return BallMotion(orbit, inner, outer, control_remarks(solution))
+
+
+def control_remarks(solution: Solution) -> Remarks:
+    """That raceway control was assumed, where it was."""
+    assumed = solution.scene.raceway_control is None
+    return remarks([(assumed, "no raceway control is named: all spin is put on the inner raceway")], ())
 
 
 def ring_speeds(solution: Solution) -> tuple[NDArray, NDArray]:
@@ -103,11 +110,12 @@ def _raceway(solution: Solution, orbit: NDArray, side: float, contacts: RacewayC
     pitch = BearingNumbers(solution.scene.operating_bearing).pitch_diameter[..., None]
     radius = 0.5 * pitch * (1.0 + side * gamma(solution) * np.cos(contacts.angle))
     entrainment = np.abs(ring) * radius * touches
+    roll = side * ring / gamma(solution) * touches
     beta, rotation = solution.attitude_angle, solution.rotation_speed
     if beta is None or rotation is None:
-        return RacewayMotion(entrainment, None, None, None, None, None)
-    spin = (rotation * np.sin(contacts.angle - beta) - ring * np.sin(contacts.angle)) * touches
-    roll = (rotation * np.cos(contacts.angle - beta) - ring * np.cos(contacts.angle)) * touches
+        spin = (outer_speed - inner_speed) * np.sin(contacts.angle) * (1.0 if side < 0 else 0.0) * touches
+    else:
+        spin = (rotation * np.sin(contacts.angle - beta) - ring * np.sin(contacts.angle)) * touches
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.abs(spin / roll)
     sliding = np.abs(spin) * contacts.semi_major_axis

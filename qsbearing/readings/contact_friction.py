@@ -19,7 +19,6 @@ from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import deformed_radius, tabulated_sliding_speed
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
 
@@ -76,7 +75,7 @@ def friction(
         fluid_density: rho of the mixture of oil and air [kg/m^3], both or neither.
 
     Raises:
-        SceneError: coefficients out of range, or a scene without raceway control; every error, at once.
+        SceneError: coefficients out of range; every error, at once.
     """
     arguments = {
         "friction_coefficient": friction_coefficient,
@@ -84,7 +83,7 @@ def friction(
         "drag_coefficient": drag_coefficient,
         "fluid_density": fluid_density,
     }
-    raise_if_any(friction_errors(solution.scene, **arguments))
+    raise_if_any(friction_errors(**arguments))
     motion = kinematics(solution)
     inner, outer = (
         _raceway(solution, contacts, moving, side, friction_coefficient, hysteresis_loss)
@@ -101,18 +100,23 @@ def friction(
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, total / speed, np.nan)
     return Friction(
-        inner, outer, drag_power, total, torque, remarks(_found(solution, friction_coefficient), total.shape)
+        inner,
+        outer,
+        drag_power,
+        total,
+        torque,
+        motion.warnings + remarks(_found(solution, friction_coefficient), total.shape),
     )
 
 
 def friction_errors(
-    scene: Scene | None,
+    *,
     friction_coefficient: ArrayLike | None = None,
     hysteresis_loss: ArrayLike | None = None,
     drag_coefficient: ArrayLike | None = None,
     fluid_density: ArrayLike | None = None,
 ) -> list[ErrorDetail]:
-    """Every error of the arguments of `friction`; of the scene too, where there is one."""
+    """Every error of the arguments of `friction`."""
     errors = within("friction_coefficient", friction_coefficient, RATIO, 0.0, 1.0)
     if hysteresis_loss is not None:
         errors += within("hysteresis_loss", hysteresis_loss, RATIO, 0.0, 1.0)
@@ -123,9 +127,6 @@ def friction_errors(
             errors += within(name, value, RATIO if name == "drag_coefficient" else DENSITY, 0.0, most)
         elif any(each is not None for each in drag.values()):
             errors.append(ErrorDetail(name, "missing", cause="Drag needs both; leave both out for none"))
-    if scene is not None and scene.raceway_control is None:
-        cause = "Name centrifugal_force or gyroscopic_moment, and raceway_control"
-        errors.append(ErrorDetail("raceway_control", "missing: without it no ball's spin is known", cause=cause))
     return errors
 
 
@@ -141,8 +142,6 @@ def _raceway(
     groove = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
     R = deformed_radius(numbers.ball_diameter, groove)[..., None]
     a, b = contacts.semi_major_axis, contacts.semi_minor_axis
-    assert moving.rolling_speed is not None  # raceway control is there
-    assert moving.spin_speed is not None
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = b / a
     mean = tabulated_sliding_speed(moving.rolling_speed * a**2 / (2.0 * R), moving.spin_speed * a, ratio)

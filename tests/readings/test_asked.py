@@ -197,11 +197,21 @@ def test_what_a_reading_lacks_is_said() -> None:
 
 
 def test_what_only_the_scene_shows() -> None:
-    """Friction needs raceway control; a shoulder has to suit the bearing."""
-    readings = {"friction": {"friction_coefficient": 0.05}, "overrun": {"inner_shoulder_diameter_mm": 90}}
-    found = faults(BASE | {"effects": {}, "readings": readings})
-    assert set(found) == {"readings.friction.raceway_control", "readings.overrun.inner_shoulder_diameter_mm"}
+    """A shoulder has to suit the bearing."""
+    found = faults(BASE | {"readings": {"overrun": {"inner_shoulder_diameter_mm": 90}}})
     assert "102.794" in found["readings.overrun.inner_shoulder_diameter_mm"]
+
+
+def test_readings_of_chosen_effects() -> None:
+    """effects = "auto" may leave all of them out: every reading is there all the same."""
+    for speed in (10, 10_000):
+        scene = scene_of(
+            {"effects": "auto", "bearing": {"name": "B218"}, "operation": {"speed_rpm": speed, "axial_load_N": 17800}}
+            | {"readings": ALL},
+            "test",
+        )
+        solution = qs.solve(scene)
+        assert set(qs.readings.take_asked(solution)) == set(asked.READINGS)
 
 
 def test_the_table_in_the_wrong_place() -> None:

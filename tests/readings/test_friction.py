@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -138,11 +140,16 @@ def test_differential_sliding_of_a_radial_bearing() -> None:
 def test_bad_input_of_friction() -> None:
     with pytest.raises(qs.SceneError) as caught:
         qs.readings.friction(solved(resting(B218, axial_load=1e3)), 2.0, fluid_density=20.0)
-    assert {error.field for error in caught.value.errors} == {
-        "friction_coefficient",
-        "drag_coefficient",
-        "raceway_control",
-    }
+    assert {error.field for error in caught.value.errors} == {"friction_coefficient", "drag_coefficient"}
+
+
+def test_friction_without_raceway_control_says_what_it_assumes() -> None:
+    """The same as outer control where nothing throws the balls outward."""
+    scene = resting(SPINDLE, axial_load=800.0, speed=1.0)
+    assumed = qs.readings.friction(solved(scene), 0.05)
+    named = replace(scene, ball_effects=CENTRIFUGAL, raceway_control=qs.RacewayControl.OUTER)
+    assert assumed.power == pytest.approx(qs.readings.friction(solved(named), 0.05).power, rel=1e-5)
+    assert any("raceway control" in sentence for sentence in assumed.warnings)
 
 
 def test_at_rest_and_unsolved() -> None:

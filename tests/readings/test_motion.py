@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from tests.qsbearing.scenes import B218, INNER, SPINDLE, general_scenes, resting, solved, turning
+from tests.qsbearing.scenes import B218, CENTRIFUGAL, INNER, SPINDLE, general_scenes, resting, solved, turning
 
 SCENES = {name: scene for name, scene in general_scenes().items() if scene.raceway_control is not None}
 SCENES["rings that grow"] = replace(
@@ -75,20 +75,23 @@ def test_spin_to_roll_as_the_textbook_writes_it() -> None:
     assert inner.spin_to_roll == pytest.approx(textbook, rel=1e-12)
     assert inner.spin_sliding_speed == pytest.approx(np.abs(inner.spin_speed) * solution.inner.semi_major_axis)
     x = np.linspace(0.0, 1.0, 20001)
-    product = solution.inner.max_pressure[0] * np.sqrt(1 - x**2) * x * inner.spin_sliding_speed[0]  # type: ignore[index]
-    assert inner.spin_pressure_speed[0] == pytest.approx(product.max(), rel=1e-6)  # type: ignore[index]
+    product = solution.inner.max_pressure[0] * np.sqrt(1 - x**2) * x * inner.spin_sliding_speed[0]
+    assert inner.spin_pressure_speed[0] == pytest.approx(product.max(), rel=1e-6)
 
 
-def test_without_ball_effects_there_is_no_spin_but_an_orbit() -> None:
-    motion = qs.readings.kinematics(solved(resting(SPINDLE, axial_load=1e3, speed=1000.0)))
-    assert motion.inner.spin_speed is None
-    assert motion.inner.spin_to_roll is None
-    slow = qs.readings.kinematics(
-        solved(turning(1000.0 / qs.rpm, SPINDLE, axial_load=1e3, effects=(qs.CentrifugalForce(),)))
-    )
-    assert motion.orbital_speed == pytest.approx(slow.orbital_speed, rel=2e-2)
-    for one, other in ((motion.inner, motion.outer),):
-        assert one.entrainment_speed == pytest.approx(other.entrainment_speed, rel=1e-12)
+def test_without_ball_effects_outer_control_is_assumed_and_said() -> None:
+    """At so low a speed that nothing is thrown outward, outer control asked for and assumed are one and the same."""
+    scene = resting(SPINDLE, axial_load=1e3, radial_load_y=200.0, moment_z=0.0, speed=10.0, outer_speed=-3.0)
+    assumed = qs.readings.kinematics(solved(scene))
+    named = replace(scene, ball_effects=CENTRIFUGAL, raceway_control=qs.RacewayControl.OUTER)
+    slow = qs.readings.kinematics(solved(named))
+    assert slow.warnings == ()
+    assert any("inner raceway" in sentence for sentence in assumed.warnings)
+    assert assumed.orbital_speed == pytest.approx(slow.orbital_speed, rel=1e-5)
+    for one, other in ((assumed.inner, slow.inner), (assumed.outer, slow.outer)):
+        assert one.entrainment_speed == pytest.approx(other.entrainment_speed, rel=1e-5)
+        assert one.rolling_speed == pytest.approx(other.rolling_speed, rel=1e-5)
+        assert one.spin_speed == pytest.approx(other.spin_speed, rel=1e-4, abs=1e-9)
 
 
 # --------------------------------------------------------------------------------------------------------- frequencies

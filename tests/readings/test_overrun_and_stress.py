@@ -133,3 +133,26 @@ def test_a_dent_at_the_static_limit_is_of_the_order_that_defines_it() -> None:
     crushed = qs.readings.stress(solved(turning(10.0, SPINDLE, axial_load=4e5)))
     assert any("dents" in sentence for sentence in crushed.warnings)
     assert any("ceramic" in sentence for sentence in crushed.warnings)
+
+
+def test_boresi_and_schmidt_s_ball_in_a_race() -> None:
+    """Advanced Mechanics of Materials, example 17.2: ball 4.76, groove -4.86, race 18.24 mm, 1750 N, 200 GPa, nu 0.29.
+
+    The book reads a = 2.10, b = 0.16 mm, 2314 MPa, tau_max 694 MPa 0.12 mm deep off a chart, whose shear is 6 % low;
+    exact Hertz beside it, to the digits of an independent computation.
+    """
+    modulus = 200e9 / (1 - 0.29**2)
+    contact = qs.point_contact(1750.0, 1e3 * (1 / 4.76 + 1 / 18.24), 1e3 * (1 / 4.76 - 1 / 4.86), modulus)
+    assert contact.ellipticity == pytest.approx(13.626, abs=5e-4)
+    assert contact.semi_major_axis * 1e3 == pytest.approx(2.2004, abs=5e-5)
+    assert contact.semi_minor_axis * 1e3 == pytest.approx(0.16149, abs=5e-6)
+    assert contact.max_pressure / 1e6 == pytest.approx(2351.4, abs=0.05)
+    assert contact.approach * 1e3 == pytest.approx(0.013920, abs=5e-7)
+    shear = qs.subsurface_shear(contact.ellipticity, 0.29)
+    for exact, chart in (
+        (contact.semi_major_axis * 1e3, 2.10),
+        (contact.max_pressure / 1e6, 2314.0),
+        (shear.stress * contact.max_pressure / 1e6, 694.0),
+        (shear.depth * contact.semi_minor_axis * 1e3, 0.12),
+    ):
+        assert exact == pytest.approx(chart, rel=0.06)
