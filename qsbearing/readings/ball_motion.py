@@ -107,10 +107,10 @@ def _raceway(solution: Solution, orbit: NDArray, side: float, contacts: RacewayC
     inner_speed, outer_speed = ring_speeds(solution)
     ring = (inner_speed if side < 0 else outer_speed) - orbit
     touches = np.where(contacts.load > 0.0, 1.0, np.nan)
-    pitch = BearingNumbers(solution.scene.operating_bearing).pitch_diameter[..., None]
-    radius = 0.5 * pitch * (1.0 + side * gamma(solution) * np.cos(contacts.angle))
-    entrainment = np.abs(ring) * radius * touches
-    roll = side * ring / gamma(solution) * touches
+    g = _gamma_of_orbit(solution, outer_speed - orbit)
+    radius = 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter[..., None]
+    entrainment = np.abs(ring) * radius * (1.0 / g + side * np.cos(contacts.angle)) * touches
+    roll = side * ring / g * touches
     beta, rotation = solution.attitude_angle, solution.rotation_speed
     if beta is None or rotation is None:
         spin = (outer_speed - inner_speed) * np.sin(contacts.angle) * (1.0 if side < 0 else 0.0) * touches
@@ -120,3 +120,15 @@ def _raceway(solution: Solution, orbit: NDArray, side: float, contacts: RacewayC
         ratio = np.abs(spin / roll)
     sliding = np.abs(spin) * contacts.semi_major_axis
     return RacewayMotion(entrainment, roll, spin, ratio, sliding, 0.5 * contacts.max_pressure * sliding)
+
+
+def _gamma_of_orbit(solution: Solution, outer_ring: NDArray) -> NDArray:
+    """g of each ball: D/dm, or D over its own orbit's diameter, as the absence of slip outside tells it."""
+    nominal = gamma(solution)
+    beta, rotation = solution.attitude_angle, solution.rotation_speed
+    if beta is None or rotation is None:
+        return nominal
+    angle = solution.outer.angle
+    roll = rotation * np.cos(angle - beta) - outer_ring * np.cos(angle)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(roll != 0.0, outer_ring / roll, nominal)

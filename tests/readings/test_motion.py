@@ -16,6 +16,12 @@ SCENES["rings that grow"] = replace(
     turning(9e3, axial_load=14e3, radial_load_y=3e3, moment_z=0.0),
     ring_effects=(qs.RingExpansion(90e-3, 160e-3, inner_ring_temperature=360.0, outer_ring_temperature=340.0),),
 )
+SCENES["balls on orbits of their own"] = replace(
+    turning(12e3, axial_load=6e3, radial_load_y=3e3, moment_z=0.0), orbit_radius=qs.OrbitRadius.DISPLACED
+)
+SCENES["minimum dissipation"] = turning(
+    9e3, axial_load=14e3, radial_load_y=3e3, moment_z=0.0, control=qs.RacewayControl.MINIMUM_DISSIPATION
+)
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -40,7 +46,7 @@ def test_motion_is_that_of_rigid_bodies(name: str) -> None:
         normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle), zero], axis=-1)
         tangent = np.stack([np.cos(contacts.angle), -np.sin(contacts.angle), zero], axis=-1)
         arm = side * 0.5 * float(bearing.ball_diameter) * normal  # type: ignore[arg-type]
-        centre = np.stack([zero, zero + 0.5 * float(bearing.pitch_diameter), zero], axis=-1)  # type: ignore[arg-type]
+        centre = np.stack([zero, zero + orbit_radius(solution), zero], axis=-1)
         ring = np.stack([float(speed) - motion.orbital_speed, zero, zero], axis=-1)  # type: ignore[arg-type]
         of_ball, of_ring = np.cross(ball, arm), np.cross(ring, centre + arm)
         scale = np.abs(of_ring[on]).max()
@@ -52,6 +58,17 @@ def test_motion_is_that_of_rigid_bodies(name: str) -> None:
         assert np.abs(moving.spin_speed - ((ball - ring) * normal).sum(-1))[on].max() < 1e-12 * turning_rate
         assert np.abs(moving.rolling_speed - ((ball - ring) * tangent).sum(-1))[on].max() < 1e-12 * turning_rate
         assert np.isnan(moving.entrainment_speed[~on]).all()
+
+
+def orbit_radius(solution: qs.Solution) -> Any:
+    """dm/2, or where the ball's centre is by the drawing: at the end of its outer contact line."""
+    bearing = solution.scene.operating_bearing
+    pitch = 0.5 * float(bearing.pitch_diameter)  # type: ignore[arg-type]
+    if solution.scene.orbit_radius is qs.OrbitRadius.PITCH_CIRCLE:
+        return pitch
+    free = float(bearing.outer_groove_radius) - 0.5 * float(bearing.ball_diameter)  # type: ignore[arg-type]
+    line = (free + solution.outer.approach) * np.cos(solution.outer.angle)
+    return pitch + line - free * np.cos(float(bearing.free_contact_angle))  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("control", list(qs.RacewayControl)[:2])
