@@ -34,12 +34,16 @@ def load_scene(source: str) -> qsbearing.Scene:
     """The scene of a file or of a catalogue entry.
 
     Raises:
-        SceneProblemError: it cannot be read; the message has every error.
+        SceneProblemError: it cannot be read (the message has every error), or its rings or balls grow.
     """
     try:
-        return qsbearing.load_scene(source)
+        scene = qsbearing.load_scene(source)
     except (OSError, ValueError, KeyError) as problem:
         raise SceneProblemError(f"scene {source}: {problem}") from problem
+    if scene.ring_effects:
+        names = " and ".join(effect.name for effect in scene.ring_effects)
+        raise SceneProblemError(f"scene {source}: names {names}; contacts are judged from the drawing as it is, cold")
+    return scene
 
 
 def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
@@ -63,9 +67,6 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
             number(material.poisson_ratio, f"{field}.poisson_ratio"),
         )
 
-    if scene.ring_effects:
-        names = " and ".join(effect.name for effect in scene.ring_effects)
-        raise SceneProblemError(f"scene {name}: names {names}; contacts are judged from the drawing's dimensions alone")
     moment, control = scene.gyroscopic_moment, qsbearing.RacewayControl.MINIMUM_DISSIPATION
     beyond = {
         "friction_coefficient": moment is not None and moment.friction_coefficient is not None,

@@ -112,6 +112,13 @@ def test_a_scene_beyond_elastic_contact_is_refused(load, said, tmp_path):
         scenes.solved(str(path))
 
 
+def test_a_bearing_that_has_grown_is_refused(tmp_path):
+    path = tmp_path / "hot.toml"
+    path.write_text(SCENE.format(load=5000) + "[effects.ball_expansion]\nball_temperature_C = 80\n")
+    with pytest.raises(SceneProblemError, match="ball_expansion; contacts are judged from the drawing"):
+        scenes.solved(str(path))
+
+
 def test_a_contact_over_the_groove_is_refused(tmp_path):
     # Soft rings: the ellipse grows past the groove long before the pressure is high.
     path = tmp_path / "soft.toml"
