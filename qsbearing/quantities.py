@@ -5,7 +5,6 @@ A name and its unit joined are the column's name in a table: `inner_load` in N i
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -30,7 +29,6 @@ _WORDS = {
     "": "1",
 }
 STIFFNESSES = ("locked", "effective")
-_OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 
 
 @dataclass(frozen=True)
@@ -129,30 +127,6 @@ def _all() -> dict[str, Quantity]:
 
 ALL = _all()
 """Every result that is read off a solution, by its name."""
-
-
-def find(name: str) -> Quantity | None:
-    """The quantity of a name; one per ball with `_max` or `_min` after it is its largest or smallest over the balls."""
-    if name in ALL:
-        return ALL[name]
-    stem, _, ending = name.rpartition("_")
-    per_ball = ALL.get(stem)
-    if per_ball is None or not per_ball.is_per_ball or ending not in _OVER_BALLS:
-        return None
-    reduce: Callable[..., Any] = _OVER_BALLS[ending]
-
-    def read(solution: Solution) -> NDArray | None:
-        values = per_ball.read(solution)
-        return None if values is None else np.asarray(reduce(values, axis=-1))
-
-    return Quantity(name, per_ball.unit, False, read)
-
-
-def suggestion(name: str) -> str:
-    """What is likely meant by a name that no result has."""
-    names = [*ALL, *(f"{each}_{ending}" for each in ALL if ALL[each].is_per_ball for ending in _OVER_BALLS)]
-    near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
-    return f"Did you mean {near[0]}?" if near else f"There are {', '.join(ALL)}; with _max or _min for all balls of one"
 
 
 def dataset(solution: Solution) -> xarray.Dataset:

@@ -17,6 +17,7 @@ from qsbearing import __version__
 from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.cost import cost
 from qsbearing.cli.explain import explain
+from qsbearing.cli.figures import figures
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
@@ -55,7 +56,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, plot, cost, init, catalogue):
+for command in (run, explain, sweep, plot, figures, cost, init, catalogue):
     cli.add_command(command)
 
 

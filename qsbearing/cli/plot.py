@@ -15,7 +15,11 @@ from qsbearing.cli.picture_file import draw_to
 @click.argument("results")
 @click.option("-x", "x", metavar="KEY", help="Along the horizontal axis; the longest axis if not given.")
 @click.option("-y", "y", multiple=True, metavar="QUANTITY", help="A result to show; again for each further one.")
-@click.option("--kind", metavar="KIND", help="lines, map, rose, distribution or sensitivity; what suits the results.")
+@click.option(
+    "--kind",
+    metavar="KIND",
+    help="lines, map, rose, azimuth, distribution or sensitivity; if not what suits the results.",
+)
 @click.option("--at", multiple=True, metavar="KEY=VALUE", help="Of a further axis, the value to show; its first.")
 @click.option("--out", metavar="FILE", help=".png, .svg or .pdf; the name of RESULTS with .png if not given.")
 def plot(

@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import quantities
-from qsbearing.chooser.choose import completed, solve
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
+from qsbearing.solver import solve
 from qsbearing.status import Reason
 from qsbearing.studies.points import Points
+from qsbearing.studies.results import Result, find, known_results, read, suggestion
 from qsbearing.studies.scenes import scene_of_points
 from qsbearing.studies.study import Study
 
 IMPOSSIBLE = 3
 """Status of a point that describes no bearing or no operation; the solver's own codes are 0 to 2."""
 STATUSES = ("converged", "no_equilibrium", "not_converged", "impossible")
+
+LOOKED_AT = 200
+"""Points at which effects are chosen, where the scene leaves that to its tolerance (chosen: some hundredths of a
+second, and the corners of most studies among them)."""
+OWN_OF_A_POINT = ("bearing", "operation", "preload", "readings")
+"""Fields of a scene that points may differ in; the others are its effects and choices."""
 
 ALL_UP_TO = 300_000
 """Numbers per quantity (points times balls) up to which every result is kept; a few megabytes each."""
@@ -43,10 +50,12 @@ class Plan(NamedTuple):
     """What every chunk is done by; small, and the same wherever it is done."""
 
     study: Study
-    quantities: tuple[str, ...]
-    """Names of the results to keep, all of which the scene calls for."""
+    results: tuple[Result, ...]
+    """What to keep, all of which the scene calls for."""
     ball_axis: int
     """Length of the ball axis: the largest ball count."""
+    chosen: dict[str, Any] | None = None
+    """Fields of the scene that `effects = "auto"` has chosen, once for all points; None where the scene names them."""
 
 
 class Chunk(NamedTuple):
@@ -75,17 +84,16 @@ def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1) -> Ch
     chunk = empty_chunk(plan, count, ("", *map(str, Reason), *why))
     chunk.reason[:] = np.where(possible, 0, impossible + len(Reason))
     if scene is not None:
-        put(plan, chunk, np.flatnonzero(possible), solve(scene, threads=threads))
+        put(plan, chunk, np.flatnonzero(possible), solve(replace(scene, **plan.chosen or {}), threads=threads))
     return chunk
 
 
 def empty_chunk(plan: Plan, count: int, reasons: tuple[str, ...]) -> Chunk:
     """So many points, all impossible so far."""
-    results = {}
-    for name in plan.quantities:
-        quantity = quantities.find(name)
-        assert quantity is not None
-        results[name] = np.full((count, plan.ball_axis) if quantity.is_per_ball else count, np.nan)
+    results = {
+        result.name: np.full((count, plan.ball_axis) if result.is_per_ball else count, np.nan)
+        for result in plan.results
+    }
     status = np.full(count, IMPOSSIBLE, np.int8)
     residual = np.full(count, np.nan)
     return Chunk(status, np.zeros(count, np.int16), reasons, np.zeros(count, np.int32), residual, results)
@@ -97,18 +105,12 @@ def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution) -> None:
     chunk.reason[numbers] = _codes(solution.reason, chunk.reasons)
     chunk.iterations[numbers] = np.ravel(solution.iterations)
     chunk.residual[numbers] = np.ravel(solution.residual)
-    for name, out in chunk.results.items():
-        quantity = quantities.find(name)
-        assert quantity is not None
-        read = quantity.read(solution)
-        if read is None:  # of an effect that this chunk does not need, where effects are chosen
-            continue
-        found = np.asarray(read)
-        if quantity.is_per_ball:
-            found = found.reshape(numbers.size, -1)
-            out[numbers, : found.shape[1]] = found
+    for name, found in read(solution, plan.results).items():
+        out = chunk.results[name]
+        if out.ndim == 1:
+            out[numbers] = np.reshape(found, numbers.size)
         else:
-            out[numbers] = found.reshape(numbers.size)
+            out[numbers, : found.shape[-1]] = np.reshape(found, (numbers.size, -1))
 
 
 def _codes(words: Any, known: tuple[str, ...]) -> NDArray:
@@ -128,30 +130,45 @@ def plan_of(study: Study, scene: Scene, points: Points) -> Plan:
     """
     counts = next((each.values for each in study.axes if each.key == "ball_count"), (float(scene.bearing.ball_count),))  # type: ignore[arg-type]
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
-    solution = solve(scene if scene.tolerance is None else completed(replace(scene, tolerance=None)))
-    names = study.quantities
-    if names:
-        _check_names(study, solution)
+    chosen = None if scene.tolerance is None else _chosen_effects(study, points)
+    known = known_results(solve(replace(scene, **chosen or {})))
+    kept: list[Result | FileErrorDetail | None]
+    if study.quantities:
+        kept = [_asked(study, name, known) for name in study.quantities]
+        errors = [each for each in kept if isinstance(each, FileErrorDetail)]
+        if errors:
+            raise SceneFileError(study.file, errors)
     else:
-        names = tuple(quantities.ALL) if points.count * ball_axis <= ALL_UP_TO else MAIN
-        names = tuple(name for name in names if _is_there(name, solution))
-    return Plan(study, names, ball_axis)
+        names = known if points.count * ball_axis <= ALL_UP_TO else MAIN
+        kept = [find(name, known) for name in names]
+    return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
 
 
-def _is_there(name: str, solution: Solution) -> bool:
-    quantity = quantities.find(name)
-    return quantity is not None and quantity.read(solution) is not None
+def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
+    result = find(name, known)
+    if result is not None:
+        return result
+    if name in quantities.ALL or name.rpartition("_")[0] in quantities.ALL:
+        problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
+    else:
+        problem, cause = "is no result", suggestion(name, list(known))
+    return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 
-def _check_names(study: Study, solution: Solution) -> None:
-    errors = []
-    for name in study.quantities:
-        if quantities.find(name) is None:
-            problem, cause = "is no result", quantities.suggestion(name)
-        elif not _is_there(name, solution):
-            problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
-        else:
-            continue
-        errors.append(FileErrorDetail("study.quantities", problem, name, cause=cause))
-    if errors:
-        raise SceneFileError(study.file, errors)
+def _chosen_effects(study: Study, points: Points) -> dict[str, Any]:
+    """The effects and choices that the tolerance needs at any of some hundred points spread over the study."""
+    from qsbearing.chooser.choose import solve as choose
+
+    numbers = np.unique(np.linspace(0, points.chunk_count - 1, LOOKED_AT).round().astype(int))
+    parts = []
+    for number in numbers:
+        values = points.values(points.chunk(int(number)))
+        count = max((array.size for array in values.values() if array.ndim), default=1)
+        some = np.unique(np.linspace(0, count - 1, max(2, LOOKED_AT // numbers.size)).round().astype(int))
+        parts.append({key: np.broadcast_to(array, count)[some] for key, array in values.items()})
+    together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
+    scene = scene_of_points(study, together, next(iter(together.values())).size).scene
+    if scene is None:
+        return {}
+    found = choose(scene).scene
+    return {each.name: getattr(found, each.name) for each in fields(found) if each.name not in OWN_OF_A_POINT}

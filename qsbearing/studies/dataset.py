@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__, quantities
+from qsbearing import __version__
 from qsbearing.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
@@ -35,11 +35,9 @@ def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...],
         "iterations": (dims, np.int32, {"units": "1"}),
         "residual": (dims, np.float64, {"units": "1", "long_name": "largest imbalance over the largest force"}),
     }
-    for name in plan.quantities:
-        quantity = quantities.find(name)
-        assert quantity is not None
-        own = (*dims, BALL) if quantity.is_per_ball else dims
-        found[name] = (own, np.float64, {"units": quantity.unit, "column": quantity.column})
+    for result in plan.results:
+        own = (*dims, BALL) if result.is_per_ball else dims
+        found[result.name] = (own, np.float64, {"units": result.unit, "column": result.column})
     return found
 
 
@@ -71,6 +69,8 @@ def attributes(plan: Plan, scene_label: str) -> dict[str, Any]:
         "qsbearing_version": __version__,
         "study": json.dumps(plan.study.as_data()),
     }
+    if plan.chosen is not None:
+        found["chosen_effects"] = str(plan.chosen)
     revision = commit()
     return found | ({"commit": revision} if revision else {})
 

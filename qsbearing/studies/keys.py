@@ -1,4 +1,4 @@
-"""The numeric keys that a study may vary: every one of a scene file, and the groove coefficients beside the radii."""
+"""The numeric keys that a study may vary: those of a scene file but for its readings, and groove coefficients."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import MATERIALS, NUMBERS, OPERATION, PRELOAD, SECTIONS
 from qsbearing.scene.operation import CHANNELS
 
-COEFFICIENTS = {f"{side}_groove_radius_coefficient": f"{side}_groove_radius_mm" for side in ("inner", "outer")}
-"""f = r/D of a groove, with the ball diameter of the same point; it stands for the radius."""
+COEFFICIENTS = {
+    **{f"{side}_groove_radius_coefficient": (f"{side}_groove_radius_mm",) for side in ("inner", "outer")},
+    "groove_radius_coefficient": ("inner_groove_radius_mm", "outer_groove_radius_mm"),
+}
+"""f = r/D of a groove, or of both, with the ball diameter of the same point; it stands for the radius."""
 
 _EITHER = (
     ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),
@@ -41,10 +44,13 @@ class StudyKey:
 def _all() -> dict[str, StudyKey]:
     tables: list[tuple[tuple[str, ...], str]] = []
     for table in NUMBERS:
+        if table in SECTIONS["readings"]:
+            continue  # numbers of readings do not span cases
         if table == "material":
             tables += [(("bearing", material), table) for material in MATERIALS]
         else:
-            tables.append(((table,) if table in SECTIONS else ("effects", table), table))
+            within = next((holder for holder, names in SECTIONS.items() if table in names), "")
+            tables.append(((within, table) if within else (table,), table))
     found: dict[str, StudyKey] = {}
     for path, table in tables:
         for key in NUMBERS[table]:
@@ -52,8 +58,8 @@ def _all() -> dict[str, StudyKey]:
             own = ".".join((*path, key.name))
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
             found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
-    for name, radius in COEFFICIENTS.items():
-        found[name] = StudyKey(name, ("bearing", radius), "1", ())
+    for name, radii in COEFFICIENTS.items():
+        found[name] = StudyKey(name, ("bearing", radii[0]), "1", ())
     return found
 
 

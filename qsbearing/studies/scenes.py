@@ -130,7 +130,7 @@ def _scene(study: Study, values: dict[str, NDArray]) -> Scene:
     coefficients: dict[str, NDArray] = {}
     for name, value in values.items():
         if name in keys.COEFFICIENTS:
-            coefficients[keys.COEFFICIENTS[name]] = value
+            coefficients |= dict.fromkeys(keys.COEFFICIENTS[name], value)
         else:
             _put(document, study, keys.ALL[name], value)
     if coefficients:
@@ -180,7 +180,8 @@ def _material_table(study: Study, side: str) -> dict[str, Any]:
     material = BY_NAME.get(name.lower()) if isinstance(name, str) else None
     if material is None:
         return {}
-    grows = any(isinstance(table, dict) for table in study.document.get("effects", {}).values())
+    effects = study.document.get("effects", {})
+    grows = isinstance(effects, dict) and any(isinstance(table, dict) for table in effects.values())
     given = MATERIAL if grows else MATERIAL[:3]  # a thermal expansion that nothing uses is an error
     found = {key: getattr(material, key.field) for key in given}
     return {key.name: key.in_file(value) for key, value in found.items() if value is not None}

@@ -45,7 +45,7 @@ class Store:
             raise _refused(self.out, f"there is no folder {self.out.parent}")
         self._check_room()
         kept = self.folder / PLAN
-        identity = {"fingerprint": plan.study.fingerprint, "quantities": plan.quantities}
+        identity = {"fingerprint": plan.study.fingerprint, "results": plan.results}
         if kept.exists():
             if not resume:
                 problem = f"an unfinished run has {len(self.finished())} of {points.chunk_count} chunks done"
@@ -62,9 +62,7 @@ class Store:
 
     def _check_room(self) -> None:
         per_point = 16.0
-        for name in self.plan.quantities:
-            quantity = dataset.quantities.find(name)
-            per_point += 8.0 * (self.plan.ball_axis if quantity is not None and quantity.is_per_ball else 1)
+        per_point += sum(8.0 * (self.plan.ball_axis if each.is_per_ball else 1) for each in self.plan.results)
         needed = 2.0 * per_point * self.points.count  # the chunks, and the file that they are joined to
         free = shutil.disk_usage(self.out.parent or Path()).free
         if needed > free:
@@ -88,7 +86,7 @@ class Store:
         """A chunk that was kept."""
         with np.load(self.folder / f"{number}.npz") as file:
             fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons")}
-            results = {name: file[f"result_{name}"] for name in self.plan.quantities}
+            results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
             return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
 
     def join(self, label: str) -> None:

@@ -95,6 +95,8 @@ def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
         if name in keys.COEFFICIENTS:
             given *= 22.225
         alone = document_with(_with_tables(document, key), key.path, given)
+        for radius in keys.COEFFICIENTS.get(name, ()):
+            alone["bearing"][radius] = given
         for path in key.replaces:
             alone.get(path.partition(".")[0], {}).pop(path.rpartition(".")[2], None)
         solution = qs.solve(scene_of(alone, ""))
@@ -275,3 +277,29 @@ def test_a_solution_as_a_labelled_dataset() -> None:
     assert found["inner_load"].attrs["units"] == "N"
     assert "gyroscopic_moment" not in found
     assert str(qs.solve(scene).to_xarray()["status"].item()) == "converged"
+
+
+def test_readings_that_a_scene_asks_for_are_results() -> None:
+    document = copy.deepcopy(COMBINED) | {"readings": {"life": {}, "kinematics": {}}}
+    kept = ["life_basic_reference_rating_life", "outer_kinematics_spin_to_roll", "outer_kinematics_spin_to_roll_max"]
+    results = sweep(Study.of(document, {"speed_rpm": [5000, 9000]}, quantities=kept))
+    alone = qs.solve(scene_of(document, ""))
+    life = qs.readings.life(alone).basic_reference_rating_life / 1e6
+    assert float(results[kept[0]].sel(speed_rpm=9000)) == pytest.approx(float(life), rel=1e-9)
+    assert results[kept[0]].attrs == {"units": "Mrev", "column": "life_basic_reference_rating_life_Mrev"}
+    spin = qs.readings.kinematics(alone).outer.spin_to_roll
+    np.testing.assert_allclose(results[kept[1]].sel(speed_rpm=9000), spin, rtol=1e-9)
+    assert float(results[kept[2]].sel(speed_rpm=9000)) == pytest.approx(spin.max(), rel=1e-9)
+
+
+def test_effects_that_a_tolerance_chooses_are_the_same_at_every_point() -> None:
+    """At 100 rpm alone nothing would be needed; beside 9000 rpm the centrifugal force is, and then everywhere."""
+    document = copy.deepcopy(B218) | {"effects": "auto"}
+    results = sweep(Study.of(document, {"speed_rpm": [100, 9000]}))
+    document["effects"] = {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"}
+    named = sweep(Study.of(document, {"speed_rpm": [100, 9000]}))
+    for result in ("inner_angle", "outer_load", "ring_displacement_axial"):
+        np.testing.assert_allclose(results[result], named[result], rtol=0.01, atol=0.05)
+    assert "centrifugal_force" in results
+    slow = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"speed_rpm": [100, 101]}))
+    assert "centrifugal_force" not in slow

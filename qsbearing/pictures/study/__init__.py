@@ -6,6 +6,7 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from qsbearing.pictures.study.azimuth import draw_by_azimuth
 from qsbearing.pictures.study.labels import key_words, value_label, words
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
@@ -39,6 +40,8 @@ def picture(
         figure = draw_maps(chosen)
     elif chosen.kind is Kind.ROSE:
         figure = draw_roses(chosen)
+    elif chosen.kind is Kind.AZIMUTH:
+        figure = draw_by_azimuth(chosen)
     elif chosen.kind is Kind.DISTRIBUTION:
         figure = draw_distributions(chosen)
     else:
@@ -60,6 +63,8 @@ def _title(chosen: Selection) -> str:
     for values in chosen.results.coords.values():
         if values.ndim == 0 and float(values) != 0.0:
             parts.append(f"{key_words(values)} {value_label(values, float(values))}")
+    if chosen.kind in (Kind.ROSE, Kind.AZIMUTH):
+        parts.append(f"by {key_words(chosen.results[chosen.x])}")
     if chosen.kind is Kind.LINES:
         parts.append(curves_of(chosen))
     return ", ".join(filter(None, parts))

@@ -20,6 +20,7 @@ _NAMES = {
     "balls_off_inner": "balls off the inner raceway",
     "speed": "speed of the inner ring",
     "free_contact_angle": "free contact angle",
+    "groove_radius_coefficient": "groove radius coefficient $f$",
     "inner_groove_radius_coefficient": "groove radius coefficient $f_i$",
     "outer_groove_radius_coefficient": "groove radius coefficient $f_o$",
 }

@@ -29,6 +29,8 @@ class Kind(StrEnum):
     """Contours over two keys."""
     ROSE = "rose"
     """Contact loads around the bearing."""
+    AZIMUTH = "azimuth"
+    """Results of each ball by its azimuth."""
     DISTRIBUTION = "distribution"
     """Histograms over the samples."""
     SENSITIVITY = "sensitivity"
@@ -110,6 +112,8 @@ def _kind(results: Dataset, kind: str | None, x: str, other: str) -> Kind:
         raise PictureError(f"a picture of the kind {kind} needs keys that vary at random")
     if kind == Kind.LINES and not x:
         raise PictureError("lines need an axis: a key that takes listed values or a range")
+    if kind == Kind.AZIMUTH and ("azimuth" not in results or not x):
+        raise PictureError("a picture by azimuth needs an axis, and the result azimuth of every ball")
     if kind == Kind.ROSE and "inner_load" not in results:
         raise PictureError("a rose needs the results inner_load and outer_load of every ball")
     return Kind(kind)
@@ -124,7 +128,7 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
             raise PictureError(f"{name} is no result in this file. {_meant(meant) or ', '.join(known)}")
     panels: dict[str, list[str]] = {}
     for name in names:
-        key = f"{stem(name)[0]} {results[name].attrs.get('units', '')}" if kind is Kind.LINES else name
+        key = f"{stem(name)[0]} {results[name].attrs.get('units', '')}" if kind in (Kind.LINES, Kind.AZIMUTH) else name
         panels.setdefault(key, []).append(name)
     return tuple(map(tuple, panels.values()))
 
@@ -134,6 +138,8 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
     if kind is Kind.MAP:
         wanted = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
         wanted += ["ring_effective_stiffness_axial"]
+    elif kind is Kind.AZIMUTH:
+        wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
     else:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
         if _varies(results, "ring_load_radial_y"):

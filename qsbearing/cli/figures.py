@@ -1,0 +1,60 @@
+"""`qsbearing figures`: the figures of the source paper and the maps beyond them."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+
+import click
+
+from qsbearing.cli.output import print_table, print_text, refuse
+
+
+@click.command(short_help="Make the source paper's figures; judge what it states.")
+@click.option("--out", default="figures", show_default=True, metavar="DIR", help="Folder for pictures and results.")
+def figures(out: str) -> None:
+    """Reproduce Figs 19.4 to 19.7 of the source paper for B218, and maps beyond them.
+
+    Each is made from a study file that is written beside it, as a start for studies of your own; each statement about
+    it is checked: it holds, holds in a range, or does not hold.
+
+    Exit codes: 0 made, 2 bad input.
+    """
+    for module in ("xarray", "h5netcdf", "matplotlib"):
+        if importlib.util.find_spec(module) is None:
+            refuse(f"figures need {module}: pip install 'qsbearing[studies]'")
+    folder = Path(out)
+    try:
+        folder.mkdir(exist_ok=True)
+        _make(folder)
+    except OSError as error:
+        refuse(f"--out {out}: {error.strerror or error}")
+
+
+def _make(folder: Path) -> None:
+    from importlib.resources import files
+
+    from rich.table import Table
+
+    from qsbearing.studies.paper.figures import FIGURES, made
+
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    for head in ("figure", "statement", "by", "verdict"):
+        table.add_column(head)
+    for figure in FIGURES:
+        results, picture, judged = made(figure)
+        picture.savefig(folder / f"{figure.name}.png")
+        results.to_netcdf(folder / f"{figure.name}.nc", engine="h5netcdf")
+        study = (files("qsbearing.studies.paper") / f"{figure.name}.toml").read_bytes()
+        (folder / f"{figure.name}.toml").write_bytes(study)
+        print_text(f"{folder / figure.name}.png  {figure.title}\n")
+        for number, each in enumerate(judged):
+            where = f": {each.where}" if each.where and len(each.where) < LONGEST else ""
+            name = figure.name if number == 0 else ""
+            table.add_row(name, each.statement.sentence, each.statement.source, f"{each.verdict}{where}")
+    print_text("\n")
+    print_table(table)
+
+
+LONGEST = 200
+"""Characters of a range that are shown; maps have one for each of their rows."""

@@ -1,0 +1,57 @@
+"""Results of each ball by its azimuth: a panel for each kind of result, a curve for each value of a key."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.pictures.study.labels import label_curves, stem, value_label, with_unit, words
+from qsbearing.pictures.study.selection import SAMPLE, PictureError, Selection
+from qsbearing.pictures.style import STYLE, figure_of_size, legend, plain
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MOST_CURVES = 8
+
+
+def draw_by_azimuth(chosen: Selection) -> Figure:
+    """Up to eight curves, spread along the axis; each once round and a little more.
+
+    Raises:
+        PictureError: results that no ball has of its own.
+    """
+    results = chosen.results.isel({SAMPLE: 0}) if SAMPLE in chosen.results.dims else chosen.results
+    results = results.isel({chosen.other: 0}) if chosen.other else results
+    names = [names for names in chosen.panels if "ball" in results[names[0]].dims]
+    if not names:
+        raise PictureError("by azimuth only results of each ball can be shown, such as inner_load")
+    count = results.sizes.get(chosen.x, 1)
+    numbers = np.unique(np.linspace(0, count - 1, min(MOST_CURVES, count)).round().astype(int))
+    figure = figure_of_size(4.6 * len(names) + 0.4, 4.2)
+    panels = figure.subplots(1, len(names), squeeze=False).ravel()
+    for axes, panel in zip(panels, names, strict=True):
+        labels: list[Any] = []
+        for name in panel:
+            side = stem(name)[1]
+            style = STYLE.get(side, STYLE["inner"])
+            for number in numbers:
+                point = results.isel({chosen.x: int(number)})
+                along = np.degrees(np.unwrap(np.radians(point["azimuth"].values[np.isfinite(point["azimuth"].values)])))
+                values = point[name].values[: along.size]
+                around = np.append(along, along[:1] + 360.0)
+                values = np.append(values, values[:1])
+                drawing = {"markersize": 3.0, "linewidth": 1.1, "markerfacecolor": style.get("markerfacecolor")}
+                drawing |= {key: style[key] for key in ("color", "linestyle", "marker")}
+                axes.plot(around, values, label=f"{side} raceway" if side else None, **drawing)
+                text = value_label(results[chosen.x], float(results[chosen.x].values[number]))
+                labels.append((around, values, text, style["color"]))
+        axes.set_xticks(range(0, 361, 60))
+        axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
+        heading = with_unit(words(stem(panel[0])[0]), str(results[panel[0]].attrs.get("units", "")))
+        axes.set_title(heading, fontsize=9.5, loc="left")
+        plain(axes)
+        label_curves(axes, labels)
+    legend(figure, panels[0])
+    return figure

@@ -1,0 +1,129 @@
+"""The figures of the source paper, and maps beyond them: each a study file, a picture and what is stated of it.
+
+Wang, Yan, Zhang & Hong, "Research on the Dynamic Properties of Ball Bearings Based on the Quasi-Static Method", Springer,
+chapter 19.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from qsbearing.io.read_toml import read_toml
+from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Judged, Statement, both, falls, judge, rises
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+SPEED, COUNT, COEFFICIENT, RADIAL = "speed_rpm", "ball_count", "groove_radius_coefficient", "radial_load_y_N"
+LITTLE = 0.05
+"""A result that moves by less than this part over a whole figure hardly moves (chosen)."""
+
+
+@dataclass(frozen=True)
+class PaperFigure:
+    """One figure."""
+
+    name: str
+    """Of its study file, and of the files that are written."""
+    title: str
+    results: tuple[str, ...] = ()
+    """What is drawn; none: what suits the study."""
+    kind: str | None = None
+    statements: tuple[Statement, ...] = ()
+
+    @property
+    def study(self) -> Study:
+        """The study of its file."""
+        return Study.of(read_toml(files("qsbearing.studies.paper") / f"{self.name}.toml"))  # type: ignore[arg-type]
+
+
+FIGURES = (
+    PaperFigure(
+        "figure_19_4",
+        "Fig. 19.4: contact angles and loads against speed",
+        statements=(
+            Statement("With speed the outer contact angle falls", PAPER, falls("outer_angle", SPEED)),
+            Statement("With speed the inner contact angle rises", PAPER, rises("inner_angle", SPEED)),
+            Statement(
+                "The outer contact carries more than the inner one once the bearing turns",
+                PAPER,
+                lambda results: (results["outer_load"] > results["inner_load"]).isel(ball=0) | (results[SPEED] == 0.0),
+            ),
+            Statement(
+                "With speed the outer contact angle rises and the inner one falls",
+                CONCLUSION,
+                both(rises("outer_angle", SPEED), falls("inner_angle", SPEED)),
+            ),
+            Statement("With speed the axial stiffness falls", HERE, falls("ring_effective_stiffness_axial", SPEED)),
+        ),
+    ),
+    PaperFigure(
+        "figure_19_5",
+        "Fig. 19.5: contact angles and loads by azimuth under radial loads",
+        kind="azimuth",
+        statements=(
+            Statement("The ball under the radial load carries more with it", HERE, rises("inner_load", RADIAL)),
+            Statement("Its inner contact angle falls with the radial load", HERE, falls("inner_angle", RADIAL)),
+            Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0),
+        ),
+    ),
+    PaperFigure(
+        "figure_19_6",
+        "Fig. 19.6: contact angles and loads against the number of balls",
+        statements=(
+            Statement("With more balls the inner contact angle rises", PAPER, rises("inner_angle", COUNT)),
+            Statement("With more balls the outer contact angle falls", PAPER, falls("outer_angle", COUNT)),
+            Statement("With more balls the inner contact load falls", PAPER, falls("inner_load", COUNT)),
+            Statement("That many balls fit on the pitch circle", HERE, lambda results: results["status"] != 3),
+        ),
+    ),
+    PaperFigure(
+        "figure_19_7",
+        "Fig. 19.7: groove radius coefficients; pressure tells the story",
+        ("inner_angle", "outer_angle", "inner_load", "outer_load", "inner_max_pressure", "outer_max_pressure"),
+        statements=(
+            Statement("With wider grooves the inner contact angle falls", PAPER, falls("inner_angle", COEFFICIENT)),
+            Statement("With wider grooves the inner contact load rises", PAPER, rises("inner_load", COEFFICIENT)),
+            Statement(
+                f"The inner contact load hardly moves, by less than {LITTLE:.0%}",
+                HERE,
+                lambda results: abs(results["inner_load"] / results["inner_load"].median() - 1.0).isel(ball=0) < LITTLE,
+            ),
+            Statement("With wider grooves the pressure rises", HERE, rises("inner_max_pressure", COEFFICIENT)),
+        ),
+    ),
+    PaperFigure(
+        "map_axial_load",
+        "Beyond the paper: pressure, friction and stiffness over speed and axial load",
+        ("inner_max_pressure", "outer_max_pressure", "outer_required_friction", "ring_effective_stiffness_axial"),
+        statements=(
+            Statement(
+                "The friction that Mg requires stays below 0.06, where gyroscopic slip begins in lubricated contacts",
+                HERE,
+                lambda results: results["outer_required_friction"].isel(ball=0) < 0.06,
+            ),
+        ),
+    ),
+    PaperFigure(
+        "map_radial_load",
+        "Beyond the paper: balls that leave the inner raceway, over speed and radial load",
+        ("balls_off_inner", "outer_required_friction", "inner_max_pressure", "outer_max_pressure"),
+        statements=(
+            Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0),
+        ),
+    ),
+)
+
+
+def made(figure: PaperFigure) -> tuple[Dataset, Figure, list[Judged]]:
+    """The results of a figure's study, its picture, and what is stated of it, judged."""
+    from qsbearing.pictures.study import picture
+
+    results = sweep(figure.study)
+    drawn = picture(results, y=figure.results, kind=figure.kind)
+    return results, drawn, [judge(statement, results) for statement in figure.statements]

@@ -1,0 +1,109 @@
+"""What a study keeps of each point: results of the solution, and the readings that the scene asks for, by name."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import quantities
+from qsbearing.solution import Solution
+
+OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
+"""With these after its name, the largest or smallest over the balls of a result that each ball has."""
+
+_UNITS = {
+    **{"MPa_m_s": "MPa m/s", "m_s": "m/s", "Nmm": "N mm"},
+    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "rpm", "um", "mm", "MPa")},
+}
+"""Endings of the readings' keys, and the units that they stand for."""
+
+
+class Result(NamedTuple):
+    """One result as plain data, which travels between processes."""
+
+    name: str
+    unit: str
+    is_per_ball: bool
+    column: str
+    """Its name in a table, with the unit."""
+
+
+def known_results(solution: Solution) -> dict[str, Result]:
+    """Every result that this solution gives, by its name."""
+    found = {}
+    for quantity in quantities.ALL.values():
+        if quantity.read(solution) is not None:
+            found[quantity.name] = Result(quantity.name, quantity.unit, quantity.is_per_ball, quantity.column)
+    for column, (is_per_ball, _) in _readings(solution).items():
+        name, unit = _without_unit(column)
+        found[name] = Result(name, unit, is_per_ball, column)
+    return found
+
+
+def find(name: str, known: dict[str, Result]) -> Result | None:
+    """The result of a name, `_max` and `_min` understood; None where there is none."""
+    if name in known:
+        return known[name]
+    stem, _, ending = name.rpartition("_")
+    if ending not in OVER_BALLS or stem not in known or not known[stem].is_per_ball:
+        return None
+    column = known[stem].column.replace(stem, name, 1)
+    return Result(name, known[stem].unit, False, column)
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    """What is likely meant by a name that no result has."""
+    names = [*known, *(f"{each}_{ending}" for each in known for ending in OVER_BALLS)]
+    near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+    return (
+        f"Did you mean {near[0]}?" if near else f"There are {', '.join(known)}; with _max or _min for all balls of one"
+    )
+
+
+def read(solution: Solution, results: Iterable[Result]) -> dict[str, NDArray]:
+    """The values of these results over the cases, and the balls of those that each ball has."""
+    readings: dict[str, tuple[bool, NDArray]] | None = None
+    found: dict[str, Any] = {}
+    kept: dict[str, Any] = {}  # what is read once and shown as largest and smallest
+    for result in results:
+        name, ending = result.name, ""
+        if name not in quantities.ALL and name.rpartition("_")[2] in OVER_BALLS:
+            name, _, ending = name.rpartition("_")
+        if name not in kept:
+            if name in quantities.ALL:
+                kept[name] = quantities.ALL[name].read(solution)
+            else:
+                readings = readings or {_without_unit(key)[0]: value for key, value in _readings(solution).items()}
+                kept[name] = readings[name][1]
+        found[result.name] = OVER_BALLS[ending](kept[name], axis=-1) if ending else kept[name]
+    return found
+
+
+def _readings(solution: Solution) -> dict[str, tuple[bool, NDArray]]:
+    """Numbers of the readings that the scene asks for, by column: whether each ball has its own, and the values."""
+    if not solution.scene.readings:
+        return {}
+    from qsbearing.readings.asked import take_asked
+    from qsbearing.readings.shown import ball_values, case_values
+
+    found: dict[str, tuple[bool, NDArray]] = {}
+    balls = solution.azimuth.shape
+    for name, reading in take_asked(solution).items():
+        for key, values in case_values(name, reading):
+            if values is not None:
+                found[f"{name}_{key}"] = (False, np.broadcast_to(values, solution.shape))
+        for side, key, values in ball_values(name, reading):
+            if values is not None:
+                found["_".join(filter(None, (side, name, key)))] = (True, np.broadcast_to(values, balls))
+    return found
+
+
+def _without_unit(column: str) -> tuple[str, str]:
+    for ending, unit in _UNITS.items():
+        if column.endswith(f"_{ending}"):
+            return column.removesuffix(f"_{ending}"), unit
+    return column, "1"
