@@ -76,6 +76,10 @@ def _printed(unit: str) -> str:
     return unit.replace("um", "µm")
 
 
+CLOSEST = 0.025
+"""Of a panel's height: a label nearer than this to another curve says of neither which it is."""
+
+
 def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) -> None:
     """Write each label on its curve, where the nearest other curve or label is farthest away.
 
@@ -104,6 +108,8 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
         if not known.any():
             continue
         at = int(np.argmax(np.where(known, worth, -np.inf)))
+        if free[at] < CLOSEST:
+            continue  # what would only hide other curves; the next panel shows it, or a picture of fewer
         taken.append((float(along[at]), float(heights[number, at])))
         box = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85}
         axes.text(x[at], y[at], text, fontsize=7.5, color=colour, ha="center", va="center", bbox=box, zorder=3)

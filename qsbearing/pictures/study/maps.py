@@ -32,6 +32,8 @@ def draw_maps(chosen: Selection) -> Figure:
 
 
 def _map(figure: Figure, axes: Axes, chosen: Selection, name: str) -> None:
+    from matplotlib.ticker import MaxNLocator
+
     values = chosen.results[name]
     said = words(stem(name)[0])
     if BALL in values.dims:
@@ -49,6 +51,7 @@ def _map(figure: Figure, axes: Axes, chosen: Selection, name: str) -> None:
     axes.set_xlabel(key_heading(chosen.results[chosen.x]), fontsize=9)
     axes.set_ylabel(key_heading(chosen.results[chosen.other]), fontsize=9)
     axes.tick_params(labelsize=8)
+    axes.xaxis.set_major_locator(MaxNLocator(5))
     axes.set_facecolor("0.93")
     masked = np.ma.masked_invalid(z)
     low, high = float(masked.min()), float(masked.max())

@@ -1,7 +1,7 @@
 """The figures of the source paper, and maps beyond them: each a study file, a picture and what is stated of it.
 
-Wang, Yan, Zhang & Hong, "Research on the Dynamic Properties of Ball Bearings Based on the Quasi-Static Method", Springer,
-chapter 19.
+Wang, Yan, Zhang & Hong, "Research on the Dynamic Properties of Ball Bearings Based on the Quasi-Static Method",
+Springer, chapter 19.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from qsbearing.io.read_toml import read_toml
+from qsbearing.studies.chunk import IMPOSSIBLE
 from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Judged, Statement, both, falls, judge, rises
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
@@ -34,6 +35,7 @@ class PaperFigure:
     results: tuple[str, ...] = ()
     """What is drawn; none: what suits the study."""
     kind: str | None = None
+    x: str | None = None
     statements: tuple[Statement, ...] = ()
 
     @property
@@ -79,7 +81,9 @@ FIGURES = (
             Statement("With more balls the inner contact angle rises", PAPER, rises("inner_angle", COUNT)),
             Statement("With more balls the outer contact angle falls", PAPER, falls("outer_angle", COUNT)),
             Statement("With more balls the inner contact load falls", PAPER, falls("inner_load", COUNT)),
-            Statement("That many balls fit on the pitch circle", HERE, lambda results: results["status"] != 3),
+            Statement(
+                "That many balls fit on the pitch circle", HERE, lambda results: results["status"] != IMPOSSIBLE, True
+            ),
         ),
     ),
     PaperFigure(
@@ -113,6 +117,7 @@ FIGURES = (
         "map_radial_load",
         "Beyond the paper: balls that leave the inner raceway, over speed and radial load",
         ("balls_off_inner", "outer_required_friction", "inner_max_pressure", "outer_max_pressure"),
+        x=SPEED,
         statements=(
             Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0),
         ),
@@ -125,5 +130,5 @@ def made(figure: PaperFigure) -> tuple[Dataset, Figure, list[Judged]]:
     from qsbearing.pictures.study import picture
 
     results = sweep(figure.study)
-    drawn = picture(results, y=figure.results, kind=figure.kind)
+    drawn = picture(results, figure.x, figure.results, figure.kind)
     return results, drawn, [judge(statement, results) for statement in figure.statements]

@@ -35,6 +35,8 @@ class Statement:
     source: str
     test: Callable[[Dataset], DataArray]
     """Where it holds, over the axes of the results; of a trend, between neighbours, at the first of the two."""
+    is_about_all: bool = False
+    """Judged at every point, not only where there is a solution."""
 
 
 @dataclass(frozen=True)
@@ -72,13 +74,13 @@ def both(*tests: Callable[[Dataset], DataArray]) -> Callable[[Dataset], DataArra
 def judge(statement: Statement, results: Dataset) -> Judged:
     """Whether a statement holds, over all points that are solved."""
     found = statement.test(results)
-    solved = _solved(results, found)
+    solved = found | True if statement.is_about_all else _solved(results, found)
     holds = found & solved
     if bool((holds == solved).all()):
         return Judged(statement, Verdict.HOLDS, "")
     if not bool(holds.any()):
         return Judged(statement, Verdict.DOES_NOT_HOLD, "")
-    return Judged(statement, Verdict.HOLDS_IN_A_RANGE, "; ".join(_ranges(holds)))
+    return Judged(statement, Verdict.HOLDS_IN_A_RANGE, "; ".join(_ranges(holds, results)))
 
 
 def _at_ball_0(results: Dataset, name: str) -> DataArray:
@@ -100,21 +102,22 @@ def _solved(results: Dataset, found: DataArray) -> DataArray:
     return solved
 
 
-def _ranges(holds: DataArray) -> list[str]:
+def _ranges(holds: DataArray, results: Dataset) -> list[str]:
     """Along the longest axis, for each value of the others."""
     dims = sorted(map(str, holds.dims), key=lambda dim: -holds.sizes[dim])
     along, others = dims[0], dims[1:]
-    x = holds[along].values
+    x = results[along].values
+    last = 0 if holds.sizes[along] < x.size else -1  # a trend reaches to the next point
     found = []
     for place in np.ndindex(*(holds.sizes[dim] for dim in others)):
         one = holds.isel(dict(zip(others, place, strict=True))).values
         head = ", ".join(f"{dim} {float(holds[dim][i]):g}" for dim, i in zip(others, place, strict=True))
-        parts = [f"{x[start]:g} to {x[stop]:g}" for start, stop in _runs(one)]
+        parts = [f"{x[start]:g} to {x[stop + last]:g}" for start, stop in _runs(one)]
         found.append(f"{head}: {along} {', '.join(parts) or 'nowhere'}" if head else f"{along} {', '.join(parts)}")
     return found
 
 
 def _runs(marked: NDArray) -> Any:
-    """First and last index of each run of marked places."""
+    """First index of each run of marked places, and the one after its last."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], marked.astype(int), [0]])))
-    return zip(edges[::2], np.minimum(edges[1::2], marked.size - 1), strict=True)
+    return zip(edges[::2], edges[1::2], strict=True)
