@@ -71,6 +71,7 @@ CANNOT_STAND_ALONE = {
     "outer_speed_rpm": 100.0,
     "yield_strength_MPa": 2000.0,
     "reference_temperature_C": 25.0,
+    "friction_coefficient": 0.05,
     "spring_N": 5000.0,
     "rigid_N": 5000.0,
 }
