@@ -1,8 +1,8 @@
 """Equivalent dynamic load P of a single row by the factors of ISO 281:2007, table 3.
 
-The table of X, Y and e is printed by every bearing catalogue; the values for 15, 25 and 40 degrees and for deep groove
-were compared with one (LYC, tables 2 and 3, where Fa/C0 stands for f0 Fa/C0 with f0 = 12.3). Its columns for 5 and 10
-degrees are not here.
+Every bearing catalogue prints these X, Y and e. Compared were: deep groove, 15, 25 and 40 degrees with LYC's tables 2
+and 3; 10 degrees with SKF's factors for deep-groove bearings of clearance C3, which are the same. Up to 15 degrees they
+follow Fa/(Z D^2), which the standard also writes f0 Fa/C0 times cos(alpha): f0 drops out, whatever the grooves.
 """
 
 from __future__ import annotations
@@ -11,60 +11,56 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.scene.bearing import BallBearing, BearingKind
+from qsbearing.scene.bearing import BallBearing
 from qsbearing.units import deg, mm
 
 # fmt: off
-_DEEP_GROOVE = np.array([  # f0 Fa/C0, e, Y; X = 0.56
-    (0.172, 0.19, 2.30), (0.345, 0.22, 1.99), (0.689, 0.26, 1.71), (1.03, 0.28, 1.55), (1.38, 0.30, 1.45),
-    (2.07, 0.34, 1.31), (3.45, 0.38, 1.15), (5.17, 0.42, 1.04), (6.89, 0.44, 1.00),
-])
-_FIFTEEN = np.array([  # f0 Fa/C0, e, Y; X = 0.44
-    (0.178, 0.38, 1.47), (0.357, 0.40, 1.40), (0.714, 0.43, 1.30), (1.07, 0.46, 1.23), (1.43, 0.47, 1.19),
-    (2.14, 0.50, 1.12), (3.57, 0.55, 1.02), (5.35, 0.56, 1.00), (7.14, 0.56, 1.00),
-])
-_STEEP = np.array([  # angle, e, X, Y
-    (20.0, 0.57, 0.43, 1.00), (25.0, 0.68, 0.41, 0.87), (30.0, 0.80, 0.39, 0.76), (35.0, 0.95, 0.37, 0.66),
-    (40.0, 1.14, 0.35, 0.57), (45.0, 1.34, 0.33, 0.50),
-])
+_LOADS = np.array([0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89])
+"""Fa/(Z D^2) [N/mm^2]."""
+_LIGHT = {  # angle in degrees: e, Y over the loads, and X
+    0.0: ((0.19, 0.22, 0.26, 0.28, 0.30, 0.34, 0.38, 0.42, 0.44),
+          (2.30, 1.99, 1.71, 1.55, 1.45, 1.31, 1.15, 1.04, 1.00), 0.56),
+    10.0: ((0.29, 0.32, 0.36, 0.38, 0.40, 0.44, 0.49, 0.54, 0.54),
+           (1.88, 1.71, 1.52, 1.41, 1.34, 1.23, 1.10, 1.01, 1.00), 0.46),
+    15.0: ((0.38, 0.40, 0.43, 0.46, 0.47, 0.50, 0.55, 0.56, 0.56),
+           (1.47, 1.40, 1.30, 1.23, 1.19, 1.12, 1.02, 1.00, 1.00), 0.44),
+}
+_LIGHT[5.0] = _LIGHT[0.0]  # the standard takes the factors of deep groove for single rows of 5 degrees
+_STEEP = {  # angle in degrees: e, Y, X
+    20.0: (0.57, 1.00, 0.43), 25.0: (0.68, 0.87, 0.41), 30.0: (0.80, 0.76, 0.39), 35.0: (0.95, 0.66, 0.37),
+    40.0: (1.14, 0.57, 0.35), 45.0: (1.34, 0.50, 0.33),
+}
 # fmt: on
-_X_DEEP_GROOVE, _X_FIFTEEN = 0.56, 0.44
-
-LEAST_ANGLE, GREATEST_ANGLE = 15.0 * deg, 45.0 * deg
-"""Angular-contact bearings outside these have no column here: NaN."""
+_ANGLES = np.array(sorted([*_LIGHT, *_STEEP]))
+GREATEST_ANGLE = 45.0 * deg
+"""Beyond it the table ends: NaN."""
 
 
 def equivalent_load(bearing: BallBearing, radial_load: ArrayLike, axial_load: ArrayLike) -> NDArray:
     """P = X Fr + Y Fa, or Fr where Fa/Fr <= e [N].
 
     Args:
-        radial_load, axial_load: Fr and Fa on the ring [N]. At 0 and 15 degrees X, Y and e follow f0 Fa/C0, which is
-            Fa/(Z D^2 cos(alpha)) in N and mm.
+        radial_load, axial_load: Fr and Fa on the ring [N].
 
     Returns:
-        NaN for angular-contact bearings below 15 or above 45 degrees. Linear between the table's angles and loads;
-        beyond its loads its last values.
+        NaN for contact angles above 45 degrees. Linear between the table's angles and loads; beyond its loads its last
+        values.
     """
     numbers = BearingNumbers(bearing)
     radial, axial = np.abs(np.asarray(radial_load, float)), np.abs(np.asarray(axial_load, float))
-    # f0/C0 = 1/(Z D^2 cos alpha): by the definition of C0 the factor f0 drops out, whatever the grooves.
-    relative = axial / (numbers.ball_count * (numbers.ball_diameter / mm) ** 2 * np.cos(numbers.nominal_angle))
-    if bearing.kind is BearingKind.DEEP_GROOVE:
-        e, Y = (np.interp(relative, _DEEP_GROOVE[:, 0], _DEEP_GROOVE[:, i]) for i in (1, 2))
-        X = np.full(np.shape(relative), _X_DEEP_GROOVE)
-    else:
-        e, X, Y = _by_angle(numbers.nominal_angle, relative)
+    e, Y, X = factors(numbers.nominal_angle, axial / (numbers.ball_count * (numbers.ball_diameter / mm) ** 2))
     return np.asarray(np.where(axial <= e * radial, radial, X * radial + Y * axial))
 
 
-def _by_angle(angle: NDArray, relative: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-    """(e, X, Y) by the nominal angle; between 15 and 20 degrees both columns count."""
-    fifteen = [np.interp(relative, _FIFTEEN[:, 0], _FIFTEEN[:, i]) for i in (1, 2)]
-    steep = [np.interp(angle, _STEEP[:, 0] * deg, _STEEP[:, i]) for i in (1, 2, 3)]
-    part = np.clip((angle - LEAST_ANGLE) / (_STEEP[0, 0] * deg - LEAST_ANGLE), 0.0, 1.0)
-    covered = (angle >= LEAST_ANGLE - 1e-9) & (angle <= GREATEST_ANGLE + 1e-9)
-    part = np.where(covered, part, np.nan)
-    e, X, Y = (
-        (1.0 - part) * low + part * high for low, high in zip((fifteen[0], _X_FIFTEEN, fifteen[1]), steep, strict=True)
-    )
-    return e, X, Y
+def factors(angle: NDArray, relative_load: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    """(e, Y, X) at a nominal contact angle [rad] and Fa/(Z D^2) [N/mm^2]."""
+    degrees = np.where(angle <= GREATEST_ANGLE * (1.0 + 1e-9), angle / deg, np.nan)
+    found = [np.zeros(np.broadcast_shapes(degrees.shape, relative_load.shape)) for _ in range(3)]
+    for i, node in enumerate(_ANGLES):
+        at_node: tuple[ArrayLike, ...] = _STEEP.get(node, ())
+        if node in _LIGHT:
+            e, Y, X = _LIGHT[node]
+            at_node = np.interp(relative_load, _LOADS, e), np.interp(relative_load, _LOADS, Y), X
+        part = np.interp(degrees, _ANGLES, np.eye(_ANGLES.size)[i])  # one at its node, zero at all others
+        found = [total + part * np.asarray(value) for total, value in zip(found, at_node, strict=True)]
+    return found[0], found[1], found[2]

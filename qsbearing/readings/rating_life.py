@@ -176,7 +176,7 @@ def life(
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     found = _found(solution, rating, dynamic_load_rating is None and capacity is Capacity.ISO_16281, viscosity_ratio)
-    uncovered = "ISO 281 tabulates P for contact angles of 15 to 45 degrees and for deep groove: no basic rating life"
+    uncovered = "ISO 281 tabulates P for contact angles up to 45 degrees: no basic rating life"
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,

@@ -113,11 +113,19 @@ def test_equivalent_load_by_angle() -> None:
     assert P(forty, 1000, 2000) == pytest.approx(0.35 * 1000 + 0.57 * 2000)
     assert P(forty, 1000, 1000) == 1000.0
     assert P(twenty_five, 1000, 1000) == pytest.approx(0.41 * 1000 + 0.87 * 1000)
-    light = 0.178 * 15 * 100 * np.cos(15 * qs.deg)
-    assert P(fifteen, 100.0, light) == pytest.approx(0.44 * 100 + 1.47 * light)
-    assert np.isnan(P(bearing(15, 10, 80, 12.0), 1000, 1000))
-    warned = qs.readings.life(solved(resting(bearing(15, 10, 80, 12.0), axial_load=1e3)))
-    assert any("15 to 45" in sentence for sentence in warned.warnings)
+    light = 0.178 * 15 * 100 * np.cos(15 * qs.deg)  # 0.178 is the standard's f0 Fa/C0, with three digits
+    assert P(fifteen, 100.0, light) == pytest.approx(0.44 * 100 + 1.47 * light, rel=1e-3)
+    ten, five, twelve = (bearing(15, 10, 80, angle) for angle in (10.0, 5.0, 12.5))
+    assert P(ten, 100.0, 1.03 * 1500) == pytest.approx(0.46 * 100 + 1.41 * 1545)
+    assert P(five, 100.0, 1.03 * 1500) == pytest.approx(0.56 * 100 + 1.55 * 1545)
+    assert P(twelve, 100.0, 1.03 * 1500) == pytest.approx(0.45 * 100 + 1.32 * 1545)
+    angles = np.linspace(0.0, 45.0, 91)
+    thrust = P(bearing(15, 10, 80, angles), 0.0, 2000.0)
+    assert (np.diff(thrust) <= 1e-9).all()  # the steeper the contact, the lighter a thrust
+    steep = bearing(15, 10, 80, 50.0)
+    assert np.isnan(P(steep, 1000, 1000))
+    warned = qs.readings.life(solved(resting(steep, axial_load=1e3)))
+    assert any("45 degrees" in sentence for sentence in warned.warnings)
 
 
 def test_modified_life_is_asked_for_or_absent() -> None:
