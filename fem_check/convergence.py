@@ -80,8 +80,8 @@ def extrapolated(sizes: list[float], values: list[float]) -> tuple[float, float]
     Least squares over all meshes with the lowest and the highest order; the value is the mean of both, the uncertainty
     the farthest that either comes from it with any one mesh left out.
     """
-    if len(sizes) < 4:
-        raise ValueError(f"{len(sizes)} meshes: needs at least four, for one is left out in turn")
+    if len(sizes) < 3:
+        raise ValueError(f"{len(sizes)} meshes: needs at least three, for one is left out in turn")
     h, v = np.asarray(sizes), np.asarray(values)
     limits = []
     for order in APPROACH_ORDERS:

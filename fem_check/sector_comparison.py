@@ -18,6 +18,7 @@ import numpy as np
 import qsbearing
 from fem_check.contact_problem import Array
 from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene
+from fem_check.solids import body_mesh
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
 
@@ -178,7 +179,8 @@ def compare(
     sector = BearingSector(
         SectorGeometry(sector_bearing(scene_name), where, elements), support, friction=gyroscopic_moment
     )
-    factors = 1.0 + ((np.arange(positions) + 0.5) / positions - 0.5) / elements
+    cell = ROOM[support] * body_mesh.PATCH / body_mesh.cells(elements)
+    factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
     deviations: list[Array] = []
     worst = 0.0
     for factor in factors:

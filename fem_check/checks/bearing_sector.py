@@ -79,21 +79,31 @@ class Studied:
 def study(
     scene: str, point: OperatingPoint, level: Level, support: OuterSupport, *, gyroscopic_moment: bool = False
 ) -> Studied:
-    """Solve a point on all meshes: ellipse and pressure of the finest, the rest extrapolated where there are four."""
+    """Solve a point on all meshes: ellipse and pressure of the finest, the rest extrapolated at the release level."""
+    meshes: list[Compared] = []
+    sizes: list[float] = []
     try:
         where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
-        meshes = [
-            sector_comparison.compare(scene, point, elements, support, where, gyroscopic_moment=gyroscopic_moment)
-            for elements in ELEMENTS[level]
-        ]
+        for elements in ELEMENTS[level]:
+            try:
+                meshes.append(
+                    sector_comparison.compare(
+                        scene, point, elements, support, where, gyroscopic_moment=gyroscopic_moment
+                    )
+                )
+            except ContactError:
+                # The coarsest mesh may lack room for the loads about the point; three are enough.
+                if elements != ELEMENTS[level][0] or len(ELEMENTS[level]) < 4:
+                    raise
+                continue
+            sizes.append(body_mesh.PATCH / body_mesh.cells(elements))
     except ContactError as problem:
         raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
-    sizes = [body_mesh.PATCH / body_mesh.cells(elements) for elements in ELEMENTS[level]]
     last = meshes[-1]
     found, uncertainty = {}, {}
     for name in QUANTITIES:
         values = [mesh.found[name] for mesh in meshes]
-        if quantity_kind(name) in FOLLOWING_APPROACH and len(meshes) > 3:
+        if quantity_kind(name) in FOLLOWING_APPROACH and level is Level.RELEASE:
             found[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
             found[name], of_mesh = values[-1], convergence.uncertainty_at_order(sizes, values, ELLIPSE_ORDER)

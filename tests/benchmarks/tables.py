@@ -139,6 +139,29 @@ def true_geometry() -> str:
     return markdown(["contact", *(QUANTITIES[name] for name in names)], rows)
 
 
+SECTOR = {
+    "axial_displacement": "axial displacement, %",
+    "inner load": "Qi, %",
+    "inner angle": "αi, deg",
+    "outer angle": "αo, deg",
+    "inner semi_major_axis": "a inner, %",
+    "inner semi_minor_axis": "b inner, %",
+    "inner max_pressure": "p0 inner, %",
+}
+
+
+def sector() -> str:
+    """One ball between elastic rings: finite elements less model."""
+    rows = []
+    for support, states in records_store.read_all()["bearing_sector"]["pictures"]["bearing_sector"].items():
+        for state, curve in states.items():
+            for index, load in enumerate(curve["load_N"]):
+                found = [(curve[name]["deviation"][index], curve[name]["uncertainty"][index]) for name in SECTOR]
+                cells = (f"{deviation:+.2f} ± {uncertainty:.2f}" for deviation, uncertainty in found)
+                rows.append([support, state, f"{load:.0f}", *cells])
+    return markdown(["outside diameter", "", "axial load, N", *SECTOR.values()], rows)
+
+
 def gyroscopic_moment() -> str:
     """Angles of B218 at rest, and at speed without and with the gyroscopic moment."""
     scene = qs.load_scene("b218")
@@ -195,6 +218,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "finite_elements.md": {
         "contacts": contacts,
         "true geometry": true_geometry,
+        "sector": sector,
         "finite elements": finite_elements,
     },
     "hard_cases.md": {"campaigns": campaigns, "hard cases": hard_cases},

@@ -7,6 +7,7 @@ import pytest
 
 import qsbearing
 from fem_check import boundary_element, references
+from fem_check.agreement import Level
 from fem_check.checks import true_geometry
 from fem_check.contact import ContactError
 from fem_check.contact_problem import ElasticConstants
@@ -136,3 +137,17 @@ def test_planted_ball_clamped_at_its_equator(contact, monkeypatch):
     monkeypatch.setattr(TrueContact, "_equator", clamped)
     found, exact = contact.condensed().bulges(LOAD)
     assert abs(found / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
+
+
+def test_another_scene_is_checked_at_its_own_loads(tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text(
+        '[bearing]\nname = "7210c"\n[operation]\naxial_load_N = 1500\nradial_load_y_N = 800\nmoment_z_Nm = 0\n'
+    )
+    inner = qsbearing.solve(qsbearing.load_scene(str(file))).inner.load
+    ((race, mesh_load, loads),) = true_geometry.loads_of(str(file), Level.QUICK)
+    # Four digits, so that every machine takes the same mesh.
+    assert race == "inner" and loads == (mesh_load,) and mesh_load == pytest.approx(inner.max(), rel=1e-3)
+    release = true_geometry.loads_of(str(file), Level.RELEASE)
+    assert {race for race, _, _ in release} == {"inner", "outer"}
+    assert len({load for race, load, _ in release if race == "inner"}) == 3
