@@ -51,7 +51,8 @@ class BallBearing:
     name: str = ""
     radial_interference: ArrayLike = 0.0
     """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings
-    make it. 0 where there is a free contact angle."""
+    make it. 0 where there is a free contact angle. The pitch circle is then where balls would just touch the outer
+    ring."""
 
     def __post_init__(self) -> None:
         kind, errors = choose("bearing.kind", self.kind, BearingKind)
@@ -152,7 +153,7 @@ class BallBearing:
             "ball_diameter": ball,
             "inner_groove_radius": inner,
             "outer_groove_radius": self._array("outer_groove_radius") + outer,
-            "pitch_diameter": 2.0 * (radius - (inner - 0.5 * ball) * np.cos(angle)) - interference,
+            "pitch_diameter": 2.0 * (radius - interference - (inner - 0.5 * ball) * np.cos(angle)),
             "free_contact_angle": angle,
             "radial_interference": interference,
         }
@@ -189,9 +190,9 @@ def groove_centre_radius(
 ) -> Any:
     """Ri = dm/2 + (ri - D/2) cos alpha0, of the circle of inner groove centres, in the unit of the lengths.
 
-    A radial interference parts the grooves' centres further, half of it on each side of the pitch circle.
+    A radial interference parts the grooves' centres further; the pitch circle keeps its place to the outer one.
     """
-    return 0.5 * (pitch_diameter + interference) + (groove_radius - 0.5 * ball_diameter) * cos_free
+    return 0.5 * pitch_diameter + interference + (groove_radius - 0.5 * ball_diameter) * cos_free
 
 
 def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_distance: ArrayLike) -> NDArray:

@@ -209,6 +209,17 @@ def test_wedged_balls_are_said(name: str) -> None:
     assert any("the balls are wedged" in sentence for sentence in qs.warnings(solution)) == is_wedged
 
 
+@pytest.mark.parametrize("name", ["grown rings and balls", "wedged"])
+def test_balls_on_their_own_orbits_are_where_grown_grooves_put_them(name: str) -> None:
+    """Fc = m R omega_m^2, R from the axis by the outer groove's centre and the contact line there; m as cold."""
+    solution = solved(replace(grown_scenes()[name], orbit_radius="displaced"))
+    grown = solution.scene.operating_bearing
+    line = grown.outer_groove_radius - 0.5 * grown.ball_diameter + solution.outer.approach
+    radius = grown.outer_groove_centre_radius + line * np.cos(solution.outer.angle)
+    mass = float(solution.scene.bearing.ball_mass)
+    np.testing.assert_allclose(solution.centrifugal_force, mass * radius * solution.orbital_speed**2, rtol=1e-12)
+
+
 def test_wedged_balls_are_continuous_with_free_ones() -> None:
     """Through a clearance of nothing; at speed too."""
     loads = {"axial_load": 200.0, "radial_load_y": 500.0, "moment_z": 0.0}
