@@ -120,6 +120,16 @@ def test_uncertainty_at_a_known_order_bounds_the_error():
     assert convergence.uncertainty_at_order(sizes, [3.1, 3.0, 3.0], 2.5) > 0.01
 
 
+@pytest.mark.parametrize("order", [2.0, 2.2, 2.5])
+def test_extrapolation_reaches_the_limit_within_its_uncertainty(order):
+    sizes = [1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0]
+    noise = np.array([0.0, 0.004, -0.004, 0.004])  # as meshes that are not similar scatter
+    value, uncertainty = convergence.extrapolated(sizes, list(3.0 + 0.5 * np.array(sizes) ** order + noise))
+    assert abs(value - 3.0) <= uncertainty < 0.03
+    with pytest.raises(ValueError, match="at least three"):
+        convergence.extrapolated(sizes[:2], [3.1, 3.0])
+
+
 def test_verdicts():
     assert row(2.002, 0.2).verdict == "pass"
     assert row(2.01, 0.2).verdict == "fail"
