@@ -10,7 +10,7 @@ from qsbearing.readings.asked import take_asked
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
-from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating, element_load_ratings
+from qsbearing.readings.dynamic_rating import Capacity, Rating, dynamic_load_rating, element_load_ratings
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.film_thickness import Film, RacewayFilm, film
 from qsbearing.readings.friction_estimate import FrictionEstimate, Series, palmgren_torque, skf_torque
@@ -18,7 +18,7 @@ from qsbearing.readings.life_factors import life_modification_factor, reliabilit
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
 from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
-from qsbearing.readings.rating_life import Capacity, Life, life
+from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import Overrun, RacewayOverrun, overrun
 from qsbearing.readings.shown import reading_columns
 from qsbearing.readings.static_rating import (

@@ -16,10 +16,11 @@ from qsbearing.readings.ball_motion import kinematics, ring_speeds
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import friction, friction_errors
 from qsbearing.readings.film_thickness import film, film_errors
+from qsbearing.readings.life_arguments import life_errors
 from qsbearing.readings.life_factors import viscosity_ratio
 from qsbearing.readings.lubricant import FREEZING, Lubricant, OilState
 from qsbearing.readings.pass_frequencies import frequencies
-from qsbearing.readings.rating_life import Life, life, life_errors
+from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import overrun, overrun_errors
 from qsbearing.readings.static_rating import static_safety, static_safety_errors
 from qsbearing.readings.subsurface_stress import stress

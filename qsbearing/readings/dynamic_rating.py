@@ -60,6 +60,15 @@ class Rating(StrEnum):
     """The table of fc, which knows no groove radii; NaN outside its range of gamma, 0.01 to 0.40."""
 
 
+class Capacity(StrEnum):
+    """What each contact's endurance is taken from."""
+
+    ISO_16281 = "iso_16281"
+    """C spread over the contacts at the nominal angle, as ISO/TS 16281 does."""
+    LUNDBERG_PALMGREN = "lundberg_palmgren"
+    """Lundberg and Palmgren's formula at each contact's own angle."""
+
+
 def groove_factor(f: ArrayLike) -> NDArray:
     """(2 f/(2 f - 1))^0.41, the part of a contact's rating that its groove radius makes."""
     f = np.asarray(f, float)

@@ -7,7 +7,6 @@ ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions o
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 from math import pi
 
 import numpy as np
@@ -18,12 +17,14 @@ from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
     OUTER_GROOVE_COVERED,
     RATING_FACTOR,
+    Capacity,
     Rating,
     contact_load_rating,
     element_load_ratings,
 )
 from qsbearing.readings.dynamic_rating import dynamic_load_rating as rating_of_geometry
 from qsbearing.readings.equivalent_load import equivalent_load
+from qsbearing.readings.life_arguments import life_errors
 from qsbearing.readings.life_factors import (
     GREATEST_RATIO,
     LEAST_RATIO,
@@ -35,7 +36,7 @@ from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
 from qsbearing.solution import Solution
 from qsbearing.units import MPa
-from qsbearing.validation import FORCE, RATIO, ErrorDetail, choose, raise_if_any, within
+from qsbearing.validation import raise_if_any
 
 MILLION = 1e6
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
@@ -44,15 +45,6 @@ one that stands tires where it is loaded most."""
 
 PLASTIC_PRESSURE = 4200e6
 """Rating lives assume elastic contacts; beyond the static limit they mean nothing [Pa]."""
-
-
-class Capacity(StrEnum):
-    """What each contact's endurance is taken from."""
-
-    ISO_16281 = "iso_16281"
-    """C spread over the contacts at the nominal angle, as ISO/TS 16281 does."""
-    LUNDBERG_PALMGREN = "lundberg_palmgren"
-    """Lundberg and Palmgren's formula at each contact's own angle."""
 
 
 @dataclass(frozen=True)
@@ -234,33 +226,3 @@ def _found(
         found.append((kappa < LEAST_RATIO, f"aISO is not defined below kappa = {LEAST_RATIO:g}"))
         found.append((kappa > GREATEST_RATIO, f"kappa above {GREATEST_RATIO:g} counts as {GREATEST_RATIO:g} in aISO"))
     return found
-
-
-def life_errors(
-    *,
-    dynamic_load_rating: ArrayLike | None = None,
-    rating: Rating = Rating.LUNDBERG_PALMGREN,
-    rating_factor: float = RATING_FACTOR,
-    capacity: Capacity = Capacity.ISO_16281,
-    reliability: float = 0.9,
-    viscosity_ratio: ArrayLike | None = None,
-    contamination_factor: ArrayLike | None = None,
-    fatigue_load_limit: ArrayLike | None = None,
-    fatigue_limit_by: FatigueLimit = FatigueLimit.HERTZ,
-) -> list[ErrorDetail]:
-    """Every error of the arguments of `life`."""
-    errors = choose("rating", rating, Rating)[1] + choose("capacity", capacity, Capacity)[1]
-    errors += choose("fatigue_limit_by", fatigue_limit_by, FatigueLimit)[1]
-    errors += within("rating_factor", rating_factor, RATIO, 0.5, 2.0)
-    errors += within("reliability", reliability, RATIO, 0.9, 0.9995, "is outside the standard's table")
-    for name, value in (("dynamic_load_rating", dynamic_load_rating), ("fatigue_load_limit", fatigue_load_limit)):
-        if value is not None:
-            errors += within(name, value, FORCE, 1e-3, 1e9)
-    both = {"viscosity_ratio": viscosity_ratio, "contamination_factor": contamination_factor}
-    for name, value in both.items():
-        if value is not None:
-            errors += within(name, value, RATIO, 0.0, 1.0 if name == "contamination_factor" else 1e4)
-        elif any(other is not None for other in both.values()):
-            cause = "The modified life needs both; leave both out for the basic one"
-            errors.append(ErrorDetail(name, "missing", cause=cause))
-    return errors
