@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.ball_messages import Warnings
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, um
-
-Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 
 
 def expansion_warnings(solution: Solution, part: slice) -> Warnings:

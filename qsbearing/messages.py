@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
@@ -14,7 +13,6 @@ from qsbearing.judgement import WORDS, WORTH_A_WARNING, lines_to_add, missing, p
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
-    NO_CONSISTENT_CONTROL,
     NO_EQUILIBRIUM,
     OPEN_SIDE,
     OVER_SHOULDER,
@@ -27,12 +25,6 @@ from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Index, Solution
 from qsbearing.units import MPa, mrad, um
-
-Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
-
-FRICTION_IN_DOUBT = 0.06
-FRICTION_BEYOND = 0.1
-"""Coefficients that lubricated steel contacts typically offer lie between these."""
 
 STATIC_PRESSURE_LIMIT = 4200e6
 """Contact pressure of the static load rating of ball bearings (ISO 76) [Pa]: a permanent dent of 1e-4 D."""
@@ -176,12 +168,12 @@ def warnings(solution: Solution, index: Index = None) -> list[str]:
 def _all_warnings(solution: Solution, part: slice) -> Warnings:
     """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
     yield from _ring_warnings(solution, part)
-    yield from _ball_warnings(solution, part)
-    yield from _friction_warnings(solution, part)
+    yield from ball_warnings(solution, part)
+    yield from friction_warnings(solution, part)
     yield from _missing_warnings(solution, part)
     if solution.scene.ring_effects:
         yield from expansion_warnings(solution, part)
-    pressure = np.maximum(*(_rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
+    pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield (
         pressure > STATIC_PRESSURE_LIMIT,
         lambda i: (
@@ -189,11 +181,6 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
             "the static load rating: the contact yields, and the elastic numbers are no longer true."
         ),
     )
-
-
-def _rows(array: NDArray, part: slice) -> NDArray:
-    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
-    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
 
 
 def _ring_warnings(solution: Solution, part: slice) -> Warnings:
@@ -212,9 +199,9 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
 
     yield ~unloaded & soft.any(axis=-1), undetermined
     bearing = solution.scene.bearing
-    moved = _rows(solution.displacement, part)
-    loaded = _rows(solution.inner.load, part) > 0.0
-    steepest = np.abs(np.where(loaded, _rows(solution.inner.angle, part), 0.0)).max(axis=-1)
+    moved = rows(solution.displacement, part)
+    loaded = rows(solution.inner.load, part) > 0.0
+    steepest = np.abs(np.where(loaded, rows(solution.inner.angle, part), 0.0)).max(axis=-1)
     free_angle = np.broadcast_to(
         np.asarray(solution.scene.operating_bearing.free_contact_angle, float), solution.shape
     ).reshape(-1)[part]
@@ -231,32 +218,6 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         tilt > SMALL_TILT,
         lambda i: f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.",
-    )
-
-
-def _ball_warnings(solution: Solution, part: slice) -> Warnings:
-    yield (
-        (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
-        lambda i: (
-            "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
-            "tried is reported; outer and inner control bound the result."
-        ),
-    )
-    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
-    off_inner = exists & (_rows(solution.inner.load, part) == 0.0)
-    off_outer = _rows(solution.outer.load, part) == 0.0
-    yield (
-        (off_inner & off_outer).any(axis=-1),
-        lambda i: (
-            f"{_ball_list((off_inner & off_outer)[i])} carry no load; at rest the position of such a ball is "
-            "undetermined."
-        ),
-    )
-    yield (
-        (off_inner & ~off_outer).any(axis=-1),
-        lambda i: (
-            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone."
-        ),
     )
 
 
@@ -279,55 +240,3 @@ def _missing_warnings(solution: Solution, part: slice) -> Warnings:
         return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
 
     yield np.asarray(matters.any(axis=0)), sentence
-
-
-def _slip_warning(solution: Solution, part: slice) -> Warnings:
-    moment = solution.scene.gyroscopic_moment
-    if solution.slips is None or moment is None:
-        return
-    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
-    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
-    sides = (solution.inner.required_friction, solution.outer.required_friction)
-    asked = np.maximum(*(_rows(side, part) for side in sides if side is not None))
-    yield (
-        np.asarray(slips.any(axis=-1)),
-        lambda i: (
-            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g} of the "
-            f"load, contacts carry {given[i]:.3g}. Loads and angles are those with that much; speeds stay those of "
-            "raceway control, which slip breaks."
-        ),
-    )
-
-
-def _friction_warnings(solution: Solution, part: slice) -> Warnings:
-    yield from _slip_warning(solution, part)
-    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
-        return
-    for name, side in (("inner", solution.inner), ("outer", solution.outer)):
-        if side.required_friction is None:
-            continue
-        friction = _rows(side.required_friction, part)
-
-        def slipping(i: int, name: str = name, friction: NDArray = friction) -> str:
-            meaning = (
-                "more than lubricated contacts offer: expect gyroscopic slip, and take raceway control as broken"
-                if friction[i].max() > FRICTION_BEYOND
-                else "in the range where lubricated contacts begin to slip"
-            )
-            return (
-                f"The gyroscopic moment demands friction up to {friction[i].max():.3f} at the {name} raceway of "
-                f"{_ball_list(friction[i] > FRICTION_IN_DOUBT)}: {meaning} "
-                f"({FRICTION_IN_DOUBT:g} to {FRICTION_BEYOND:g} is typical)."
-            )
-
-        yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
-
-
-def _ball_list(which: NDArray) -> str:
-    """Some balls of a bearing, as runs of their numbers: 3 balls (no. 0, 3 to 4)."""
-    numbers = np.flatnonzero(which)
-    if numbers.size == which.size > 1:
-        return f"all {which.size} balls"
-    runs = np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1)
-    named = ", ".join(str(run[0]) if run.size == 1 else f"{run[0]} to {run[-1]}" for run in runs)
-    return f"{'1 ball' if numbers.size == 1 else f'{numbers.size} balls'} (no. {named})"

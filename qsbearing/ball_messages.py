@@ -1,0 +1,103 @@
+"""Warnings about balls: without load, slipping, or asking for more friction than contacts offer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.kernel.admissibility import NO_CONSISTENT_CONTROL
+from qsbearing.solution import Solution
+
+Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
+"""For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
+
+FRICTION_IN_DOUBT = 0.06
+FRICTION_BEYOND = 0.1
+"""Coefficients that lubricated steel contacts typically offer lie between these."""
+
+
+def rows(array: NDArray, part: slice) -> NDArray:
+    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
+    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
+
+
+def ball_warnings(solution: Solution, part: slice) -> Warnings:
+    """Raceway control that contradicts itself, balls without load."""
+    yield (
+        (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
+        lambda i: (
+            "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
+            "tried is reported; outer and inner control bound the result."
+        ),
+    )
+    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
+    off_inner = exists & (rows(solution.inner.load, part) == 0.0)
+    off_outer = rows(solution.outer.load, part) == 0.0
+    yield (
+        (off_inner & off_outer).any(axis=-1),
+        lambda i: (
+            f"{_ball_list((off_inner & off_outer)[i])} carry no load; at rest the position of such a ball is "
+            "undetermined."
+        ),
+    )
+    yield (
+        (off_inner & ~off_outer).any(axis=-1),
+        lambda i: (
+            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone."
+        ),
+    )
+
+
+def _slip_warning(solution: Solution, part: slice) -> Warnings:
+    moment = solution.scene.gyroscopic_moment
+    if solution.slips is None or moment is None:
+        return
+    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
+    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
+    sides = (solution.inner.required_friction, solution.outer.required_friction)
+    asked = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    yield (
+        np.asarray(slips.any(axis=-1)),
+        lambda i: (
+            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g} of the "
+            f"load, contacts carry {given[i]:.3g}. Loads and angles are those with that much; speeds stay those of "
+            "raceway control, which slip breaks."
+        ),
+    )
+
+
+def friction_warnings(solution: Solution, part: slice) -> Warnings:
+    """Friction that the gyroscopic moment asks for, and balls that slip."""
+    yield from _slip_warning(solution, part)
+    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
+        return
+    for name, side in (("inner", solution.inner), ("outer", solution.outer)):
+        if side.required_friction is None:
+            continue
+        friction = rows(side.required_friction, part)
+
+        def slipping(i: int, name: str = name, friction: NDArray = friction) -> str:
+            meaning = (
+                "more than lubricated contacts offer: expect gyroscopic slip, and take raceway control as broken"
+                if friction[i].max() > FRICTION_BEYOND
+                else "in the range where lubricated contacts begin to slip"
+            )
+            return (
+                f"The gyroscopic moment demands friction up to {friction[i].max():.3f} at the {name} raceway of "
+                f"{_ball_list(friction[i] > FRICTION_IN_DOUBT)}: {meaning} "
+                f"({FRICTION_IN_DOUBT:g} to {FRICTION_BEYOND:g} is typical)."
+            )
+
+        yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
+
+
+def _ball_list(which: NDArray) -> str:
+    """Some balls of a bearing, as runs of their numbers: 3 balls (no. 0, 3 to 4)."""
+    numbers = np.flatnonzero(which)
+    if numbers.size == which.size > 1:
+        return f"all {which.size} balls"
+    runs = np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1)
+    named = ", ".join(str(run[0]) if run.size == 1 else f"{run[0]} to {run[-1]}" for run in runs)
+    return f"{'1 ball' if numbers.size == 1 else f'{numbers.size} balls'} (no. {named})"
