@@ -13,7 +13,14 @@ from qsbearing.readings.contact_friction import Friction, RacewayFriction, frict
 from qsbearing.readings.dynamic_rating import Capacity, Rating, dynamic_load_rating, element_load_ratings
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.film_thickness import Film, RacewayFilm, film
-from qsbearing.readings.friction_estimate import FrictionEstimate, Series, palmgren_torque, skf_torque
+from qsbearing.readings.friction_estimate import (
+    FrictionEstimate,
+    FrictionEstimates,
+    Series,
+    friction_estimates,
+    palmgren_torque,
+    skf_torque,
+)
 from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
@@ -40,6 +47,7 @@ __all__ = [
     "FrequencySet",
     "Friction",
     "FrictionEstimate",
+    "FrictionEstimates",
     "Life",
     "Lubricant",
     "OilState",
@@ -62,6 +70,7 @@ __all__ = [
     "film",
     "frequencies",
     "friction",
+    "friction_estimates",
     "kinematics",
     "life",
     "life_modification_factor",

@@ -16,6 +16,7 @@ from qsbearing.readings.ball_motion import kinematics, ring_speeds
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import friction, friction_errors
 from qsbearing.readings.film_thickness import film, film_errors
+from qsbearing.readings.friction_estimate import FrictionEstimates, estimate_errors, friction_estimates
 from qsbearing.readings.life_arguments import life_errors
 from qsbearing.readings.life_factors import viscosity_ratio
 from qsbearing.readings.lubricant import FREEZING, Lubricant, OilState
@@ -24,6 +25,7 @@ from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import overrun, overrun_errors
 from qsbearing.readings.static_rating import static_safety, static_safety_errors
 from qsbearing.readings.subsurface_stress import stress
+from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.validation import ErrorDetail, SceneError, choose
@@ -31,6 +33,7 @@ from qsbearing.validation import ErrorDetail, SceneError, choose
 Arguments = Mapping[str, Any]
 Errors = list[ErrorDetail]
 LUBRICANT = "lubricant"
+NEEDS_OIL = "Give [readings.lubricant], such as iso_viscosity_grade = 68 and oil_temperature_C = 70"
 
 
 class Reading(NamedTuple):
@@ -68,9 +71,20 @@ def _life(solution: Solution, arguments: Arguments, oil: OilState | None) -> Lif
 
 def _film_errors(scene: Scene | None, arguments: Arguments, oil: OilState | None) -> Errors:
     if oil is None:
-        cause = "Give [readings.lubricant], such as iso_viscosity_grade = 68 and oil_temperature_C = 70"
-        return [ErrorDetail("", "needs an oil", cause=cause)]
+        return [ErrorDetail("", "needs an oil", cause=NEEDS_OIL)]
     return film_errors(oil, **arguments)
+
+
+def _estimate_errors(scene: Scene | None, arguments: Arguments, oil: OilState | None) -> Errors:
+    deep = scene is not None and scene.bearing.kind is BearingKind.DEEP_GROOVE
+    found = estimate_errors(deep, **arguments)
+    return found if oil is not None else [ErrorDetail("", "needs an oil", cause=NEEDS_OIL), *found]
+
+
+def _estimates(solution: Solution, arguments: Arguments, oil: OilState | None) -> FrictionEstimates:
+    assert oil is not None  # checked before
+    assert oil.kinematic_viscosity is not None  # that of a lubricant always is
+    return friction_estimates(solution, kinematic_viscosity=oil.kinematic_viscosity, **arguments)
 
 
 READINGS: dict[str, Reading] = {
@@ -86,6 +100,7 @@ READINGS: dict[str, Reading] = {
         lambda scene, arguments, oil: friction_errors(**arguments),
         lambda solution, arguments, oil: friction(solution, **arguments),
     ),
+    "friction_estimate": Reading(_estimate_errors, _estimates),
     "overrun": Reading(
         lambda scene, arguments, oil: overrun_errors(None if scene is None else scene.operating_bearing, **arguments),
         lambda solution, arguments, oil: overrun(solution, **arguments),

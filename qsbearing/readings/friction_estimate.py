@@ -22,7 +22,7 @@ from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.solution import Solution
 from qsbearing.units import Nmm, deg, mm, rpm
-from qsbearing.validation import LENGTH, Quantity, choose, raise_if_any, within
+from qsbearing.validation import FORCE, LENGTH, RATIO, ErrorDetail, Quantity, choose, raise_if_any, within
 
 
 class Series(StrEnum):
@@ -66,6 +66,59 @@ class FrictionEstimate:
     """torque times the speed of one ring against the other [W]."""
 
 
+@dataclass(frozen=True)
+class FrictionEstimates:
+    """What catalogues would estimate; None for an estimate whose numbers are not given."""
+
+    skf: FrictionEstimate
+    palmgren: FrictionEstimate | None
+
+
+def friction_estimates(
+    solution: Solution,
+    *,
+    bore: float,
+    outside_diameter: float,
+    kinematic_viscosity: ArrayLike,
+    series: Series | None = None,
+    static_load_rating: float | None = None,
+    lubrication_factor: float | None = None,
+) -> FrictionEstimates:
+    """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
+    bearing = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    skf = skf_torque(solution, **bearing, series=series, static_load_rating=static_load_rating)  # type: ignore[arg-type]
+    if static_load_rating is None or lubrication_factor is None:
+        return FrictionEstimates(skf, None)
+    rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
+    return FrictionEstimates(skf, palmgren_torque(solution, **bearing, **rest))  # type: ignore[arg-type]
+
+
+def estimate_errors(
+    is_deep_groove: bool,
+    *,
+    bore: float | None = None,
+    outside_diameter: float | None = None,
+    kinematic_viscosity: ArrayLike = 1e-5,
+    series: Series | None = None,
+    static_load_rating: float | None = None,
+    lubrication_factor: float | None = None,
+) -> list[ErrorDetail]:
+    """Every error of the arguments of the estimates; a deep-groove bearing needs its series and C0."""
+    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, 1e-4, 20.0)
+    if not errors and bore is not None and outside_diameter is not None and np.any(outside_diameter <= bore):
+        errors.append(ErrorDetail("outside_diameter", "is no larger than the bore", outside_diameter, LENGTH))
+    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
+    if is_deep_groove or series is not None:
+        errors += choose("series", series, Series)[1]
+    if is_deep_groove or static_load_rating is not None:
+        errors += within("static_load_rating", static_load_rating, FORCE, 1.0, 1e9)
+    if lubrication_factor is not None:
+        errors += within("lubrication_factor", lubrication_factor, RATIO, 0.1, 20.0)
+        if static_load_rating is None:
+            errors.append(ErrorDetail("static_load_rating", "missing: Palmgren's estimate needs it"))
+    return errors
+
+
 def skf_torque(
     solution: Solution,
     *,
@@ -91,19 +144,18 @@ def skf_torque(
         SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
     """
     bearing = solution.scene.bearing
-    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, bore, 20.0)
-    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
     deep = bearing.kind is BearingKind.DEEP_GROOVE
-    if deep:
-        series, wrong = choose("series", series, Series)
-        errors += wrong + within("static_load_rating", static_load_rating, Quantity("N"), 1.0, 1e9)
-    raise_if_any(errors)
+    size = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    rating = {"series": series, "static_load_rating": static_load_rating}
+    raise_if_any(estimate_errors(deep, **size, **rating))  # type: ignore[arg-type]
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore + outside_diameter) / mm
     nu = np.asarray(kinematic_viscosity, float) / mm**2
     if deep:
         assert series is not None
-        Grr, Gsl = deep_groove_terms(_DEEP_GROOVE[series], dm, radial, axial, np.asarray(static_load_rating, float))
+        Grr, Gsl = deep_groove_terms(
+            _DEEP_GROOVE[Series(series)], dm, radial, axial, np.asarray(static_load_rating, float)
+        )
     else:
         Grr, Gsl = angular_contact_terms(dm, n, radial, axial, BearingNumbers(bearing).is_hybrid)
     starved = replenishment_factor(nu, n, bore / mm, outside_diameter / mm, 3.1 if deep else 4.4, replenishment)
@@ -165,11 +217,9 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
-    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, bore, 20.0)
-    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
-    errors += within("static_load_rating", static_load_rating, Quantity("N"), 1.0, 1e9)
-    errors += within("lubrication_factor", lubrication_factor, Quantity("-"), 0.1, 20.0)
-    raise_if_any(errors)
+    size = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
+    raise_if_any(estimate_errors(False, **size, **rest))  # type: ignore[arg-type]
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore + outside_diameter) / mm
     product = np.asarray(kinematic_viscosity, float) / mm**2 * n

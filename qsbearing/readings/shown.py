@@ -59,6 +59,12 @@ CASE: dict[str, tuple[Shown, ...]] = {
     + _plain("orbit_spread"),
     "film": _plain("inlet_shear_heating"),
     "friction": (Shown("power_W", "power"), Shown("torque_Nmm", "torque", Nmm)),
+    "friction_estimate": (
+        Shown("skf_torque_Nmm", "skf.torque", Nmm),
+        Shown("skf_power_W", "skf.power"),
+        Shown("palmgren_torque_Nmm", "palmgren.torque", Nmm),
+        Shown("palmgren_power_W", "palmgren.power"),
+    ),
     "overrun": (
         Shown("inner_edge_angle_deg", "inner.edge_angle", deg),
         Shown("outer_edge_angle_deg", "outer.edge_angle", deg),

@@ -123,11 +123,20 @@ READING_TABLES: dict[str, tuple[Key, ...]] = {
         Key("drag_coefficient", "drag_coefficient"),
         Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
     ),
+    "friction_estimate": (
+        Key("bore_mm", "bore", "mm", mm, LENGTH),
+        Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+        Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
+        Key("lubrication_factor", "lubrication_factor"),
+    ),
     "overrun": tuple(Key(f"{field}_mm", field, "mm", mm, LENGTH) for field in _SHOULDERS),
     "stress": (),
 }
 """Tables within [readings]: each asks for its reading and holds its numbers; the lubricant is what others need."""
-READING_CHOICES = {"life": ("rating", "capacity", "cleanliness", "fatigue_limit_by")}
+READING_CHOICES = {
+    "life": ("rating", "capacity", "cleanliness", "fatigue_limit_by"),
+    "friction_estimate": ("series",),
+}
 EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
 
 MATERIALS = ("ball_material", "ring_material")
