@@ -7,6 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing.compiled import COMPILED
 from qsbearing.readings import bearing_numbers, dynamic_rating, life_factors
 from qsbearing.readings.bearing_numbers import INNER, OUTER, STANDARD_MODULUS, load_at_pressure
 from qsbearing.readings.static_rating import STATIC_PRESSURE, static_equivalent_load
@@ -108,6 +109,7 @@ def test_large_balls_meet_the_small_ones() -> None:
     assert above == pytest.approx(below, rel=2e-4)
 
 
+@pytest.mark.skipif(not COMPILED, reason="thousands of cases")
 @pytest.mark.parametrize("angle", [15.0, 25.0])
 def test_ratings_of_a_catalogue_by_the_groove_radii_that_its_stiffness_tells(angle: float) -> None:
     """GMN series S: the groove radius fitted to three rigidities of the preloaded pair explains the printed C.
