@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain
@@ -21,6 +22,14 @@ WITH_MARKERS = 25
 BAND = (0.05, 0.95)
 """Quantiles of the samples between which a band is drawn."""
 _ALL_BALLS = "all balls (line: the most loaded one)"
+_MARKS = {
+    Cause.CONTROL_SWITCHES: "o",
+    Cause.CONTACT_IS_LOST: "v",
+    Cause.BRANCH_ENDS: "x",
+    Cause.UNKNOWN: "*",
+}
+MOST_MARKS = 30
+"""On a curve; more would hide it."""
 _CHANNEL_STYLES: dict[str, dict[str, Any]] = {
     "": {"color": "0.1", "linestyle": "-"},
     "axial": {"color": "0.1", "linestyle": "-"},
@@ -72,6 +81,7 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
                 band = axes.fill_between(x, low, high, color=style["color"], alpha=0.13, linewidth=0.0)
                 is_sampled = SAMPLE in results[name].dims
                 handles.setdefault("5 % to 95 % of the samples" if is_sampled else _ALL_BALLS, band)
+            handles |= _mark_jumps(axes, point, x, line, chosen.x)
             if chosen.other:
                 text = value_label(results[chosen.other], float(results[chosen.other].values[number]))
                 labels.append((x, line, text, style["color"]))
@@ -96,6 +106,22 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
     return handles
 
 
+def _mark_jumps(axes: Axes, results: Dataset, x: NDArray, line: NDArray, along: str) -> dict[str, Any]:
+    """Marks where a curve jumps, and where its branch ends; what they mean, for the legend."""
+    if SAMPLE in results.dims:
+        return {}
+    causes = jumps(results, along).values
+    handles = {}
+    for cause, marker in _MARKS.items():
+        at = np.flatnonzero(causes == cause)
+        if cause is Cause.BRANCH_ENDS:
+            at = np.where(np.isfinite(line[at]), at, at + 1)
+        if 0 < at.size <= MOST_MARKS:
+            (drawn,) = axes.plot(x[at], line[at], marker, color="0.1", markersize=4.5, markerfacecolor="none")
+            handles[WORDS[cause]] = drawn
+    return handles
+
+
 def _style(which: str) -> dict[str, Any]:
     return STYLE[which] if which in STYLE else {"marker": "D", **_CHANNEL_STYLES.get(which, _CHANNEL_STYLES[""])}
 
@@ -109,6 +135,9 @@ def _limits(axes: Axes) -> None:
 def _curve(results: Dataset, name: str, x: str) -> tuple[NDArray, NDArray | None, NDArray | None]:
     """A curve and the band about it: the most loaded ball among all, or the median among the samples."""
     values = results[name]
+    carried = results.get(name.replace("_angle", "_load"))
+    if name.endswith("_angle") and carried is not None and carried.dims == values.dims:
+        values = values.where(carried > 0.0)  # an unloaded contact has no angle to show
     low = high = None
     if BALL in values.dims:
         low, high = (np.asarray(_over(values, how, BALL)) for how in ("min", "max"))
