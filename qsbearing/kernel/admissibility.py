@@ -110,11 +110,11 @@ def inadmissibility(case: recarray, work: recarray, balls: ndarray) -> int:
     """What makes an equilibrium inadmissible, as bits; 0 where nothing does.
 
     Beside a contact outside its groove: friction at a contact without load, which does not exist. Friction below the
-    solver's accuracy is none. Under a friction bound: friction that would have to be above the load. Where the case
-    itself says what friction there is, what is asked beyond it makes a ball slip, and no case inadmissible.
+    solver's accuracy is none. Under a friction bound: friction that would have to be above the load. Under the bound of
+    a case that says what friction there is, what is asked beyond makes a ball slip, and no equilibrium inadmissible.
     """
     found = contacts_outside_groove(case, work, balls)
-    if case.friction_coefficient != NO_BOUND:
+    if case.friction_coefficient != NO_BOUND and work.friction_bound != NO_BOUND:
         return found
     most, least = FAR_MORE_THAN_LOAD, STALLED
     if work.friction_bound != NO_BOUND:
