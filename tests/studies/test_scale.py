@@ -1,0 +1,102 @@
+"""Killed and resumed, on a cluster, with a worker that dies: the results are the same. Real processes; minutes long."""
+
+from __future__ import annotations
+
+import json
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+
+xarray = pytest.importorskip("xarray")
+
+VARY = {
+    "ball_diameter_mm": "normal(22.225,0.001)",
+    "inner_groove_radius_mm": "normal(11.6281,0.01)",
+    "free_contact_angle_deg": "normal(40,0.3)",
+    "axial_load_N": [2000, 8000],
+}
+SAMPLES = 60_000
+COMMAND = [sys.executable, "-m", "qsbearing", "sweep", "b218", "--samples", str(SAMPLES)]
+for _key, _values in VARY.items():
+    COMMAND += ["--vary", f"{_key}={_values}".replace("[", "").replace("]", "")]
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("whole") / "r.nc"
+    sweep(Study.of("b218", VARY, samples=SAMPLES), out=out).close()
+    return out
+
+
+@pytest.mark.heavy
+def test_killed_at_ten_moments_and_resumed_gives_the_identical_file(whole: Path, tmp_path: Path) -> None:
+    out = tmp_path / "r.nc"
+    moments = random.Random(1)
+    for _ in range(10):
+        running = subprocess.Popen(
+            [*COMMAND, "--out", str(out), "--resume"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        try:
+            running.wait(moments.uniform(1.5, 4.0))
+        except subprocess.TimeoutExpired:
+            running.send_signal(signal.SIGKILL)
+            running.wait()
+        if out.exists():
+            break
+    done = subprocess.run([*COMMAND, "--out", str(out), "--resume"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert out.read_bytes() == whole.read_bytes()
+    assert [file.name for file in tmp_path.iterdir()] == ["r.nc"]
+
+
+@pytest.fixture
+def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen]]]:
+    """A scheduler and two workers, each a process of its own."""
+    pytest.importorskip("distributed")
+    contact = tmp_path / "scheduler.json"
+    dask = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard"]
+    worker = [sys.executable, "-m", "distributed.cli.dask_worker", "--nthreads", "1", "--no-dashboard", "--no-nanny"]
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
+    started = [subprocess.Popen([*dask, "--scheduler-file", str(contact)], **quiet)]  # type: ignore[call-overload]
+    deadline = time.monotonic() + 60
+    while not contact.exists() and time.monotonic() < deadline:
+        time.sleep(0.1)
+    for _ in range(2):
+        started.append(subprocess.Popen([*worker, "--scheduler-file", str(contact)], **quiet))  # type: ignore[call-overload]
+    yield json.loads(contact.read_text())["address"], started[1:]
+    for process in reversed(started):
+        process.kill()
+        process.wait()
+
+
+@pytest.mark.heavy
+@pytest.mark.filterwarnings("ignore")
+def test_a_cluster_gives_the_same_although_a_worker_dies(
+    whole: Path, scheduler: tuple[str, list[subprocess.Popen]], tmp_path: Path
+) -> None:
+    address, workers = scheduler
+    out = tmp_path / "r.nc"
+    given = [*COMMAND, "--out", str(out), "--scheduler", address]
+    running = subprocess.Popen(given, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    parts = tmp_path / "r.nc.parts"
+    deadline = time.monotonic() + 240
+    while len(list(parts.glob("*.npz"))) < 2 and time.monotonic() < deadline and running.poll() is None:
+        time.sleep(0.02)
+    workers[0].kill()
+    _, said = running.communicate(timeout=300)
+    assert running.returncode == 0, said
+    with qs.open_results(out) as found, qs.open_results(whole) as expected:
+        assert dict(found.sizes) == dict(expected.sizes)
+        for name, values in expected.data_vars.items():
+            np.testing.assert_array_equal(found[name], values, err_msg=str(name))
