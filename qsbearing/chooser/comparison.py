@@ -91,7 +91,8 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
     for kind in (STIFFNESS[:2], STIFFNESS[2:]):
         smallest = LIGHT * _largest(*(full[name] for name in kind))[..., None]
         for name in kind:
-            judged[name] = _nan_max(_gap(found[name], full[name]) / np.maximum(np.abs(full[name]), smallest))
+            size = np.maximum(np.maximum(np.abs(full[name]), smallest), np.finfo(float).tiny)
+            judged[name] = _nan_max(_gap(found[name], full[name]) / size)
     return judged
 
 

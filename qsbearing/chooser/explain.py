@@ -96,8 +96,10 @@ def _verdict(
     error = float(judged.largest) if actual is None else float(max(actual.values()))
     if error > tolerance and entry.hypothesis:
         return CANNOT_BE_JUDGED, entry.hypothesis
-    if error <= tolerance and actual is None and bool(solution.operating_point.has_light_ball):
-        return (NOT_NEEDED, "") if judged.indicator == 0.0 else (CANNOT_BE_JUDGED, LIGHT_BALL)
+    point = solution.operating_point
+    if error <= tolerance and actual is None and bool(point.has_light_ball):
+        is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
+        return (NOT_NEEDED, "") if is_nothing else (CANNOT_BE_JUDGED, LIGHT_BALL)
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 

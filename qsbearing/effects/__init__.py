@@ -30,8 +30,11 @@ _FILES = (
     "ball_expansion",
     "centrifugal_force",
     "gyroscopic_moment",
+    "moment_shares",
+    "gyroscopic_slip",
     "raceway_control",
     "hertz_angle",
+    "orbit_radius",
 )
 
 EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.effects.{name}").ENTRY for name in _FILES)

@@ -114,18 +114,43 @@ def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
     return replace(scene, **changes)
 
 
-def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = ()) -> Switch:
-    """Switch of a choice for a field of the scene, from the coarsest member to the finest; a member that
-    is kept is part of the scene's question."""
+def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_balls: bool = False) -> Switch:
+    """Switch of a choice for a field of the scene, from the coarsest member to the finest.
+
+    Args:
+        kept: members that are part of the scene's question.
+        of_balls: whether only scenes with a ball effect have this choice.
+    """
 
     def towards(member: Any) -> Change:
         def change(scene: Any) -> Any:
             now = getattr(scene, field)
-            return scene if now in (None, member, *kept) else replace(scene, **{field: member})
+            idle = of_balls and not scene.ball_effects
+            return scene if idle or now in (None, member, *kept) else replace(scene, **{field: member})
 
         return change
 
     return Switch(towards(fine), towards(coarse), field)
+
+
+def part_of_effect(slot: str, field: str, coarse: Any, fine: Any = None) -> Switch:
+    """Switch of a choice or number within an effect that the scene has; without a finest one it is not added."""
+
+    def towards(member: Any) -> Change:
+        def change(scene: Any) -> Any:
+            there = getattr(scene, slot)
+            changed = [replace(one, **{field: member}) if _differs(one, field, member) else one for one in there]
+            is_same = all(one is other for one, other in zip(there, changed, strict=True))
+            return scene if is_same else _with(scene, slot, tuple(changed))
+
+        return change
+
+    return Switch((lambda scene: scene) if fine is None else towards(fine), towards(coarse), field)
+
+
+def _differs(effect: Any, field: str, member: Any) -> bool:
+    now = getattr(effect, field, member)
+    return (now is None) != (member is None) or (isinstance(member, str) and now != member)
 
 
 def uncompiled(function: Any) -> Any:

@@ -38,6 +38,7 @@ from numpy.typing import NDArray
 from qsbearing.compiled import kernel
 from qsbearing.effects.entry import Entry, Errors, choice
 from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.parting import friction_errors
 
 
 class RacewayControl(StrEnum):
@@ -135,29 +136,24 @@ def outer_controls(
     return outer_load ** (4.0 / 3.0) * outer_spin_constant * cos_difference > inner
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    """y = 2 |Mg|/(D Q) of balls whose contacts Jones's criterion may call inner-controlled: the friction that one
-    raceway carries or the other. Zero without the gyroscopic moment, whose friction it is."""
+def _undecided_friction(point: OperatingPoint) -> NDArray:
+    """y = 2 |Mg|/(D Q) of each ball whose contacts Jones's criterion may call inner-controlled (*cases, ball): the
+    friction that one raceway carries or the other. Zero without the gyroscopic moment, whose friction it is."""
     inner, outer = point.solution.inner, point.solution.outer
     if inner.required_friction is None or outer.required_friction is None:
-        return np.zeros(point.solution.shape)
+        return np.zeros_like(point.load)
     with np.errstate(divide="ignore", invalid="ignore"):
         favours = (outer.load / inner.load) ** (4.0 / 3.0) * np.cos(inner.angle - outer.angle)
     friction = np.maximum(inner.required_friction, outer.required_friction)
-    return np.where(point.is_heavy & (favours < CLEARLY_OUTER), friction, 0.0).max(axis=-1)
+    return np.where(point.is_heavy & (favours < CLEARLY_OUTER), friction, 0.0)
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return np.asarray(_undecided_friction(point).max(axis=-1))
 
 
 def _errors(point: OperatingPoint) -> Errors:
-    """Fitted to random scenes: medians of errors over the indicator."""
-    x = _indicator(point)
-    angle = np.maximum(np.abs(point.angle), np.radians(1.0))
-    return {
-        "contact_angle": x / angle,
-        "load": x / 4.0,
-        "pressure": x / 8.0,
-        "displacement": x / 5.0,
-        "stiffness": x / 2.0,
-    }
+    return friction_errors(point, _undecided_friction(point))
 
 
 ENTRY = Entry(

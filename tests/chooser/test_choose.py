@@ -15,7 +15,6 @@ from qsbearing.chooser import choose
 from qsbearing.chooser.choose import completed, without
 from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS
-from qsbearing.studies import points
 from tests.benchmarks import auto_accuracy
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, PER_BALL, fewer, resting, solved, turning
 
@@ -35,7 +34,7 @@ def left_out(solution: qs.Solution) -> tuple[str, ...]:
 
 def test_everything_that_may_be_named_is_in_the_full_model() -> None:
     full = completed(bare(9000.0, **COMBINED))
-    assert all(entry.is_in(full) for entry in EFFECTS if not entry.needs)
+    assert all(entry.is_in(full) for entry in EFFECTS if not entry.needs and not entry.hypothesis)
     assert full.raceway_control is PER_BALL
     assert completed(full) is full
 
@@ -54,7 +53,7 @@ def test_at_rest_nothing_of_inertia_is_simulated_and_one_solve_does() -> None:
     assert solution.scene.ball_effects == ()
     assert solution.choice is not None
     assert solution.choice.solves == 1
-    assert set(left_out(solution)) == {"centrifugal_force", "gyroscopic_moment", "hertz_angle"}
+    assert set(left_out(solution)) == {"centrifugal_force", "gyroscopic_moment", "hertz_angle", "orbit_radius"}
     errors = {one.effect: one.estimated_error for one in solution.choice.left_out}
     assert errors["centrifugal_force"] == errors["gyroscopic_moment"] == 0.0
     assert solution.centrifugal_force is None
@@ -64,7 +63,7 @@ def test_at_speed_inertia_is_added_though_not_named() -> None:
     solution = qs.solve(bare(15_000.0, **THRUST), effects="auto", tolerance=0.01)
     assert solution.choice is not None
     assert {"centrifugal_force", "gyroscopic_moment"} <= set(solution.choice.added)
-    assert solution.displacement == pytest.approx(solved(completed(solution.scene)).displacement, rel=1e-9, abs=1e-15)
+    assert float(largest(solution, solved(completed(solution.scene)))) <= 0.01
 
 
 def test_asking_for_more_never_leaves_out_more() -> None:
@@ -73,7 +72,7 @@ def test_asking_for_more_never_leaves_out_more() -> None:
         len(left_out(qs.solve(scene, effects="auto", tolerance=asked))) for asked in (1.0, 1e-1, 1e-2, 1e-3, 1e-12)
     ]
     assert counts == sorted(counts, reverse=True)
-    assert (counts[0], counts[-1]) == (3, 0)
+    assert (counts[0], counts[-1]) == (4, 0)
 
 
 def test_its_word_is_kept_on_scenes_that_nothing_was_fitted_to() -> None:
@@ -138,17 +137,6 @@ def test_a_scene_may_ask_for_it_itself() -> None:
     assert own.scene.tolerance is None
     with pytest.raises(ValueError, match=r"qsbearing\.solve"):
         solver.solve(scene)
-
-
-def test_a_sweep_chooses_for_each_of_its_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What a chunk does not need has no number there."""
-    pytest.importorskip("xarray")
-    monkeypatch.setattr(points, "CHUNK", 2)
-    scene = {"effects": "auto", "bearing": {"name": "B218"}, "operation": {"axial_load_N": 17800}}
-    found = qs.sweep(qs.Study.of(scene, {"speed_rpm": [0.0, 100.0, 12_000.0, 15_000.0]}))
-    force = found["centrifugal_force"].values
-    assert np.isnan(force[:2]).all()
-    assert (force[2:] > 0.0).all()
 
 
 def test_a_plain_solve_chooses_nothing() -> None:

@@ -106,6 +106,14 @@ def test_light_balls_leave_it_to_verification(tmp_path: Path) -> None:
     assert rows(path, "--verify")["centrifugal_force"]["verdict"] != "cannot be judged"
 
 
+def test_without_any_load_inertia_is_needed(tmp_path: Path) -> None:
+    """Nothing to compare the centrifugal force with, so that it is all that there is."""
+    path = tmp_path / "idle.toml"
+    path.write_text(TRAP.replace("17800", "0"))
+    for options in ((), ("--verify",)):
+        assert rows(path, *options)["centrifugal_force"]["verdict"] == "needed"
+
+
 def test_the_table_fits_and_tells_what_to_add(trap: Path) -> None:
     result = call("explain", trap, "--verify")
     assert result.exit_code == 0
@@ -166,7 +174,7 @@ def test_a_file_may_leave_its_effects_to_be_chosen(tmp_path: Path) -> None:
     path.write_text('effects = "auto"\n' + TRAP.replace("15000", "3000"))
     assert qs.load_scene(path).tolerance == 0.01
     found = json.loads(call("run", path, "--json").stdout)
-    assert {one["effect"] for one in found["left_out"]} == {"gyroscopic_moment", "hertz_angle"}
+    assert {one["effect"] for one in found["left_out"]} == {"gyroscopic_moment", "hertz_angle", "orbit_radius"}
     assert all(0.0 < one["estimated_error"] < 0.01 for one in found["left_out"])
     assert found["effects"] == found["accuracy"]["added"] == ["centrifugal_force"]
     assert found["balls"][0]["gyroscopic_moment_Nmm"] is None

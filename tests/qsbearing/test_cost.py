@@ -30,6 +30,11 @@ COMBINED = {"axial_load": 17_800.0, "radial_load_y": 6_000.0, "moment_z": 0.0}
 LEVEL = {level.name: level for level in levels.LEVELS}
 
 
+def displaced(scene: qs.Scene) -> qs.Scene:
+    """The scene with each ball on its own orbit."""
+    return replace(scene, orbit_radius=qs.OrbitRadius.DISPLACED)
+
+
 def judged(simple: qs.Scene, full: qs.Scene) -> dict[str, Any]:
     """Errors of one scene's results against another's."""
     return results.errors(results.read(solved(simple)), results.read(solved(full)))
@@ -45,12 +50,13 @@ def judged(simple: qs.Scene, full: qs.Scene) -> dict[str, Any]:
         ("centrifugal_force", turning(9000, effects=CENTRIFUGAL, control=PER_BALL, **COMBINED)),
         ("gyroscopic_moment", turning(9000, control=PER_BALL, **COMBINED)),
         ("hertz_angle", turning(9000, control=PER_BALL, hertz_angle="actual", **COMBINED)),
+        ("orbit_radius", displaced(turning(9000, control=PER_BALL, hertz_angle="actual", **COMBINED))),
     ],
 )
 def test_a_level_has_its_own_effects_and_choices(level: str, scene: qs.Scene) -> None:
-    other = replace(scene, ball_effects=(), raceway_control=None, hertz_form=qs.HertzForm.HAMROCK_BREWE_1983)
-    at_speed = replace(other, operation=scene.operation)
-    assert LEVEL[level].of(at_speed) == scene
+    static = {"ball_effects": (), "raceway_control": None, "orbit_radius": "pitch_circle"}
+    other = replace(scene, **static, hertz_form=qs.HertzForm.HAMROCK_BREWE_1983)
+    assert LEVEL[level].of(other) == scene
 
 
 def test_every_level_is_finer_than_the_one_before() -> None:
@@ -110,6 +116,9 @@ def test_a_case_that_one_alone_solves_is_an_infinite_error() -> None:
     assert np.isinf(results.largest(one, other)).all()
 
 
+BALL_EFFECTS = ("tilt_lever", "centrifugal_force", "gyroscopic_moment")
+"""The levels before them, with one and with both."""
+
 # Monotone where it should be ----------------------------------------------------------------------------------------
 
 
@@ -117,7 +126,7 @@ def test_each_ball_effect_brings_every_group_nearer_at_speed() -> None:
     """At spindle speed and above, one after the other. Below they hardly matter, and may make up for each other."""
     rows = record.errors(turning(9000, **COMBINED))
     for speed, group in itertools.product(("spindle", "aero engine"), QUANTITIES):
-        steps = [tables.select(rows, speed=speed, level=level)[0][group] for level in list(LEVEL)[2:]]
+        steps = [tables.select(rows, speed=speed, level=level)[0][group] for level in BALL_EFFECTS]
         assert all(after <= before for before, after in itertools.pairwise(steps)), (speed, group, steps)
 
 
@@ -125,7 +134,7 @@ def test_at_rest_the_ball_effects_change_nothing() -> None:
     rows = {row["level"]: row for row in tables.select(record.errors(turning(9000, **COMBINED)), speed="rest")}
     groups = {level: tuple(rows[level][group] for group in QUANTITIES) for level in LEVEL}
     assert groups["tilt_lever"] == groups["centrifugal_force"] == groups["gyroscopic_moment"]
-    assert set(groups["hertz_angle"]) == {0.0}
+    assert set(groups["hertz_angle"]) == set(groups["orbit_radius"]) == {0.0}
 
 
 def test_the_error_of_leaving_inertia_out_grows_with_the_square_of_the_speed() -> None:

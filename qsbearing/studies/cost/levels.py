@@ -23,7 +23,7 @@ class Level:
         """The scene's bearing and operation at this level, whatever effects and choices the scene names."""
         scene = without(scene, reversed(EFFECTS))
         for entry in EFFECTS[: self.count]:
-            scene = entry.finer(scene)
+            scene = scene if entry.hypothesis else entry.finer(scene)
         return scene
 
 

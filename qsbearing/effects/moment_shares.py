@@ -1,0 +1,46 @@
+"""Moment shares: how the raceways share the gyroscopic moment. A hypothesis.
+
+Source        Harris & Kotzalas; the formula stands with the moment itself (`gyroscopic_moment.moment_shares`)
+Equation      (lambda_i, lambda_o) = (0, 2) under outer control; under inner control (2, 0), or (1, 1) after Harris
+Assumes       what raceway control assumes
+When not      outer control: both are the same there
+Parameters    none
+Indicator     y = 2 |Mg|/(D Q) of inner-controlled balls: the friction that moves to the other raceway is half of it
+Example       GyroscopicMoment(MomentShares.HARRIS)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.effects.entry import Entry, Errors, part_of_effect
+from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.parting import friction_errors
+
+
+def _moving_friction(point: OperatingPoint) -> NDArray:
+    """Of each ball (*cases, ball)."""
+    inner, control = point.solution.inner.required_friction, point.solution.raceway_control
+    if inner is None or control is None:
+        return np.zeros_like(point.load)
+    return np.where(point.is_heavy & (control == "inner"), 0.5 * np.nan_to_num(inner), 0.0)
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return np.asarray(2.0 * _moving_friction(point).max(axis=-1))
+
+
+def _errors(point: OperatingPoint) -> Errors:
+    return friction_errors(point, _moving_friction(point))
+
+
+ENTRY = Entry(
+    "moment_shares",
+    "the gyroscopic moment shared as Harris has it (all on the controlling raceway instead)",
+    part_of_effect("ball_effects", "moment_shares", "controlling", "harris"),
+    indicator=_indicator,
+    errors=_errors,
+    hypothesis="how the raceways share the moment rests on a hypothesis; the model has nothing to decide it by",
+    saves_time=False,
+)
