@@ -13,18 +13,15 @@ from matplotlib.figure import Figure
 
 import qsbearing as qs
 from qsbearing.pictures.life import LifePanel, life_against
-from qsbearing.pictures.speed import against_speed
+from qsbearing.pictures.study import picture
 
 GUIDE = Path(qs.__file__).parent / "guide"
-LOADS = (2.0, 8.0, 20.0)
-"""Axial loads [kN]."""
-SPEEDS = np.linspace(0.0, 15_000.0, 41) * qs.rpm
 
 
-def speed_sweep() -> qs.Solution:
-    """B218 under pure thrust over the speed, both ball effects, outer raceway control: shape (load, speed)."""
-    operation = qs.Operation(speed=SPEEDS, axial_load=np.array(LOADS)[:, None] * qs.kN)
-    return qs.solve(dataclasses.replace(qs.load_scene("b218"), operation=operation))
+def against_speed() -> Figure:
+    """The picture of one command: B218 against speed under three axial loads."""
+    vary = {"speed_rpm": "0:15000:61", "axial_load_N": [2000, 8000, 20000]}
+    return picture(qs.sweep(qs.Study.of("b218", vary)))
 
 
 GROOVES = np.linspace(0.51, 0.54, 31)
@@ -56,8 +53,7 @@ def svg(figure: Figure) -> str:
 
 def main() -> None:
     """Draw and keep the pictures."""
-    figure = against_speed(speed_sweep(), [f"{load:g} kN" for load in LOADS])
-    (GUIDE / "b218_speed.svg").write_text(svg(figure), encoding="utf-8")
+    (GUIDE / "b218_speed.svg").write_text(svg(against_speed()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 
