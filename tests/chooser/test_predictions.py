@@ -47,6 +47,29 @@ def test_the_gyroscopic_moment_within_a_factor_of_two(rpm: float) -> None:
     found = ratios("gyroscopic_moment", turning(rpm, **THRUST))
     for name in ("contact_angle", "load", "pressure"):
         assert 0.5 < found[name] < 2.0
+    if rpm > 1000.0:  # its part in stiffness rests on what the centrifugal force has parted already
+        assert 0.5 < found["stiffness"] < 2.0
+
+
+def test_slip_within_a_factor_of_three() -> None:
+    """The excess over the bound, at a fifth more friction than there is."""
+    free = turning(9000.0, **THRUST)
+    needed = float(solved(free).outer.required_friction.max())  # type: ignore[union-attr]
+    slipping = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=needed / 1.2))
+    found = ratios("gyroscopic_slip", replace(free, ball_effects=slipping))
+    for name in ("contact_angle", "load"):
+        assert 1.0 / 3.0 < found[name] < 3.0, name
+
+
+def test_without_slip_a_bound_changes_nothing() -> None:
+    bound = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.5))
+    assert judge(ENTRY["gyroscopic_slip"], solved(turning(9000.0, effects=bound, **THRUST))).largest == 0.0
+
+
+def test_own_orbits_within_a_factor_of_three() -> None:
+    found = ratios("orbit_radius", replace(turning(12_000.0, **THRUST), orbit_radius=qs.OrbitRadius.DISPLACED))
+    for name in ("contact_angle", "load", "stiffness"):
+        assert 1.0 / 3.0 < found[name] < 3.0, name
 
 
 def rings(**how: Any) -> qs.RingExpansion:
