@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution, stiffness
     from qsbearing.status import Reason, Status
+    from qsbearing.studies.sobol import sobol_indices
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
     from qsbearing.studies.sweep import sweep
@@ -68,6 +69,7 @@ _HOMES = {
     "raceway_contacts": ("RacewayContacts",),
     "solution": ("Solution", "stiffness"),
     "status": ("Reason", "Status"),
+    "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),
@@ -81,8 +83,8 @@ __all__ = [
     "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl",
     "Reason", "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "Study",
     "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "open_results",
-    "point_contact", "rad", "readings", "rpm", "solve", "stiffness", "subsurface_shear", "sweep", "um", "warnings",
-    "zero_celsius",
+    "point_contact", "rad", "readings", "rpm", "sobol_indices", "solve", "stiffness", "subsurface_shear", "sweep",
+    "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 
