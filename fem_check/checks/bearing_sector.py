@@ -19,8 +19,9 @@ from fem_check.solids.sector_geometry import SectorGeometry
 
 ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 5)}
 """Per semi-minor axis; five take 2 GB."""
-ELLIPSE_ORDER = 2.0
-"""Of semi-axes and pressure, which on half-spaces fall by 2.4 (the check `convergence_order`)."""
+ORDER = 2.0
+"""By which the errors of all else fall at least; on half-spaces those of the ellipse fall by 2.4 (`convergence_order`).
+"""
 POINTS = {
     Level.QUICK: (OperatingPoint(17800.0, 10000.0 * qsbearing.rpm),),
     Level.RELEASE: tuple(
@@ -38,9 +39,13 @@ BOUNDS = {
     "semi_major_axis": 0.2,
     "semi_minor_axis": 0.5,
 }
-"""Largest uncertainty aimed at at the release level, in per cent, of angles in degrees."""
-FOLLOWING_APPROACH = ("axial_displacement", "load", "angle")
-"""Their meshes' errors are those of the contacts' approaches."""
+"""Largest uncertainty allowed in rigid seats at the release level, in per cent, of angles in degrees."""
+FOLLOWING_APPROACH = {
+    OuterSupport.RIGID: ("axial_displacement",),
+    OuterSupport.FREE: ("axial_displacement", "load", "angle"),
+}
+"""What has the error of the contacts' approaches on a mesh. In rigid seats loads and angles hardly depend on these; a
+free outer ring takes the place that they leave it."""
 MODEL = "qsbearing.solve, Hertz at the free contact angle, the same effects"
 EQUILIBRIUM_TOLERANCE = 1e-5
 # The limit of light loads has an exact answer: Hertz's contact, and the model. What keeps a real bearing from it
@@ -62,6 +67,8 @@ class Studied:
     compared: Compared
     uncertainty: dict[str, float]
     """Of each quantity found, same unit."""
+    sector: BearingSector
+    """Its finest mesh."""
 
     def scale(self, name: str) -> float:
         """What deviations and uncertainties count in: a hundredth of the model's value, or a degree."""
@@ -86,11 +93,9 @@ def study(
         where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
         for elements in ELEMENTS[level]:
             try:
-                meshes.append(
-                    sector_comparison.compare(
-                        scene, point, elements, support, where, gyroscopic_moment=gyroscopic_moment
-                    )
-                )
+                geometry = SectorGeometry(sector_comparison.sector_bearing(scene), where, elements)
+                sector = BearingSector(geometry, support, friction=gyroscopic_moment)
+                meshes.append(sector_comparison.compare(scene, point, sector))
             except ContactError:
                 # The coarsest mesh may lack room for the loads about the point; three are enough.
                 if elements != ELEMENTS[level][0] or len(ELEMENTS[level]) < 4:
@@ -103,12 +108,12 @@ def study(
     found, uncertainty = {}, {}
     for name in QUANTITIES:
         values = [mesh.found[name] for mesh in meshes]
-        if quantity_kind(name) in FOLLOWING_APPROACH and level is Level.RELEASE:
+        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
             found[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
-            found[name], of_mesh = values[-1], convergence.uncertainty_at_order(sizes, values, ELLIPSE_ORDER)
+            found[name], of_mesh = values[-1], convergence.uncertainty_at_order(sizes, values, ORDER)
         uncertainty[name] = of_mesh + last.position_uncertainty[name]
-    return Studied(point, replace(last, found=found), uncertainty)
+    return Studied(point, replace(last, found=found), uncertainty, sector)
 
 
 def rows_of(case: str, studied: Studied) -> list[Row]:
@@ -134,7 +139,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All points, the supports side by side, then the gyroscopic moment."""
     rows: list[Row] = []
     series: dict[str, Any] = {}
-    largest = dict.fromkeys(BOUNDS, 0.0)
+    largest = {support: dict.fromkeys(BOUNDS, 0.0) for support in SUPPORTS[level]}
     points = POINTS[level] if scene == EXAMPLE else (own_point(scene),)
     dofs, solver, imbalance = 0, "", 0.0
     at_rest: list[Studied] = []
@@ -150,26 +155,31 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             for name in QUANTITIES:
                 kind = quantity_kind(name)
                 if kind in BOUNDS:
-                    largest[kind] = max(largest[kind], studied.uncertain(name))
+                    largest[support][kind] = max(largest[support][kind], studied.uncertain(name))
             dofs, solver = max(dofs, studied.compared.dofs), studied.compared.solver
             imbalance = max(imbalance, studied.compared.worst_imbalance)
-            if support is OuterSupport.RIGID and not point.speed:
-                at_rest.append(studied)
+            if support is OuterSupport.RIGID and not step:
+                drawn = studied
+                if not point.speed:
+                    at_rest.append(studied)
     if level is Level.RELEASE:
-        rows += _uncertainty_rows(largest)
+        rows += _uncertainty_rows(largest[OuterSupport.RIGID])
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
     rows.append(_equilibrium(imbalance))
-    notes = [_support_note(series), _uncertainty_note(largest, level)]
+    notes = [
+        _support_note(series),
+        *(_uncertainty_note(each, support, level) for support, each in largest.items()),
+        NOTE,
+    ]
     mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
-    pictures = {"bearing_sector": series, "sector": _drawn(scene, points[-1], level)}
+    pictures = {"bearing_sector": series, "sector": _drawn(drawn)}
     return Findings(rows, mesh, solver, pictures, [note for note in notes if note])
 
 
-def _drawn(scene: str, point: OperatingPoint, level: Level) -> dict[str, Any]:
-    """The last point on the finest mesh, for the pictures."""
-    where = sector_comparison.place(scene, point, OuterSupport.RIGID)
-    sector = BearingSector(SectorGeometry(sector_comparison.sector_bearing(scene), where, ELEMENTS[level][-1]))
+def _drawn(studied: Studied) -> dict[str, Any]:
+    """A point on its finest mesh, for the pictures."""
+    point, sector = studied.point, studied.sector
     return sector_pictures.of_sector(sector, sector.solve(SectorLoad(point.axial_load, point.speed)), point.label)
 
 
@@ -204,7 +214,7 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
 def _uncertainty_rows(largest: dict[str, float]) -> list[Row]:
     return [
         Row(
-            "all cases: largest uncertainty",
+            "rigid seats, all cases: largest uncertainty",
             kind,
             "deg" if kind == "angle" else "1",
             0.0,
@@ -266,21 +276,24 @@ def _support_note(series: dict[str, Any]) -> str:
     )
 
 
-def _uncertainty_note(largest: dict[str, float], level: Level) -> str:
+def _uncertainty_note(largest: dict[str, float], support: OuterSupport, level: Level) -> str:
     parts = [
-        f"{name.replace('_', ' ')} {value:.2g} {'deg' if name == 'angle' else '%'} (aimed at: {BOUNDS[name]:g})"
-        for name, value in largest.items()
+        f"{name.replace('_', ' ')} {value:.2g} {'deg' if name == 'angle' else '%'}" for name, value in largest.items()
     ]
     return (
-        f"Largest uncertainty of any case at the level {level}, meshes and positions of the contact's edge together: "
-        + "; ".join(parts)
-        + ". Ring sections follow the 218 series (bore 90, outside diameter 160, width 30 mm), shoulders at "
-        f"{body_mesh.HIGH_SHOULDER * 180.0 / pi:.0f} and {body_mesh.LOW_SHOULDER * 180.0 / pi:.0f} degrees. The axial "
-        "displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and largest "
-        "pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is exact: "
-        "what the mesh does to both cancels. Without the step "
-        "'gyroscopic moment', model and elements have the centrifugal force alone."
+        f"Largest uncertainty of any case with the outside diameter {support} at the level {level}, meshes and "
+        f"positions of the contact's edge together: {'; '.join(parts)}."
     )
+
+
+NOTE = (
+    "Ring sections follow the 218 series (bore 90, outside diameter 160, width 30 mm), shoulders at "
+    f"{body_mesh.HIGH_SHOULDER * 180.0 / pi:.0f} and {body_mesh.LOW_SHOULDER * 180.0 / pi:.0f} degrees. The axial "
+    "displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and largest "
+    "pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is exact: what "
+    "the mesh does to both cancels. Without the step 'gyroscopic moment', model and elements have the centrifugal "
+    "force alone."
+)
 
 
 CHECK = Check(

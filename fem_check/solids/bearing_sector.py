@@ -98,6 +98,7 @@ class BearingSector:
             friction: also condense the outer contact's friction, for the gyroscopic moment.
         """
         self.geometry = geometry
+        self.support = support
         self.friction = friction
         inner, outer = geometry.frames
         ball = TetrahedralBody(geometry.mesh("ball"), geometry.bearing.drawing.ball)

@@ -101,9 +101,13 @@ def test_an_unknown_scene_is_a_sentence():
 
 @pytest.mark.heavy
 def test_a_free_outside_diameter_softens_the_bearing():
+    bearing = sector_comparison.sector_bearing("b218")
     rigid, free = (
         sector_comparison.compare(
-            "b218", POINT, 2, support, sector_comparison.place("b218", POINT, support), positions=4
+            "b218",
+            POINT,
+            BearingSector(SectorGeometry(bearing, sector_comparison.place("b218", POINT, support), 2), support),
+            positions=4,
         ).found["axial_displacement"]
         for support in OuterSupport
     )
