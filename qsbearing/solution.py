@@ -37,6 +37,9 @@ Index = int | Place | None
 
 CHUNK = 4096
 """Cases whose records exist at a time while something is read off a large solution."""
+KEPT = 5 * CHUNK
+"""Solutions of up to this many cases keep all their records, 5 MB, once something is read off them: most are read for
+several things, and making records takes as long as reading a result."""
 
 
 class Solution:
@@ -133,6 +136,8 @@ class Solution:
 
     def _stretches(self) -> Any:
         """(slice, case records) of all cases, some at a time."""
+        if self._cases is None and self._maker.count <= KEPT:
+            self._cases = self._maker.make()
         if self._cases is not None:
             yield slice(0, self._maker.count), self._cases
             return

@@ -38,6 +38,8 @@ from qsbearing.units import deg, mm
 from qsbearing.validation import SceneError, printable
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
+STUDY_TABLES = ("vary", "study")
+"""What a study file has beside the tables of a scene."""
 AUTO = "auto"
 """In place of the table of effects: they are chosen to a tolerance."""
 DEFAULT_TOLERANCE = 0.01
@@ -133,6 +135,8 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 meant = f"readings.{name}"
             known = "A scene has [bearing], [operation], [effects] and [readings]"
             cause = f"Did you mean [{meant}]?" if meant else known
+            if name in STUDY_TABLES:
+                meant, cause = "", "Of a study, which `qsbearing sweep` solves"
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well

@@ -85,3 +85,12 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.Monk
     assert result.exit_code == 130
     assert "--resume goes on" in result.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["r.nc.parts"]
+
+
+def test_a_study_file_is_no_scene_to_run(tmp_path: Path) -> None:
+    file = tmp_path / "my.toml"
+    file.write_text('[bearing]\nname = "B218"\n[operation]\naxial_load_N = 1\n[vary]\nspeed_rpm = [1, 2]\n')
+    result = run("run", file)
+    assert result.exit_code == 2
+    assert "qsbearing sweep" in result.stderr
+    assert run("sweep", file, "-y", "inner_load").exit_code == 0
