@@ -77,7 +77,7 @@ class FrictionEstimates:
 def friction_estimates(
     solution: Solution,
     *,
-    bore: float,
+    bore_diameter: float,
     outside_diameter: float,
     kinematic_viscosity: ArrayLike,
     series: Series | None = None,
@@ -85,7 +85,11 @@ def friction_estimates(
     lubrication_factor: float | None = None,
 ) -> FrictionEstimates:
     """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
-    bearing = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    bearing = {
+        "bore_diameter": bore_diameter,
+        "outside_diameter": outside_diameter,
+        "kinematic_viscosity": kinematic_viscosity,
+    }
     skf = skf_torque(solution, **bearing, series=series, static_load_rating=static_load_rating)  # type: ignore[arg-type]
     if static_load_rating is None or lubrication_factor is None:
         return FrictionEstimates(skf, None)
@@ -96,7 +100,7 @@ def friction_estimates(
 def estimate_errors(
     is_deep_groove: bool,
     *,
-    bore: float | None = None,
+    bore_diameter: float | None = None,
     outside_diameter: float | None = None,
     kinematic_viscosity: ArrayLike = 1e-5,
     series: Series | None = None,
@@ -104,8 +108,15 @@ def estimate_errors(
     lubrication_factor: float | None = None,
 ) -> list[ErrorDetail]:
     """Every error of the arguments of the estimates; a deep-groove bearing needs its series and C0."""
-    errors = within("bore", bore, LENGTH, 1e-4, 10.0) + within("outside_diameter", outside_diameter, LENGTH, 1e-4, 20.0)
-    if not errors and bore is not None and outside_diameter is not None and np.any(outside_diameter <= bore):
+    errors = within("bore_diameter", bore_diameter, LENGTH, 1e-4, 10.0) + within(
+        "outside_diameter", outside_diameter, LENGTH, 1e-4, 20.0
+    )
+    if (
+        not errors
+        and bore_diameter is not None
+        and outside_diameter is not None
+        and np.any(outside_diameter <= bore_diameter)
+    ):
         errors.append(ErrorDetail("outside_diameter", "is no larger than the bore", outside_diameter, LENGTH))
     errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
     if is_deep_groove or series is not None:
@@ -122,7 +133,7 @@ def estimate_errors(
 def skf_torque(
     solution: Solution,
     *,
-    bore: float,
+    bore_diameter: float,
     outside_diameter: float,
     kinematic_viscosity: ArrayLike,
     series: Series | None = None,
@@ -133,7 +144,7 @@ def skf_torque(
     """SKF's model: M = phi_ish phi_rs Grr (nu n)^0.6 + mu_sl Gsl, without seals and oil-bath drag.
 
     Args:
-        bore, outside_diameter: d and D of the bearing [m].
+        bore_diameter, outside_diameter: d and D of the bearing [m].
         kinematic_viscosity: nu at the operating temperature [m^2/s].
         series: of a deep-groove bearing.
         static_load_rating: C0 of a deep-groove bearing [N].
@@ -145,11 +156,15 @@ def skf_torque(
     """
     bearing = solution.scene.bearing
     deep = bearing.kind is BearingKind.DEEP_GROOVE
-    size = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    size = {
+        "bore_diameter": bore_diameter,
+        "outside_diameter": outside_diameter,
+        "kinematic_viscosity": kinematic_viscosity,
+    }
     rating = {"series": series, "static_load_rating": static_load_rating}
     raise_if_any(estimate_errors(deep, **size, **rating))  # type: ignore[arg-type]
     radial, axial, n = _loads(solution)
-    dm = 0.5 * (bore + outside_diameter) / mm
+    dm = 0.5 * (bore_diameter + outside_diameter) / mm
     nu = np.asarray(kinematic_viscosity, float) / mm**2
     if deep:
         assert series is not None
@@ -158,7 +173,9 @@ def skf_torque(
         )
     else:
         Grr, Gsl = angular_contact_terms(dm, n, radial, axial, BearingNumbers(bearing).is_hybrid)
-    starved = replenishment_factor(nu, n, bore / mm, outside_diameter / mm, 3.1 if deep else 4.4, replenishment)
+    starved = replenishment_factor(
+        nu, n, bore_diameter / mm, outside_diameter / mm, 3.1 if deep else 4.4, replenishment
+    )
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
@@ -197,7 +214,7 @@ def replenishment_factor(nu: NDArray, n: NDArray, bore: float, outside: float, K
 def palmgren_torque(
     solution: Solution,
     *,
-    bore: float,
+    bore_diameter: float,
     outside_diameter: float,
     kinematic_viscosity: ArrayLike,
     static_load_rating: float,
@@ -206,7 +223,7 @@ def palmgren_torque(
     """Palmgren's M = f0 (nu n)^(2/3) dM^3 1e-7 + f1 P1 dM, at nu n >= 2000 mm^2/s rpm; below that NaN.
 
     Args:
-        bore, outside_diameter: d and D of the bearing [m]; dM is their mean.
+        bore_diameter, outside_diameter: d and D of the bearing [m]; dM is their mean.
         kinematic_viscosity: nu at the operating temperature [m^2/s].
         static_load_rating: C0 [N].
         lubrication_factor: f0, as the catalogue gives it for the series and the way of lubrication: 1.1 to 4.
@@ -217,11 +234,15 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
-    size = {"bore": bore, "outside_diameter": outside_diameter, "kinematic_viscosity": kinematic_viscosity}
+    size = {
+        "bore_diameter": bore_diameter,
+        "outside_diameter": outside_diameter,
+        "kinematic_viscosity": kinematic_viscosity,
+    }
     rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
     raise_if_any(estimate_errors(False, **size, **rest))  # type: ignore[arg-type]
     radial, axial, n = _loads(solution)
-    dm = 0.5 * (bore + outside_diameter) / mm
+    dm = 0.5 * (bore_diameter + outside_diameter) / mm
     product = np.asarray(kinematic_viscosity, float) / mm**2 * n
     relative = static_equivalent_load(solution.scene.bearing, radial, axial) / static_load_rating
     deep = solution.scene.bearing.kind is BearingKind.DEEP_GROOVE

@@ -124,7 +124,7 @@ READING_TABLES: dict[str, tuple[Key, ...]] = {
         Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
     ),
     "friction_estimate": (
-        Key("bore_mm", "bore", "mm", mm, LENGTH),
+        Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
         Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
         Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
         Key("lubrication_factor", "lubrication_factor"),

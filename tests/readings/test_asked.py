@@ -34,7 +34,7 @@ ALL: dict[str, Any] = {
     "film": {"ball_roughness_um": 0.05, "raceway_roughness_um": 0.2},
     "friction": {"friction_coefficient": 0.05, "drag_coefficient": 0.5, "fluid_density_kg_m3": 20},
     "friction_estimate": {
-        "bore_mm": 90,
+        "bore_diameter_mm": 90,
         "outside_diameter_mm": 160,
         "static_load_rating_N": 85e3,
         "lubrication_factor": 2.0,
@@ -80,7 +80,7 @@ def test_each_reading_of_a_file_is_the_function_s() -> None:
     frequencies = qs.readings.frequencies(solution)
     assert found["frequencies"]["ball_pass_outer_Hz"] == pytest.approx(float(frequencies.solved.ball_pass_outer))
     assert found["frequencies"]["nominal_cage_Hz"] == pytest.approx(float(frequencies.nominal.cage))
-    size = {"bore": 90e-3, "outside_diameter": 160e-3, "kinematic_viscosity": oil.kinematic_viscosity}
+    size = {"bore_diameter": 90e-3, "outside_diameter": 160e-3, "kinematic_viscosity": oil.kinematic_viscosity}
     skf = qs.readings.skf_torque(solution, **size)  # type: ignore[arg-type]
     palmgren = qs.readings.palmgren_torque(solution, **size, static_load_rating=85e3, lubrication_factor=2.0)  # type: ignore[arg-type]
     assert found["friction_estimate"]["skf_torque_Nmm"] == pytest.approx(float(skf.torque) * 1e3)
@@ -209,7 +209,7 @@ def test_what_a_reading_lacks_is_said() -> None:
 
 def test_estimates_need_the_whole_bearing() -> None:
     oil = {"iso_viscosity_grade": 68, "oil_temperature_C": 70}
-    found = faults(BASE | {"readings": {"friction_estimate": {"bore_mm": 90, "outside_diameter_mm": 80}}})
+    found = faults(BASE | {"readings": {"friction_estimate": {"bore_diameter_mm": 90, "outside_diameter_mm": 80}}})
     assert set(found) == {"readings.friction_estimate", "readings.friction_estimate.outside_diameter_mm"}
     assert "[readings.lubricant]" in found["readings.friction_estimate"]
     groove = {"name": "ISO16281_7ball"}
@@ -220,7 +220,7 @@ def test_estimates_need_the_whole_bearing() -> None:
         "tilt_y_mrad": 0,
         "tilt_z_mrad": 0,
     }
-    sized = {"lubricant": oil, "friction_estimate": {"bore_mm": 25, "outside_diameter_mm": 62}}
+    sized = {"lubricant": oil, "friction_estimate": {"bore_diameter_mm": 25, "outside_diameter_mm": 62}}
     deep = {"bearing": groove, "operation": upright, "readings": sized}
     wrong = faults(deep)
     assert set(wrong) == {"readings.friction_estimate.series", "readings.friction_estimate.static_load_rating_N"}

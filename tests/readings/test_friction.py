@@ -173,7 +173,7 @@ def test_estimates_of_a_7210() -> None:
     """By hand, from the formulas as printed, in N, mm, rpm, mm^2/s."""
     b = qs.load_scene("7210c").bearing
     solution = solved(turning(6000, b, axial_load=1500.0, radial_load_y=500.0, moment_z=0.0))
-    size = {"bore": 50e-3, "outside_diameter": 90e-3, "kinematic_viscosity": 20e-6}
+    size = {"bore_diameter": 50e-3, "outside_diameter": 90e-3, "kinematic_viscosity": 20e-6}
     skf = qs.readings.skf_torque(solution, **size)
     dm, n, nu = 70.0, 6000.0, 20.0
     Grr = 5.03e-7 * dm**1.97 * (500 + 1.90e-12 * dm**4 * n**2 + 1.97 * 1500) ** 0.54
@@ -195,7 +195,7 @@ def test_estimates_of_a_7210() -> None:
 
 def test_estimate_of_a_deep_groove_bearing() -> None:
     """Thrust adds to the torque. At the least thrust SKF's own exponents change, and the torque by 14 %."""
-    size = {"bore": 25e-3, "outside_diameter": 62e-3, "kinematic_viscosity": 20e-6}
+    size = {"bore_diameter": 25e-3, "outside_diameter": 62e-3, "kinematic_viscosity": 20e-6}
     load = np.array([0.0, 1.0, 500.0])
     scene = resting(DEEP_GROOVE, axial_load=load, radial_load_y=1e3, speed=314.0, tilt_y=0.0, tilt_z=0.0)
     found = qs.readings.skf_torque(solved(scene), **size, series="63", static_load_rating=11.6e3)  # type: ignore[arg-type]
