@@ -139,7 +139,6 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All points, the supports side by side, then the gyroscopic moment."""
     rows: list[Row] = []
     series: dict[str, Any] = {}
-    largest = {support: dict.fromkeys(BOUNDS, 0.0) for support in SUPPORTS[level]}
     points = POINTS[level] if scene == EXAMPLE else (own_point(scene),)
     dofs, solver, imbalance = 0, "", 0.0
     at_rest: list[Studied] = []
@@ -152,10 +151,6 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             studied = study(scene, point, level, support, gyroscopic_moment=bool(step))
             rows += rows_of(f"{point.label}, outside diameter {support}{step}", studied)
             _keep(series, f"{support}{step}", studied)
-            for name in QUANTITIES:
-                kind = quantity_kind(name)
-                if kind in BOUNDS:
-                    largest[support][kind] = max(largest[support][kind], studied.uncertain(name))
             dofs, solver = max(dofs, studied.compared.dofs), studied.compared.solver
             imbalance = max(imbalance, studied.compared.worst_imbalance)
             if support is OuterSupport.RIGID and not step:
@@ -163,13 +158,13 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 if not point.speed:
                     at_rest.append(studied)
     if level is Level.RELEASE:
-        rows += _uncertainty_rows(largest[OuterSupport.RIGID])
+        rows += uncertainty_rows(series)
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
     rows.append(_equilibrium(imbalance))
     notes = [
         _support_note(series),
-        *(_uncertainty_note(each, support, level) for support, each in largest.items()),
+        *(uncertainty_note(series, key, level) for key in series),
         NOTE,
     ]
     mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
@@ -211,10 +206,22 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
     return rows
 
 
-def _uncertainty_rows(largest: dict[str, float]) -> list[Row]:
+def largest_uncertainty(states: dict[str, Any]) -> dict[str, float]:
+    """Of any case of one series, per kind of quantity; per cent or degrees."""
+    largest = dict.fromkeys(BOUNDS, 0.0)
+    for curve in states.values():
+        for name in QUANTITIES:
+            kind = quantity_kind(name)
+            if kind in BOUNDS:
+                largest[kind] = max(largest[kind], *curve[name]["uncertainty"])
+    return largest
+
+
+def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
+    """Gates of what the comparison with the model in rigid seats must resolve."""
     return [
         Row(
-            "rigid seats, all cases: largest uncertainty",
+            "rigid seats, all loads and speeds: largest uncertainty",
             kind,
             "deg" if kind == "angle" else "1",
             0.0,
@@ -224,7 +231,7 @@ def _uncertainty_rows(largest: dict[str, float]) -> list[Row]:
             100.0 * BOUNDS[kind] if kind == "angle" else BOUNDS[kind],
             "what the comparison must resolve: a tenth to a fifth of the differences at the heaviest load",
         )
-        for kind, value in largest.items()
+        for kind, value in largest_uncertainty(series[str(OuterSupport.RIGID)]).items()
     ]
 
 
@@ -276,13 +283,15 @@ def _support_note(series: dict[str, Any]) -> str:
     )
 
 
-def _uncertainty_note(largest: dict[str, float], support: OuterSupport, level: Level) -> str:
+def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
+    """What the cases of one series resolve."""
     parts = [
-        f"{name.replace('_', ' ')} {value:.2g} {'deg' if name == 'angle' else '%'}" for name, value in largest.items()
+        f"{name.replace('_', ' ')} {value:.2g} {'deg' if name == 'angle' else '%'}"
+        for name, value in largest_uncertainty(series[key]).items()
     ]
     return (
-        f"Largest uncertainty of any case with the outside diameter {support} at the level {level}, meshes and "
-        f"positions of the contact's edge together: {'; '.join(parts)}."
+        f"Largest uncertainty of any case with the outside diameter {key} at the level {level}, meshes and positions "
+        f"of the contact's edge together: {'; '.join(parts)}."
     )
 
 

@@ -257,7 +257,8 @@ def bearing_sector(entry: Entry) -> Figure:
                 axes.set(title=name.replace("_", " "), ylabel=f"elements less model, {unit}")
     for axes in grid.ravel():
         axes.axhline(0.0, **HERTZ)
-    grid[0, 0].legend(fontsize=7)
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8)
     return figure
 
 
@@ -267,7 +268,10 @@ def sector_bodies(entry: Entry) -> Figure:
     most = max(max(body["pressure"]) for body in bodies.values())
     colours, scale = plt.get_cmap("plasma"), Normalize(0.0, most)
     figure = plt.figure(figsize=(10.0, 5.6), layout="constrained")
-    views = (("all three bodies", "outer ball inner", -62.0, 18.0), ("ball alone: both contacts", "ball", 118.0, 8.0))
+    views = (
+        ("all three bodies", "outer ball inner", -62.0, 18.0),
+        ("ball alone, from its inner contact", "ball", 150.0, -35.0),
+    )
     for column, (name, shown, azimuth, elevation) in enumerate(views):
         axes = figure.add_subplot(1, 2, 1 + column, projection="3d")
         triangles, faces = [], []
@@ -291,6 +295,8 @@ def sector_bodies(entry: Entry) -> Figure:
         axes.view_init(elev=elevation, azim=azimuth)
         axes.set(xlabel="axial, mm", ylabel="along rolling, mm", zlabel="radius, mm")
         axes.tick_params(labelsize=7)
+        if shown == "ball":
+            axes.set_axis_off()
     figure.colorbar(ScalarMappable(scale, colours), ax=figure.axes, label="contact pressure, MPa", shrink=0.6)
     figure.suptitle(f"{entry['pictures']['sector']['label']}: half a ball and its segments of both rings", fontsize=10)
     return figure
