@@ -85,8 +85,11 @@ def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
 
 
 def text(entry: dict[str, Any]) -> bytes:
-    """A record as it stands in its file."""
-    return (json.dumps(entry, indent=1, allow_nan=False) + "\n").encode()
+    """A record as it stands in its file: rows to read, and the pictures' numbers, which nobody reads, on one line."""
+    read = json.dumps({key: value for key, value in entry.items() if key != "pictures"}, indent=1, allow_nan=False)
+    if "pictures" in entry:
+        read = f'{read[:-2]},\n "pictures": {json.dumps(entry["pictures"], allow_nan=False)}\n}}'
+    return f"{read}\n".encode()
 
 
 def replace(path: Path, content: bytes) -> None:

@@ -23,7 +23,7 @@ from fem_check.contact import ContactError, active_set
 from fem_check.contact_problem import Array
 from fem_check.references import hertz
 from fem_check.solids import contact_results, normal_contact
-from fem_check.solids.condensation import CondensedSolid, condense_free, condense_supported
+from fem_check.solids.condensation import NEAR, CondensedSolid, condense_free, condense_supported
 from fem_check.solids.contact_frame import ContactFrame, Sphere
 from fem_check.solids.contact_results import ContactResults
 from fem_check.solids.normal_contact import NormalContact
@@ -32,8 +32,6 @@ from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 FRICTION_ITERATIONS = 20
 FRICTION_TOLERANCE = 1e-8
-NEAR = 1e-7
-"""How far from a plane or cylinder of the ring a node on it may be [m]."""
 RESIDUAL = 1e-7
 """Largest imbalance left, over the largest force."""
 
@@ -114,16 +112,15 @@ class BearingSector:
         body = TetrahedralBody(self.geometry.mesh(name), bearing.drawing.ring)
         section = bearing.section(loads[0][0].groove.centre, inner=name == "inner")
         half_pitch = pi / bearing.ball_count
-        small = NEAR
         x, y, z = body.nodes
         fixed = np.zeros((body.space.count, 3), dtype=bool)
-        fixed[np.abs(z) < small, 2] = True
-        cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < small
+        fixed[np.abs(z) < NEAR, 2] = True
+        cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
         fixed[cut, 2] = True
         if support is OuterSupport.RIGID:
-            fixed[np.abs(np.hypot(y, z) - section.back_radius) < small] = True
+            fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
         else:
-            fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < small, 0] = True
+            fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
         # On the second cut plane the third unknown is the displacement across it.
         turned = np.flatnonzero(cut)
         turn = sp.lil_matrix(sp.identity(3 * body.space.count))

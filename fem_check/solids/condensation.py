@@ -17,7 +17,7 @@ from fem_check.linear_solver import factorise
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 NEAR = 1e-7
-"""How far from the plane of symmetry a node on it may be [m]."""
+"""How far from a plane or cylinder a node on it may be [m]; meshes are kept in single precision."""
 RIGHT_HAND_SIDES = 64
 """Solved at a time."""
 

@@ -32,15 +32,13 @@ from fem_check.measuring import central_pressure
 from fem_check.references import hertz
 from fem_check.solids import body_mesh
 from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
-from fem_check.solids.condensation import condense_supported
+from fem_check.solids.condensation import NEAR, condense_supported
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 from fem_check.solids.sector_geometry import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 POSITIONS = 8
 """Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh."""
-SMALL = 1e-9
-"""Nodes nearer than this to a plane or cylinder lie on it [m]."""
 READ = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 
 
@@ -129,7 +127,7 @@ class TrueContact:
             made = body_mesh.ring(self.section, patch, self.half_pitch, self.elements)
         path.parent.mkdir(parents=True, exist_ok=True)
         made.save(path)
-        return made
+        return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
 
     @property
     def cells(self) -> float:
@@ -177,8 +175,8 @@ class TrueContact:
         frame, count = self.frame, ball.space.count
         offset = ball.nodes[:2] - frame.ball.centre[:, None]
         fixed = np.zeros((count, 3), dtype=bool)
-        fixed[np.abs(ball.nodes[2]) < SMALL, 2] = True
-        fixed[np.abs(frame.normal @ offset) < SMALL, 0] = True
+        fixed[np.abs(ball.nodes[2]) < NEAR, 2] = True
+        fixed[np.abs(frame.normal @ offset) < NEAR, 0] = True
         # The load has no part along the groove: one node holds the ball there and carries nothing.
         fixed[_nearest(ball, frame.ball.centre), 1] = True
         axes = np.zeros((3, 3))
@@ -189,10 +187,10 @@ class TrueContact:
         """The same of the ring: rigid seat, planes of symmetry through the contact and midway to the next ball."""
         _, y, z = ring.nodes
         c, s = cos(self.half_pitch), sin(self.half_pitch)
-        cut = np.abs(z * c - y * s) < SMALL
+        cut = np.abs(z * c - y * s) < NEAR
         fixed = np.zeros((ring.space.count, 3), dtype=bool)
-        fixed[(np.abs(z) < SMALL) | cut, 2] = True
-        fixed[np.abs(np.hypot(y, z) - self.section.back_radius) < SMALL] = True
+        fixed[(np.abs(z) < NEAR) | cut, 2] = True
+        fixed[np.abs(np.hypot(y, z) - self.section.back_radius) < NEAR] = True
         # On the cut the third unknown is the displacement across it.
         turned = sp.csr_matrix(np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]]))
         turn = sp.kron(sp.diags(cut.astype(float)), turned) + sp.kron(sp.diags(1.0 - cut), sp.identity(3))

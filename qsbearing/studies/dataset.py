@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 BALL = "ball"
-NO_SAMPLES = slice(0, 0)
+
 FORMAT = 1
 """Of a results file; another number is refused by what reads it."""
 

@@ -75,8 +75,8 @@ PLANTED = {
     ),
     "the ball clamped at its equator": (
         "fem_check/solids/true_contact.py",
-        "fixed[np.abs(frame.normal @ offset) < SMALL, 0] = True",
-        "fixed[np.abs(frame.normal @ offset) < SMALL] = True",
+        "fixed[np.abs(frame.normal @ offset) < NEAR, 0] = True",
+        "fixed[np.abs(frame.normal @ offset) < NEAR] = True",
         "true_geometry",
     ),
     "gap +1 %": (

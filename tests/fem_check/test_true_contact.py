@@ -14,6 +14,7 @@ from fem_check.contact_problem import ElasticConstants
 from fem_check.groove import BallInGroove
 from fem_check.scenes import groove_contact
 from fem_check.solids import true_contact
+from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
 
 STEEL = ElasticConstants(208e9, 0.3)
@@ -151,3 +152,12 @@ def test_another_scene_is_checked_at_its_own_loads(tmp_path):
     release = true_geometry.loads_of(str(file), Level.RELEASE)
     assert {race for race, _, _ in release} == {"inner", "outer"}
     assert len({load for race, load, _ in release if race == "inner"}) == 3
+
+
+def test_the_whole_seat_is_held(contact):
+    ring = TetrahedralBody(contact.mesh("ring"), contact.groove.race)
+    fixed, _ = contact._segment(ring)
+    _, y, z = ring.nodes
+    # A bore of its own radius, to a hundredth of the smallest element; its meshes are kept in single precision.
+    seat = np.abs(np.hypot(y, z) - contact.section.back_radius) < 1e-6
+    assert seat.sum() > 100 and fixed[seat].all()
