@@ -6,6 +6,8 @@ import os
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# Tables are as wide as in a file, whatever the terminal; pytest-xdist sets it in its processes.
+os.environ.pop("COLUMNS", None)
 
 from hypothesis import settings
 
