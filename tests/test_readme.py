@@ -45,7 +45,8 @@ def test_the_scene_file_solves(tmp_path: Path) -> None:
 
 
 def test_ci_calls_the_test_command_literally() -> None:
-    commands = [line for block in blocks("sh") for line in block.splitlines() if line.endswith(".venv/bin/pytest -n auto")]
+    lines = [line for block in blocks("sh") for line in block.splitlines()]
+    commands = [line for line in lines if line.endswith(".venv/bin/pytest -n auto")]
     assert len(commands) == 1
     assert commands[0] in (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()
 
