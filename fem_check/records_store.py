@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
 import os
+import shlex
+import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from fem_check import meshing
 from fem_check.agreement import EXAMPLE, Check, Findings, Level
+from qsbearing import __version__, provenance
 
 FOLDER = Path(__file__).parent / "records"
 FIELDS = ("check", "level", "scene", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")
+
+
+PACKAGES = ("scikit-fem", "meshio", "rslab", "gmsh")
+"""On which the numbers of a check rest, beside those of the solver."""
 
 
 class RecordError(Exception):
@@ -22,12 +28,7 @@ class RecordError(Exception):
 
 def versions() -> dict[str, str]:
     """Versions of what the numbers rest on."""
-    found = {}
-    for package in ("qsbearing", "numpy", "scipy", "scikit-fem", "meshio", "rslab"):
-        try:
-            found[package] = importlib.metadata.version(package)
-        except importlib.metadata.PackageNotFoundError:
-            continue
+    found = {"qsbearing": __version__} | provenance.versions(("numpy", "scipy", *PACKAGES))
     gmsh = meshing.gmsh_version()
     return found | ({"gmsh": gmsh} if gmsh else {})
 
@@ -66,9 +67,19 @@ def record(
             "reference": check.reference,
             "tolerance": check.tolerance,
         }
+    command = _command(check, name, level, scene)
+    entry["provenance"] = provenance.of_run(command, str(level), PACKAGES)
     entry["notes"] = findings.notes
     entry["pictures"] = findings.pictures
     return entry
+
+
+def _command(check: Check | None, name: str, level: str, scene: str) -> str:
+    """What makes a record anew."""
+    if check is None:
+        return shlex.join(["fem-check", *sys.argv[1:]])
+    bearing = [] if scene == EXAMPLE else ["--scene", scene]
+    return shlex.join(["fem-check", "run", name, "--level", level, *bearing])
 
 
 def path_of(name: str, level: str, folder: Path = FOLDER) -> Path:

@@ -22,8 +22,8 @@ from fem_check.elastic_body import Progress
 from fem_check.element_family import FAMILIES, SERENDIPITY
 from fem_check.references import axis_ratio, hertz
 from fem_check.scenes import groove_contact
+from qsbearing import provenance
 from qsbearing.contact.hertz import HertzForm, effective_modulus
-from qsbearing.studies.cost.machine import hardware
 from qsbearing.studies.cost.measuring import in_fresh_process
 
 SCENE, RACE, LOAD = "b218", "inner", 1000.0
@@ -132,7 +132,7 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
     planned = [Configuration(count, family) for family, counts in MESHES[level].items() for count in counts]
     for count in {each.elements for each in planned}:
         meshing.locate(meshing.half_space(count))  # made here, so that no configuration's time includes it
-    machine = hardware() | records_store.versions()
+    machine = provenance.hardware() | records_store.versions()
     runs: dict[Configuration, list[dict[str, Any]]] = {each: [] for each in planned}
     for turn in range(REPEATS):
         for done, each in enumerate(planned):
@@ -150,6 +150,7 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
         "meshes": [_entry(each) for each in runs.values()],
         "closed_forms": closed_forms(solved),
         "seconds": round(time.perf_counter() - start, 1),
+        "provenance": provenance.of_run(f"fem-check cost --level {level}", str(level), records_store.PACKAGES),
     }
 
 

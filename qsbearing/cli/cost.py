@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import shlex
 import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from qsbearing import provenance
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load, solve
 
@@ -45,6 +47,8 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
             note(message(solution))
             sys.exit(UNSOLVED)
         found = _measure(solution.scene, quick)
+        command = ["qsbearing", "cost", scene, *(["--quick"] if quick else [])]
+        found["provenance"] = provenance.of_run(shlex.join(command))
         if as_json:
             print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
         else:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
+from qsbearing.provenance import commit
 from qsbearing.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
@@ -109,15 +108,3 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str)
 def _flags(meanings: Iterable[str]) -> dict[str, Any]:
     words = list(meanings)
     return {"flag_values": np.arange(len(words), dtype=np.int16), "flag_meanings": " ".join(words)}
-
-
-def commit() -> str:
-    """Of the source tree that runs; empty where it is none, as in an installed package."""
-    folder = Path(__file__).parents[2]
-    if not (folder / ".git").exists():
-        return ""
-    try:
-        asked = ["git", "-C", str(folder), "rev-parse", "HEAD"]
-        return subprocess.run(asked, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
-    except (OSError, subprocess.SubprocessError):
-        return ""

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing import provenance
 from qsbearing.chooser.choose import completed
 from qsbearing.chooser.comparison import by_quantity
 from tests.benchmarks import random_scenes
@@ -113,6 +114,7 @@ def summary(found: list[Outcome], tolerance: float = TOLERANCE) -> dict[str, Any
     return {
         "made_by": "python -m tests.benchmarks.auto_accuracy",
         "version": qs.__version__,
+        "provenance": provenance.of_run("python -m tests.benchmarks.auto_accuracy"),
         "tolerance": tolerance,
         "scenes": len(found),
         "solved_in_full": sum(one.is_solved for one in found),

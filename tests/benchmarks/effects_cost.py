@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing as qs
+from qsbearing import provenance
 from qsbearing.chooser.choose import completed
 from qsbearing.solver import solve
 from qsbearing.studies.cost import machine, measuring, speeds
@@ -49,7 +50,13 @@ def measure() -> dict[str, Any]:
             calls[name, count] = partial(solve, speeds.batch(scene, count), threads=1)
     times = measuring.interleaved(calls, ROUNDS)
     rows = {name: {str(n): measuring.spread([t / n for t in times[name, n]]) for n in (1, BATCH)} for name in scenes()}
-    return {"made_by": "python -m tests.benchmarks.effects_cost", "machine": machine.machine(), "seconds": rows}
+    command = "python -m tests.benchmarks.effects_cost"
+    return {
+        "made_by": command,
+        "provenance": provenance.of_run(command),
+        "machine": machine.machine(),
+        "seconds": rows,
+    }
 
 
 def table(found: dict[str, Any]) -> str:

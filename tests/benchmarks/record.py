@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing import provenance
 from tests.benchmarks import scenes, scipy_root
 
 RECORD = Path(__file__).with_name("record.json")
@@ -195,7 +196,7 @@ def machine() -> dict[str, Any]:
 
 def main() -> None:
     """Measure everything and write the record."""
-    record = {"machine": machine()}
+    record = {"machine": machine(), "provenance": provenance.of_run("python -m tests.benchmarks.record")}
     for part in (start_up, single_calls, batch, starting_values, against_scipy, million):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         record[part.__name__] = part()

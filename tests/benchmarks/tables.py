@@ -203,7 +203,7 @@ def campaigns() -> str:
 
 def hard_cases() -> str:
     """How the named hard cases ended."""
-    cases = read(HARD_CASES)
+    cases = read(HARD_CASES)["cases"]
     within = sum(case["verdict"] == "within 1e-9" for case in cases)
     expected = sum(case["verdict"] == "as expected" for case in cases)
     return markdown(

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing
+from qsbearing import provenance
 from tests.campaign.certificates import NONE, PROOFS
 from tests.campaign.chunk import UNCONVERGED
 from tests.campaign.envelope import CHANCE, ENVELOPES, WHOLE, scene_name
@@ -132,4 +133,7 @@ def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: fl
             **{name: version(name) for name in ("numpy", "numba", "scipy")},
         },
         "cores": os.cpu_count(),
+        "provenance": provenance.of_run(
+            f"python -m tests.campaign --envelope {envelope} --count {scenes} --seed {seed}"
+        ),
     }

@@ -33,6 +33,10 @@ def test_run_keeps_and_prints_one_record(tmp_path):
     assert printed == kept
     assert set(records_store.FIELDS) <= set(kept)
     assert kept["verdict"] == "pass"
+    made = kept["provenance"]
+    assert (made["command"], made["level"]) == ("fem-check run patch_test --level quick", "quick")
+    assert {"numpy", "numba", "scikit-fem"} <= set(made["packages"])
+    assert made["commit"] is None or len(made["commit"]) == 40
     assert {"elements_per_semi_axis", "dofs", "file"} <= set(kept["mesh"])
     assert set(kept["rows"][0]) == {
         "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",

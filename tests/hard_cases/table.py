@@ -1,4 +1,5 @@
-"""How near each hard case comes to fifty digits: `python -m tests.hard_cases.table` writes table.json and TABLE.md.
+"""How near each hard case comes to fifty digits: `python -m tests.hard_cases.table [FOLDER]` writes table.json and
+TABLE.md, here or in another folder.
 
 Errors are relative: a contact's load over that load, angles over the case's largest, displacements (tilts as motions at
 the pitch radius) over its largest. A case is within 1e-9, or what it loses is explained by the condition number of its
@@ -8,6 +9,7 @@ full system times 2^-52; or it is neither, a failure.
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing import provenance
 from tests.hard_cases.cases import CASES, CONVERGED
 from tests.hard_cases.generate import load_reference
 from tests.hard_cases.scenes import scene_of
 
-DATA, TABLE = Path(__file__).with_name("table.json"), Path(__file__).with_name("TABLE.md")
+HERE = Path(__file__).parent
+DATA, TABLE = HERE / "table.json", HERE / "TABLE.md"
 WITHIN = 1e-9
 LOST = 1e-12
 """A contact that carries less than this of the largest load is as good as lost: that is the solver's tolerance."""
@@ -128,9 +132,11 @@ def markdown(table: list[Row]) -> str:
 def main() -> None:
     """Solve, compare, write."""
     table = rows()
-    DATA.write_text(json.dumps(table, indent=1) + "\n", encoding="utf-8")
-    TABLE.write_text(markdown(table), encoding="utf-8")
-    print(TABLE.read_text(encoding="utf-8"))
+    record = {"provenance": provenance.of_run("python -m tests.hard_cases.table"), "cases": table}
+    folder = Path(sys.argv[1]) if sys.argv[1:] else HERE
+    (folder / DATA.name).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    (folder / TABLE.name).write_text(markdown(table), encoding="utf-8")
+    print(markdown(table))
 
 
 if __name__ == "__main__":

@@ -218,6 +218,6 @@ def test_an_error_is_an_error() -> None:
 
 
 def test_the_table_is_made_from_its_data() -> None:
-    table = json.loads(DATA.read_text(encoding="utf-8"))
+    table = json.loads(DATA.read_text(encoding="utf-8"))["cases"]
     assert TABLE.read_text(encoding="utf-8") == markdown(table)
     assert [row["case"] for row in table] == [case["name"] for case in CASES]

@@ -4,6 +4,7 @@
     definition, bearing, scene          how errors are counted, what was looked at
     measured    [{part, name, cases, case_s, over_last, error, memory_MB}]
     errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of results}]
+    provenance                          of the run, set by the command (see `qsbearing.provenance`)
 
 `part` is what is varied: "levels" or "cases". `case_s` is the processor's time of a call over its cases,
 `over_last` that over the time of the last of its series (the finest level, the most cases):
