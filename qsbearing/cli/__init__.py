@@ -18,6 +18,7 @@ from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.cost import cost
 from qsbearing.cli.explain import explain
 from qsbearing.cli.figures import figures
+from qsbearing.cli.guide import guide
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
@@ -56,7 +57,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, plot, figures, cost, init, catalogue):
+for command in (run, explain, sweep, plot, figures, cost, init, catalogue, guide):
     cli.add_command(command)
 
 

@@ -1,0 +1,70 @@
+"""`qsbearing guide`: its topics, one of them on the terminal, or all as a page to read in a browser."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from qsbearing.cli.document_files import check_installed, folder, write
+from qsbearing.cli.output import print_table, print_text, refuse
+
+if TYPE_CHECKING:
+    from qsbearing.documents.guide import Page
+
+
+@click.command(short_help="Read the guide: topics, a page, or all as HTML.")
+@click.argument("topic", required=False)
+@click.option("--html", "target", metavar="DIR", help="Write the whole guide to DIR/guide.html, one file of its own.")
+@click.option("--open", "is_opened", is_flag=True, help="Open that file in the browser, at TOPIC if one is named.")
+def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
+    """List the topics of the guide, print TOPIC, or write the whole guide as HTML.
+
+    Exit codes: 0 done, 2 bad input.
+    """
+    from qsbearing.documents.guide import topics
+
+    pages = topics()
+    if topic is not None and topic not in pages:
+        near = difflib.get_close_matches(topic, pages, 1)
+        refuse(f"no topic {topic}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
+    if target is not None or is_opened:
+        _write(topic, target, is_opened)
+    elif topic is not None:
+        from rich.markdown import Markdown
+
+        print_table(Markdown(pages[topic].text, hyperlinks=False))
+    else:
+        _list(pages)
+
+
+def _list(pages: dict[str, Page]) -> None:
+    from qsbearing.io.tables import plain_table
+
+    table = plain_table("The guide", ("topic", ""), left=(0, 1))
+    for page in pages.values():
+        table.add_row(page.topic, page.title)
+    print_table(table)
+    print_text("\n`qsbearing guide TOPIC` prints one; `qsbearing guide --open` shows all in a browser.\n")
+
+
+def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
+    check_installed("--html" if target is not None else "--open", ("jinja2", "markdown_it"))
+    from qsbearing import __version__
+    from qsbearing.documents.guide import document
+    from qsbearing.documents.html import html
+
+    path = (folder(target) if target is not None else _own_folder()) / "guide.html"
+    write({path: lambda found: html(found).encode()}, lambda: document(__version__))
+    print_text(f"wrote {path}\n")
+    if is_opened:
+        click.launch(path.resolve().as_uri() + (f"#{topic}" if topic else ""))
+
+
+def _own_folder() -> Path:
+    """Where a page is kept that nobody gave a place."""
+    from platformdirs import user_cache_dir
+
+    return folder(user_cache_dir("qsbearing"))

@@ -1,0 +1,95 @@
+"""A document as plain data, which both forms are made from; a link to nowhere is an error of whoever wrote it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from qsbearing.documents import model
+from qsbearing.documents.inline import runs
+
+Plain = dict[str, Any]
+
+
+class BrokenLinkError(ValueError):
+    """A link points at a section that the document does not have."""
+
+
+def data(document: model.Document) -> Plain:
+    """The document as plain data; pictures are numbered, their bytes kept apart in `pictures`."""
+    pictures: list[model.Picture] = []
+    found = {
+        "title": document.title,
+        "kind": document.kind,
+        "summary": runs(document.summary),
+        "head": _blocks(document.head, 1, pictures),
+        "blocks": _blocks(document.sections, 1, pictures),
+        "contents": [
+            {"title": runs(section.title), "name": section.name, "level": level}
+            for section, level in document.walk()
+            if level <= document.depth
+        ],
+        "depth": document.depth,
+        "pictures": pictures,
+    }
+    names = {section.name for section, _ in document.walk()}
+    lost = sorted({href for href in _links(found) if href.startswith("#") and href[1:] not in names})
+    if lost:
+        raise BrokenLinkError(f"{document.title}: no section for {', '.join(lost)}")
+    return found
+
+
+def _blocks(blocks: Sequence[model.Block], level: int, pictures: list[model.Picture]) -> list[Plain]:
+    return [_block(block, level, pictures) for block in blocks]
+
+
+def _block(block: model.Block, level: int, pictures: list[model.Picture]) -> Plain:
+    match block:
+        case model.Section():
+            return {
+                "is": "section", "title": runs(block.title), "name": block.name, "level": level,
+                "blocks": _blocks(block.blocks, level + 1, pictures),
+            }  # fmt: skip
+        case model.Paragraph():
+            return {"is": "paragraph", "text": runs(block.text)}
+        case model.Bullets():
+            return {"is": "list", "items": [runs(item) for item in block.items], "numbered": block.numbered}
+        case model.Code():
+            return {"is": "code", "text": block.text, "language": block.language}
+        case model.Remark():
+            return {"is": "remark", "text": runs(block.text), "status": block.status}
+        case model.Facts():
+            return {"is": "facts", "pairs": [[runs(name), _cell(value)] for name, value in block.pairs]}
+        case model.Trace():
+            return {"is": "trace", "record": block.record, "command": block.command, "with": block.made_with}
+        case model.Table():
+            return {
+                "is": "table", "headings": [runs(heading) for heading in block.headings], "align": block.alignment,
+                "caption": runs(block.caption), "tools": block.tools,
+                "rows": [
+                    {"across": runs(row.text)} if isinstance(row, model.Group) else {"cells": list(map(_cell, row))}
+                    for row in block.rows
+                ],
+            }  # fmt: skip
+        case model.Picture():
+            pictures.append(block)
+            return {
+                "is": "picture", "number": len(pictures) - 1, "alt": block.alt, "caption": runs(block.caption),
+                "form": block.form, "width": block.width,
+            }  # fmt: skip
+    raise TypeError(f"{type(block).__name__} is no piece of a document")
+
+
+def _cell(cell: model.Cell) -> Plain:
+    if isinstance(cell, model.Badge):
+        return {"badge": cell.word, "status": cell.kind}
+    return {"text": runs(cell)}
+
+
+def _links(found: Any) -> list[str]:
+    if isinstance(found, dict):
+        own = [found["href"]] if found.get("href") else []
+        return own + [link for value in found.values() for link in _links(value)]
+    if isinstance(found, list):
+        return [link for value in found for link in _links(value)]
+    return []

@@ -1,0 +1,34 @@
+"""A figure of matplotlib as a picture of a document: vectors, the same bytes every time."""
+
+from __future__ import annotations
+
+import re
+from io import BytesIO
+from typing import Any
+
+from qsbearing.documents.model import Picture
+
+REFERENCE = re.compile(r'(\bid="|xlink:href="#|\bhref="#|url\(#)')
+RASTER_DPI = 160
+"""Of what a figure itself asks to have drawn as dots, where vectors would be thousands."""
+
+
+def picture(figure: Any, alt: str, caption: str = "", width: float = 1.0) -> Picture:
+    """A figure as it stands in a document; letters are outlines, so that they look the same everywhere."""
+    import matplotlib
+
+    found = BytesIO()
+    with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}):
+        figure.savefig(found, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
+    return Picture(found.getvalue(), alt, caption, "svg", width)
+
+
+def inlined(svg: bytes, prefix: str) -> str:
+    """An SVG file as it stands within a page: without its head, and with names of its own, which every file repeats."""
+    text = svg.decode("utf-8")
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    head, rest = text.split(">", 1)
+    head = re.sub(r' (?:width|height)="[^"]*"', "", head)
+    head = f'{head} focusable="false" aria-hidden="true"'
+    return REFERENCE.sub(lambda found: found.group() + prefix, f"{head}>{rest}")

@@ -1,0 +1,66 @@
+"""The guide: its pages, and all of them as one document."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from qsbearing.documents.markdown import Links, sections
+from qsbearing.documents.model import Document, Section
+
+FOLDER = Path(__file__).parents[1] / "guide"
+FIRST = "index"
+"""The page that comes first, if there is one; its links give the order of the others."""
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the guide."""
+
+    topic: str
+    title: str
+    path: Path
+
+    @property
+    def text(self) -> str:
+        """Its Markdown, without what only tells the tools where a table was made."""
+        return re.sub(r"<!--.*?-->\n?", "", self.path.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+
+def topics(folder: Path = FOLDER) -> dict[str, Page]:
+    """The pages by topic, in the order of reading."""
+    found = {}
+    for path in sorted(folder.glob("*.md")):
+        title = next((line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("# ")), "")
+        found[path.stem] = Page(path.stem, title.strip() or path.stem, path)
+    if FIRST in found:
+        named = [FIRST, *re.findall(r"\]\((\w+)\.md", found[FIRST].text)]
+        order = {topic: place for place, topic in reversed(list(enumerate(named)))}
+        found = dict(sorted(found.items(), key=lambda each: order.get(each[0], len(order))))
+    return found
+
+
+def document(version: str, folder: Path = FOLDER) -> Document:
+    """All pages as one document."""
+    pages = topics(folder)
+    found: list[Section] = []
+    for page in pages.values():
+        found += sections(page.text, folder, _links(page, pages), page.topic)
+    summary = f"How to use it, what it computes, and how far to trust it. Version {version}."
+    return Document("qsbearing", "Guide", found, summary)
+
+
+def _links(page: Page, pages: dict[str, Page]) -> Links:
+    """Where the links of a page lead in the whole guide: to other sites and pages; files of the repository are none."""
+
+    def lead(link: str) -> str | None:
+        if re.match(r"https?://|mailto:", link):
+            return link
+        path, _, place = link.partition("#")
+        topic = Path(path).stem if path else page.topic
+        if (path and Path(path).name != path) or topic not in pages:
+            return None
+        return f"#{topic}-{place}" if place else f"#{topic}"
+
+    return lead

@@ -1,0 +1,50 @@
+"""Inline Markdown as runs of text, each with its styles and where it links to."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from qsbearing.documents.model import Md
+
+STYLES = {"strong_open": "strong", "em_open": "emph", "s_open": "strike"}
+Run = dict[str, Any]
+
+
+@cache
+def parser() -> Any:
+    """The Markdown parser, with tables."""
+    from markdown_it import MarkdownIt
+
+    return MarkdownIt("commonmark").enable("table")
+
+
+def runs(text: str) -> list[Run]:
+    """Text as runs: {"text", "styles", "href"}; plain text is one of them."""
+    if not isinstance(text, Md):
+        return [{"text": text, "styles": [], "href": None}]
+    return runs_of(parser().parseInline(text)[0].children)
+
+
+def runs_of(tokens: Any) -> list[Run]:
+    """The tokens of a line as runs; pictures among them are left to whoever splits the line."""
+    found: list[Run] = []
+    styles: list[str] = []
+    href = None
+    for token in tokens:
+        if token.type in STYLES:
+            styles.append(STYLES[token.type])
+        elif token.type.removesuffix("_close") + "_open" in STYLES:
+            styles.remove(STYLES[token.type.removesuffix("_close") + "_open"])
+        elif token.type == "link_open":
+            href = token.attrGet("href")
+        elif token.type == "link_close":
+            href = None
+        elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
+            content = token.content if token.content else " "
+            kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
+            if found and found[-1]["styles"] == kinds and found[-1]["href"] == href:
+                found[-1]["text"] += content
+            else:
+                found.append({"text": content, "styles": kinds, "href": href})
+    return found

@@ -1,0 +1,185 @@
+"""The pieces of a document: sections of paragraphs, tables, pictures, verdicts.
+
+Text is plain unless it is `Md`: then it may hold emphasis, `code` and [links](#anchor) of Markdown. Names from records
+and files stay plain, so that none of their characters means anything.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+
+class Md(str):
+    """Text with inline Markdown."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True)
+class Badge:
+    """A verdict in one word, shown as word and colour."""
+
+    word: str
+    status: str = ""
+    """pass, fail, finding or missing; the word itself if nothing is said."""
+
+    @property
+    def kind(self) -> str:
+        """The status that its colour stands for."""
+        return self.status or self.word
+
+
+Cell: TypeAlias = "str | Badge"
+
+
+@dataclass(frozen=True)
+class Group:
+    """A row across a whole table, above those that belong to it."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """A paragraph."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """A list; numbered if its order matters."""
+
+    items: Sequence[str]
+    numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Code:
+    """Text as it is typed."""
+
+    text: str
+    language: str = ""
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A sentence that stands out: a warning, a note, or a verdict with its status."""
+
+    text: str
+    status: str = "note"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Names and what they are."""
+
+    pairs: Sequence[tuple[str, Cell]]
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Where the numbers above come from: the record, the command that makes it anew, and what it was made with."""
+
+    record: str
+    command: str
+    made_with: str = ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table; `align` has a letter per column: l, r or c. With `tools` a reader may sort and filter it in HTML."""
+
+    headings: Sequence[str]
+    rows: Sequence[Sequence[Cell] | Group]
+    align: str = ""
+    caption: str = ""
+    tools: bool = False
+
+    def __post_init__(self) -> None:
+        width = len(self.headings)
+        if self.align and len(self.align) != width:
+            raise ValueError(f"{len(self.align)} letters of alignment for {width} columns: {self.caption}")
+        wrong = [row for row in self.rows if not isinstance(row, Group) and len(row) != width]
+        if wrong:
+            raise ValueError(f"{len(wrong[0])} cells in a row of {width} columns: {wrong[0]}")
+        if self.tools and any(isinstance(row, Group) for row in self.rows):
+            raise ValueError("a table that readers may sort has no rows across")
+
+    @property
+    def alignment(self) -> str:
+        """A letter for every column."""
+        return self.align or "l" + "r" * (len(self.headings) - 1)
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture that is part of the document, and the words for those who do not see it."""
+
+    data: bytes
+    alt: str
+    caption: str = ""
+    form: str = "svg"
+    width: float = 1.0
+    """Part of the text's width."""
+
+    def __post_init__(self) -> None:
+        if not self.alt.strip():
+            raise ValueError(f"a picture without words for those who do not see it: {self.caption}")
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading and what stands below it."""
+
+    title: str
+    blocks: Sequence[Block]
+    anchor: str = ""
+
+    @property
+    def name(self) -> str:
+        """What links point at."""
+        return self.anchor or anchor_of(self.title)
+
+
+Block: TypeAlias = "Paragraph | Bullets | Code | Remark | Facts | Trace | Table | Picture | Section"
+
+
+@dataclass(frozen=True)
+class Document:
+    """A whole document."""
+
+    title: str
+    kind: str
+    """What it is, in two or three words above the title."""
+    sections: Sequence[Section]
+    summary: str = ""
+    head: Sequence[Block] = field(default_factory=tuple)
+    """What stands before the contents: the verdict and the facts about it."""
+    depth: int = 2
+    """Levels of headings in the table of contents."""
+
+    def __post_init__(self) -> None:
+        names = [section.name for section, _ in self.walk()]
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise ValueError(f"sections of the same name: {', '.join(twice)}")
+
+    def walk(self) -> Iterator[tuple[Section, int]]:
+        """Every section with its level, 1 for the outermost, in the order of reading."""
+        yield from _walk(self.sections, 1)
+
+
+def _walk(blocks: Sequence[Block], level: int) -> Iterator[tuple[Section, int]]:
+    for block in blocks:
+        if isinstance(block, Section):
+            yield block, level
+            yield from _walk(block.blocks, level + 1)
+
+
+def anchor_of(title: str) -> str:
+    """A title as a name that may stand in a link."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "section"

@@ -1,0 +1,62 @@
+"""A document as PDF: set by typst with the fonts that it brings, tagged for screen readers (PDF/UA-1)."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+import warnings
+from pathlib import Path
+from typing import Any
+
+from qsbearing.documents.data import data
+from qsbearing.documents.model import Document
+
+TEMPLATE = Path(__file__).parent / "templates" / "document.typ"
+EPOCH = 0
+"""When the file says it was made: nothing in it depends on the time, and two of the same content are the same."""
+
+
+def pdf(document: Document, strict: bool = False) -> bytes:
+    """The file's bytes.
+
+    Args:
+        document: what to set.
+        strict: whether a letter that no font has is an error, as the standard has it; else it is a box on the page.
+
+    Raises:
+        typst.TypstError: the document is not what the standard asks.
+    """
+    import typst
+
+    with tempfile.TemporaryDirectory(prefix="qsbearing-document-") as folder:
+        try:
+            return bytes(_compiled(document, Path(folder), "pdf", standards=["ua-1"]))
+        except typst.TypstError as error:
+            if strict or "could not be displayed" not in str(error):
+                raise
+            return bytes(_compiled(document, Path(folder), "pdf"))
+
+
+def pages(document: Document, ppi: float = 72.0) -> list[bytes]:
+    """The pages as PNG pictures, to be looked at."""
+    with tempfile.TemporaryDirectory(prefix="qsbearing-document-") as folder:
+        found = _compiled(document, Path(folder), "png", ppi)
+    return found if isinstance(found, list) else [found]
+
+
+def _compiled(document: Document, folder: Path, form: Any, ppi: float | None = None, standards: Any = None) -> Any:
+    import typst
+
+    found = data(document)
+    for number, picture in enumerate(found.pop("pictures")):
+        (folder / f"picture-{number}.{picture.form}").write_bytes(picture.data)
+    (folder / "document.json").write_text(json.dumps(found), encoding="utf-8")
+    shutil.copyfile(TEMPLATE, folder / "main.typ")
+    compiled, said = typst.compile_with_warnings(
+        folder / "main.typ", root=folder, format=form, ppi=ppi, ignore_system_fonts=True, timestamp=EPOCH,
+        pdf_standards=standards or [],
+    )  # fmt: skip
+    for each in said:
+        warnings.warn(f"typst: {each}", stacklevel=3)
+    return compiled

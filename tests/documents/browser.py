@@ -1,0 +1,136 @@
+"""A real browser without a window, spoken to in the Chrome DevTools Protocol over two pipes: no package, no port."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+QUIET = (
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
+)  # fmt: skip
+PATIENCE = 60.0
+
+
+def installed() -> str | None:
+    """The browser's command, if there is one."""
+    return next((path for name in NAMES if (path := shutil.which(name))), None)
+
+
+class Browser:
+    """One page in a browser with a profile of its own; collects what the page complains of."""
+
+    def __init__(self) -> None:
+        self.complaints: list[str] = []
+        self._number = 0
+        self._buffer = b""
+
+    def __enter__(self) -> Browser:
+        command = installed()
+        assert command is not None
+        self._profile = tempfile.TemporaryDirectory(prefix="browser-", ignore_cleanup_errors=True)
+        to_browser, self._out = os.pipe()
+        self._in, from_browser = os.pipe()
+        # The browser reads from descriptor 3 and writes to 4.
+        run = f'exec "$0" "$@" 3<&{to_browser} 4>&{from_browser}'
+        arguments = (*QUIET, "--remote-debugging-pipe", f"--user-data-dir={self._profile.name}", "about:blank")
+        self._process = subprocess.Popen(
+            ["bash", "-c", run, command, *arguments],
+            pass_fds=(to_browser, from_browser),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        os.close(to_browser)
+        os.close(from_browser)
+        os.set_blocking(self._in, False)
+        (page,) = [t for t in self.ask("Target.getTargets")["targetInfos"] if t["type"] == "page"]
+        attached = self.ask("Target.attachToTarget", targetId=page["targetId"], flatten=True)
+        self._session = attached["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.ask(f"{domain}.enable")
+        return self
+
+    def __exit__(self, kind: type | None, error: BaseException | None, where: TracebackType | None) -> None:
+        os.close(self._out)
+        os.close(self._in)
+        self._process.terminate()
+        self._process.wait(10)
+        self._profile.cleanup()
+
+    def open(self, path: Path, scripts: bool = True, width: int = 1280) -> None:
+        """Load a file from disk, and wait until it is there."""
+        self.ask("Emulation.setScriptExecutionDisabled", value=not scripts)
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        self._loaded = False
+        self.ask("Page.navigate", url=path.as_uri())
+        until = time.monotonic() + PATIENCE
+        while not self._loaded:
+            assert time.monotonic() < until, "the page is not there in time"
+            self._hear()
+
+    def value(self, script: str) -> Any:
+        """What an expression is worth in the page."""
+        found = self.ask("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        assert "exceptionDetails" not in found, found["exceptionDetails"]
+        return found["result"].get("value")
+
+    def click(self, script: str) -> None:
+        """A real click of the mouse in the middle of what the expression finds."""
+        x, y = self.value(
+            f"(() => {{ const e = {script}; e.scrollIntoView({{block: 'center'}}); const r = e.getBoundingClientRect();"
+            " return [r.x + r.width / 2, r.y + r.height / 2]; })()"
+        )
+        for kind in ("mousePressed", "mouseReleased"):
+            self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+    def type(self, text: str) -> None:
+        """Keys into what has the focus."""
+        self.ask("Input.insertText", text=text)
+
+    def ask(self, method: str, **parameters: Any) -> Any:
+        """One request, and its answer."""
+        self._number += 1
+        request: dict[str, Any] = {"id": self._number, "method": method, "params": parameters}
+        if hasattr(self, "_session"):
+            request["sessionId"] = self._session
+        os.write(self._out, json.dumps(request).encode() + b"\0")
+        until = time.monotonic() + PATIENCE
+        while time.monotonic() < until:
+            answer = self._hear()
+            if answer is not None and answer.get("id") == self._number:
+                assert "error" not in answer, (method, answer["error"])
+                return answer["result"]
+        raise AssertionError(f"no answer to {method}")
+
+    def _hear(self) -> dict[str, Any] | None:
+        """The next thing the browser says; None if it says nothing for a moment."""
+        if b"\0" not in self._buffer:
+            try:
+                self._buffer += os.read(self._in, 1 << 20)
+            except BlockingIOError:
+                time.sleep(0.01)
+                return None
+            if b"\0" not in self._buffer:
+                return None
+        line, _, self._buffer = self._buffer.partition(b"\0")
+        said: dict[str, Any] = json.loads(line)
+        method, told = said.get("method", ""), said.get("params", {})
+        if method == "Page.loadEventFired":
+            self._loaded = True
+        elif method == "Runtime.exceptionThrown":
+            self.complaints.append(told["exceptionDetails"]["text"])
+        elif method == "Runtime.consoleAPICalled" and told["type"] in ("error", "warning", "assert"):
+            self.complaints.append(str(told["args"]))
+        elif method == "Log.entryAdded" and told["entry"]["level"] in ("error", "warning"):
+            self.complaints.append(told["entry"]["text"])
+        elif method == "Network.requestWillBeSent" and not told["request"]["url"].startswith(("file:", "data:")):
+            self.complaints.append(f"asks the network for {told['request']['url']}")
+        return said

@@ -1,0 +1,125 @@
+"""The guide: every page printed, all pages in one file, links that lead somewhere."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from qsbearing import __version__
+from qsbearing.cli import cli
+from qsbearing.documents.guide import FOLDER, document, topics
+from qsbearing.documents.html import html
+from qsbearing.documents.markdown import sections
+from qsbearing.documents.model import Bullets, Code, Md, Paragraph, Picture, Section, Table
+from qsbearing.documents.pdf import pdf
+from tests.documents.page import Page
+
+
+def call(*arguments: str) -> Result:
+    return CliRunner().invoke(cli, ["guide", *arguments])
+
+
+def test_topics_are_the_pages() -> None:
+    said = call().output
+    for path in FOLDER.glob("*.md"):
+        assert path.stem in said
+        title = re.search("^# (.*)", path.read_text(encoding="utf-8"), re.MULTILINE)
+        assert title is not None
+        assert title.group(1).replace("`", "") in said.replace("`", "")
+
+
+@pytest.mark.parametrize("topic", list(topics()))
+def test_every_page_is_printed(topic: str) -> None:
+    result = call(topic)
+    assert result.exit_code == 0
+    words = re.findall(r"[a-z]{5,}", topics()[topic].text)
+    assert words[-1] in result.output
+    assert "<!--" not in result.output
+
+
+def test_an_unknown_topic_names_the_nearest() -> None:
+    result = call("hard_case")
+    assert result.exit_code == 2
+    assert "no topic hard_case; hard_cases?" in result.stderr
+    assert "Traceback" not in result.output
+
+
+def test_the_whole_guide_is_one_sound_page(tmp_path: Path) -> None:
+    result = call("--html", str(tmp_path / "new" / "folder"))
+    assert result.exit_code == 0
+    page = Page.of((tmp_path / "new" / "folder" / "guide.html").read_text(encoding="utf-8"))
+    assert page.faults == []
+    for topic in topics().values():
+        assert topic.topic in page.names
+    assert [path.name for path in (tmp_path / "new" / "folder").iterdir()] == ["guide.html"]
+
+
+def test_the_whole_guide_is_a_pdf() -> None:
+    assert pdf(document(__version__), strict=True).startswith(b"%PDF")
+
+
+def test_a_folder_that_cannot_be_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    result = call("--html", str(tmp_path / "file"))
+    assert result.exit_code == 2
+    assert "cannot be a folder" in result.stderr
+
+
+PAGE = """<!-- a comment -->
+# A page
+
+Words with `code`, [another page](b.md), [its part](b.md#part), [a file](../x.py) and [a site](https://example.org).
+
+- one
+- two
+
+1. first
+
+| name | value | words |
+|---|---|---|
+| a | 1.5 | x |
+
+```sh
+run this
+```
+
+    x = 1
+
+![what it shows](p.svg)
+
+## Part
+
+> A remark.
+"""
+
+
+def test_a_page_becomes_pieces(tmp_path: Path) -> None:
+    (tmp_path / "p.svg").write_text("<svg/>")
+    leads = {"b.md": "#b", "b.md#part": "#b-part", "https://example.org": "https://example.org"}
+    (page,) = sections(PAGE, tmp_path, leads.get, "a")
+    assert (page.name, page.title) == ("a", "A page")
+    words, bullets, numbered, table, typed, indented, picture, part = page.blocks
+    assert isinstance(words, Paragraph)
+    assert words.text == (
+        "Words with `code`, [another page](#b), [its part](#b-part), a file and [a site](https://example.org)."
+    )
+    assert isinstance(words.text, Md)
+    assert bullets == Bullets(["one", "two"])
+    assert numbered == Bullets(["first"], numbered=True)
+    assert isinstance(table, Table)
+    assert (table.align, table.rows) == ("lrl", [["a", "1.5", "x"]])
+    assert (typed, indented) == (Code("run this", "sh"), Code("x = 1"))
+    assert isinstance(picture, Picture)
+    assert (picture.alt, picture.form) == ("what it shows", "svg")
+    assert isinstance(part, Section)
+    assert part.name == "a-part"
+
+
+def test_pages_come_in_the_order_of_the_first(tmp_path: Path) -> None:
+    for name, text in {"index": "[z](z.md) [b](b.md)", "a": "", "b": "", "z": ""}.items():
+        (tmp_path / f"{name}.md").write_text(f"# {name}\n\n{text}\n")
+    assert list(topics(tmp_path)) == ["index", "z", "b", "a"]
+    assert Page.of(html(document("0", tmp_path))).faults == []

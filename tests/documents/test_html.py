@@ -1,0 +1,86 @@
+"""HTML: sound, complete, and of one piece; read back by a parser that knows nothing of how it was made."""
+
+import pytest
+
+from qsbearing.documents.data import BrokenLinkError
+from qsbearing.documents.html import html
+from qsbearing.documents.model import Badge, Document, Group, Md, Paragraph, Picture, Section, Table
+from tests.documents.example import NASTY, curve, document
+from tests.documents.page import Page
+
+
+def test_a_page_is_sound_and_says_all() -> None:
+    page = Page.of(html(document()))
+    assert page.faults == []
+    assert [text.removesuffix(" #") for _, text in page.headings] == [
+        "One of everything", "Words", "Deeper", "Numbers", "Pictures",
+    ]  # fmt: skip
+    assert NASTY in page.text
+    assert "Plain, leaning, heavy, typed_code and a table." in page.text
+    assert page.tables[0][2] == ["beta", "-2.5", "fail"]
+    assert page.tables[1][-1] == [NASTY, "2"]
+    assert "fem-check run patch_test --level quick" in page.text
+
+
+def test_the_same_document_is_the_same_page() -> None:
+    assert html(document()) == html(document())
+
+
+@pytest.mark.parametrize(
+    ("spoil", "fault"),
+    [
+        (lambda text: text.replace('id="numbers"', 'id="other"'), "#numbers leads nowhere"),
+        (lambda text: text.replace("<h3", "<h5").replace("</h3>", "</h5>"), "level 5 after one of level 2"),
+        (lambda text: text.replace("</figure>", "", 1), "where <figure> is open"),
+        (lambda text: text.replace('aria-label="A line', 'data-label="A line'), "a picture without words"),
+        (lambda text: text.replace("<style>", "<style>@import 'https://x.org/a.css';"), "loaded from elsewhere"),
+        (lambda text: text.replace("<main", '<img src="http://x.org/a.png"><main'), "loaded from elsewhere"),
+        (lambda text: text.replace("p1-", "p0-"), "two things are called"),
+    ],
+)
+def test_the_judge_sees_what_is_wrong(spoil, fault) -> None:  # type: ignore[no-untyped-def]
+    text = html(document())
+    assert spoil(text) != text
+    assert fault in "; ".join(Page.of(spoil(text)).faults)
+
+
+def test_no_style_or_script_is_written_into_the_pieces() -> None:
+    """The page forbids the browser to load anything, and holds one script and one style, its own."""
+    text = html(document())
+    assert text.count("<script>") == 1 + 0
+    assert "default-src 'none'" in text
+    assert "<script>alert" not in text
+
+
+def test_mistakes_of_whoever_writes_a_document_are_refused() -> None:
+    with pytest.raises(BrokenLinkError, match="#nowhere"):
+        html(document(Paragraph(Md("[lost](#nowhere)"))))
+    with pytest.raises(ValueError, match="same name: words"):
+        Document("x", "y", [Section("Words", []), Section("words", [])])
+    with pytest.raises(ValueError, match="1 cells in a row of 2"):
+        Table(("a", "b"), [["1"]])
+    with pytest.raises(ValueError, match="no rows across"):
+        Table(("a",), [Group("x")], tools=True)
+    with pytest.raises(ValueError, match="without words"):
+        Picture(curve().data, " ")
+    assert Badge("expected", "pass").kind == "pass"
+
+
+def _luminance(colour: str) -> float:
+    channels = [int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def test_colours_have_contrast_enough_to_be_read() -> None:
+    """WCAG 2.1, 1.4.3: text at least 4.5 to 1 against what it stands on."""
+    import re
+
+    found = dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6});", html(document())))
+    grounds = {"ink": ("paper", "faint"), "soft": ("paper", "faint"), "accent": ("paper",)}
+    grounds |= {name: (f"{name}-back", "paper") for name in ("pass", "fail", "finding")}
+    grounds["ink"] += ("pass-back", "fail-back", "finding-back")
+    for text, behind in grounds.items():
+        for ground in behind:
+            light, dark = sorted((_luminance(found[text]), _luminance(found[ground])), reverse=True)
+            assert (light + 0.05) / (dark + 0.05) >= 4.5, (text, ground)
