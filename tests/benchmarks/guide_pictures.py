@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import io
 import re
+import tempfile
 from pathlib import Path
 
 import matplotlib
@@ -14,6 +15,8 @@ from matplotlib.figure import Figure
 import qsbearing as qs
 from qsbearing.pictures.life import LifePanel, life_against
 from qsbearing.pictures.study import picture
+from tests.benchmarks.coordinate_drawing import coordinate_drawing
+from tests.guide.pages import run_page
 
 GUIDE = Path(qs.__file__).parent / "guide"
 
@@ -43,17 +46,32 @@ def lives() -> list[LifePanel]:
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG: no date and a fixed salt, so that the same picture is the same file; paths to 1/100 point."""
+    """A figure as SVG: no date and a fixed salt, so that the same picture is the same file."""
     file = io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": "qsbearing"}):
         figure.savefig(file, format="svg", metadata={"Date": None})
-    lean = re.sub(r"\n\s*", "\n", re.sub(r"<!--.*?-->\n?", "", file.getvalue()))
-    return re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d\d)\d+", r"\1", path[0]).replace("\n", " "), lean)
+    return lean(file.getvalue())
+
+
+def lean(text: str) -> str:
+    """An SVG without comments and dates, its paths to 1/100 point."""
+    text = re.sub(r"\n\s*", "\n", re.sub(r"<!--.*?-->\n?|<dc:date>.*?</dc:date>", "", text, flags=re.DOTALL))
+    return re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d\d)\d+", r"\1", path[0]).replace("\n", " "), text)
+
+
+def gallery() -> None:
+    """Run the gallery's own commands and keep the pictures that they make."""
+    with tempfile.TemporaryDirectory() as name, matplotlib.rc_context({"svg.hashsalt": "qsbearing"}):
+        run_page(GUIDE / "gallery.md", Path(name), heavy=False)
+        for path in Path(name).glob("*.svg"):
+            (GUIDE / "gallery" / path.name).write_text(lean(path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def main() -> None:
     """Draw and keep the pictures."""
+    gallery()
     (GUIDE / "b218_speed.svg").write_text(svg(against_speed()), encoding="utf-8")
+    (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 

@@ -1,0 +1,1 @@
+"""The guide: every command, file and program in it runs."""

@@ -1,0 +1,61 @@
+"""README and guide: what a page shows, runs."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.guide.pages import GUIDE, ROOT, run_page
+
+pytest.importorskip("xarray")
+pytest.importorskip("matplotlib")
+
+ELSEWHERE = {
+    "adding_an_effect.md": "tests/effects/test_adding_an_effect.py, on a copy of the package",
+}
+"""Pages whose blocks another test runs."""
+PAGES = [page for page in [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))] if page.name not in ELSEWHERE]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_a_page_runs(page: Path, tmp_path: Path) -> None:
+    run_page(page, tmp_path, heavy=False)
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_a_page_runs_with_its_long_commands(page: Path, tmp_path: Path) -> None:
+    if not run_page(page, tmp_path, heavy=True):
+        pytest.skip("the page has no long commands")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_scripts_of_the_repository_exist(page: Path) -> None:
+    for name in re.findall(r"python -m ([\w.]+)", page.read_text(encoding="utf-8")):
+        path = ROOT.joinpath(*name.split("."))
+        assert path.with_suffix(".py").exists() or (path / "__main__.py").exists(), name
+
+
+@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+def test_headings_are_in_order(page: Path) -> None:
+    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    levels = [len(marks) for marks in re.findall(r"^(#+) ", text, flags=re.MULTILINE)]
+    assert levels[0] == 1 and levels.count(1) == 1
+    assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
+
+
+@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+def test_pictures_have_a_text(page: Path) -> None:
+    for text, _ in re.findall(r"!\[(.*?)\]\((.*?)\)", page.read_text(encoding="utf-8"), flags=re.DOTALL):
+        assert len(text.split()) >= 3
+
+
+def test_every_picture_of_the_gallery_is_made_by_a_command_above_it() -> None:
+    text = (GUIDE / "gallery.md").read_text(encoding="utf-8")
+    for found in re.finditer(r"\]\(gallery/([\w.]+)\)", text):
+        assert re.search(rf"--(plot|out) {re.escape(found[1])}\n", text[: found.start()]), found[1]
+    shipped = {path.name for path in (GUIDE / "gallery").iterdir()}
+    assert shipped == set(re.findall(r"\]\(gallery/([\w.]+)\)", text))
