@@ -31,7 +31,7 @@ def test_every_number_says_where_it_comes_from(name: str) -> None:
 
 
 def test_assumed_values_are_known_as_such() -> None:
-    assert catalogue.find("7210C").assumed == ("ball_count", "inner_groove_radius_mm", "outer_groove_radius_mm")
+    assert catalogue.find("7210C").assumed == ("inner_groove_radius_mm", "outer_groove_radius_mm")
     assert catalogue.find("B218").assumed == ()
 
 

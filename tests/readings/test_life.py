@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import qsbearing as qs
+from fem_check.book.published import bearing
 from qsbearing.pictures.life import LifePanel, life_against
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
-from tests.readings.published import bearing
 from tests.reference.test_published_numbers import TEN_MICROMETRES, half_play
 
 MREV = 1e6

@@ -7,11 +7,11 @@ import pytest
 from scipy.optimize import brentq
 
 import qsbearing as qs
+from fem_check.book.published import bearing
 from qsbearing.readings import subsurface_stress
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.shoulder_overrun import groove_depth
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
-from tests.readings.published import bearing
 
 
 def test_groove_depths_of_a_catalogue_bearing() -> None:

@@ -7,11 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.compiled import COMPILED
-from qsbearing.readings import bearing_numbers, dynamic_rating, life_factors
-from qsbearing.readings.bearing_numbers import INNER, OUTER, STANDARD_MODULUS, load_at_pressure
-from qsbearing.readings.static_rating import STATIC_PRESSURE, static_equivalent_load
-from tests.readings.published import (
+from fem_check.book.published import (
     ISO_STEEL,
     RELIABILITY,
     STATIC_RADIAL,
@@ -20,6 +16,10 @@ from tests.readings.published import (
     endurance_groups,
     gmn,
 )
+from qsbearing.compiled import COMPILED
+from qsbearing.readings import bearing_numbers, dynamic_rating, life_factors
+from qsbearing.readings.bearing_numbers import INNER, OUTER, STANDARD_MODULUS, load_at_pressure
+from qsbearing.readings.static_rating import STATIC_PRESSURE, static_equivalent_load
 
 PRINT = 0.06
 """ISO 76 prints one decimal; its own arithmetic adds a little to the 0.05 of rounding (largest found: 0.053)."""

@@ -1,16 +1,15 @@
-"""Tables and worked examples of the rating standards, as printed."""
+"""Published tables that cases and tests are held against, as printed, and bearings in the units they are printed in."""
 
 from __future__ import annotations
 
 import csv
-from pathlib import Path
+from importlib.resources import files
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-
-DATA = Path(__file__).parent / "data"
 
 # ISO 76:2006, table 1 (GOST 18854-2013, pp. 5-6): f0 by gamma in steps of 0.01.
 # fmt: off
@@ -23,35 +22,42 @@ STATIC_THRUST = np.array([
     61.6, 60.8, 59.9, 59.1, 58.3, 57.5, 56.7, 55.9, 55.1, 54.3, 53.5, 52.7, 51.9, 51.2, 50.4, 49.6, 48.8, 48.0, 47.3,
     46.5, 45.7, 45.0, 44.2, 43.5, 42.7, 41.9, 41.2, 40.5, 39.7, 39.0, 38.2, 37.5, 36.8, 36.0, 35.3, 34.6,
 ])
-RELIABILITY = {  # ISO 281:2007, table 12
+RELIABILITY = {  # ISO 281:2007, table 12 (GOST 18855-2013, p. 21)
     0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25, 0.992: 0.22, 0.994: 0.19, 0.996: 0.16,
     0.998: 0.12, 0.999: 0.093, 0.9992: 0.087, 0.9994: 0.080, 0.9995: 0.077,
 }
 # fmt: on
 
 ISO_STEEL = qs.Material(207e9, 0.3, 7800.0)
+"""The steel that ISO 76 and ISO 281 take."""
 
 
 def bearing(
-    Z: int, D: float, dm: float, angle: float, fi: float = 0.52, fo: float = 0.52, **more: object
+    Z: Any, D: Any, dm: Any, angle: Any, inner_f: Any = 0.52, outer_f: Any = 0.52, **more: Any
 ) -> qs.BallBearing:
-    """A bearing from millimetres and degrees."""
+    """A bearing from millimetres and degrees, of the standards' steel unless told otherwise; arrays span cases."""
     fields = {"ball_material": ISO_STEEL, "ring_material": ISO_STEEL} | more
-    return qs.BallBearing(Z, D * 1e-3, dm * 1e-3, fi * D * 1e-3, fo * D * 1e-3, angle * qs.deg, **fields)  # type: ignore[arg-type]
+    return qs.BallBearing(Z, D * 1e-3, dm * 1e-3, inner_f * D * 1e-3, outer_f * D * 1e-3, angle * qs.deg, **fields)
 
 
-def gmn(series: str, angle: float) -> list[dict[str, float]]:
+def gmn_rows() -> list[dict[str, Any]]:
+    """GMN's catalogue: `name` and numbers in the units of the column names; forces in N, rigidities in N/um."""
+    text = (files("fem_check.book") / "data" / "gmn_spindle_bearings.csv").read_text("utf-8")
+    return [
+        {key: value if key == "name" else float(value) for key, value in row.items() if value}
+        for row in csv.DictReader(text.splitlines())
+    ]
+
+
+def gmn(series: str, angle: float) -> list[dict[str, Any]]:
     """Rows of GMN's catalogue of one series and contact angle."""
-    with (DATA / "gmn_spindle_bearings.csv").open(encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if row["name"].startswith(series)]
-    numbers = [{key: float(value) for key, value in row.items() if key != "name" and value} for row in rows]
-    return [row for row in numbers if row["alpha_deg"] == angle]
+    return [row for row in gmn_rows() if row["name"].startswith(series) and row["alpha_deg"] == angle]
 
 
 def endurance_groups() -> NDArray:
     """Lieblein & Zelen: columns company, bearings, load [N], Z, D [mm], L10 [10^6 rev]."""
-    path = DATA / "lieblein_zelen_1956.dat"
-    table = np.genfromtxt(path, skip_header=1, usecols=(0, 3, 4, 5, 6, 7))
+    lines = (files("fem_check.book") / "data" / "lieblein_zelen_1956.dat").read_text("utf-8").splitlines()
+    table = np.genfromtxt(lines, skip_header=1, usecols=(0, 3, 4, 5, 6, 7))
     table[:, 2] *= 4.4482216
     table[:, 4] *= 25.4
     return table

@@ -1,0 +1,11 @@
+"""The validation book: one page per published case, made by the run that checks it.
+
+A case is one file of `cases`. A run computes its numbers, compares them with the published ones and keeps a record;
+page and picture are formatted from the record alone.
+"""
+
+from __future__ import annotations
+
+from fem_check.book.run import UnknownCaseError, run_book
+
+__all__ = ["UnknownCaseError", "run_book"]

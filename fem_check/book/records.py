@@ -1,0 +1,93 @@
+"""Records of the book: one JSON file per case, in the folder `book` of a folder of records."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from fem_check import records_store
+from fem_check.book.case import EVIDENCE, Case, Result, plain
+from fem_check.records_store import RecordError
+
+Record = dict[str, Any]
+
+RUN = ("provenance", "seconds", "cpu_seconds", "peak_memory_MB")
+"""What every run changes."""
+FIELDS = (
+    "case", "title", "kind", "kind_text", "question", "verdict", "summary", "inputs", "missing", "sources", "fitted",
+    "predicted", "chosen_after_seeing", "does_not_show", "rows", "points", "picture", *RUN,
+)  # fmt: skip
+
+
+def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
+    """A case and what its run found, as kept; `run` has the entries RUN."""
+    texts = case.texts.model_dump(mode="json")
+    picture = {
+        "file": f"{case.name}.svg",
+        "caption": texts["caption"],
+        "alt": texts["alternative"],
+        "panels": plain(result.panels),
+    }
+    return {
+        "case": case.name,
+        "title": texts["title"],
+        "kind": str(case.texts.evidence),
+        "kind_text": EVIDENCE[case.texts.evidence],
+        "question": texts["question"],
+        "verdict": result.verdict,
+        "summary": result.summary,
+        **{name: texts[name] for name in FIELDS[7:14]},
+        "rows": [plain(row.as_dict()) for row in result.rows],
+        "points": plain(result.points),
+        "picture": picture,
+        **run,
+    }
+
+
+def comparable(entry: Record) -> Record:
+    """A record without what every run changes: date, commit, machine, seconds."""
+    return {key: value for key, value in entry.items() if key not in RUN}
+
+
+def folder_of(records: Path) -> Path:
+    """Where the book's records are kept in a folder of records."""
+    return records / "book"
+
+
+def text(entry: Record) -> bytes:
+    """A record as it stands in its file: rows to read; all points and the picture's numbers, on a line each."""
+    long = ("points", "picture")
+    read = json.dumps(
+        {key: value for key, value in entry.items() if key not in long}, indent=1, allow_nan=False, ensure_ascii=False
+    )
+    lines = [f' "{key}": {json.dumps(entry[key], allow_nan=False, ensure_ascii=False)}' for key in long]
+    return (f"{read[:-2]},\n" + ",\n".join(lines) + "\n}\n").encode()
+
+
+def write(entry: Record, records: Path) -> Path:
+    """Keep a record, whole or not at all."""
+    folder = folder_of(records)
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / f"{entry['case']}.json"
+    records_store.replace(path, text(entry))
+    return path
+
+
+def read_all(records: Path = records_store.FOLDER) -> dict[str, Record]:
+    """The records of the book in a folder of records, by case.
+
+    Raises:
+        RecordError: a file that is no record.
+    """
+    found = {}
+    for path in sorted(folder_of(records).glob("*.json")):
+        try:
+            entry = json.loads(path.read_text(encoding="utf-8"))
+            missing = [field for field in FIELDS if field not in entry]
+        except (ValueError, OSError, TypeError) as problem:
+            raise RecordError(f"{path} is no record of the book ({problem}); run `fem-check book` again") from problem
+        if missing:
+            raise RecordError(f"{path} lacks {', '.join(missing)}; run `fem-check book` again")
+        found[entry["case"]] = entry
+    return found

@@ -1,0 +1,74 @@
+"""Runs cases of the book and keeps records, pages and pictures."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from fem_check import memory, records_store
+from fem_check.book import page, picture, records
+from fem_check.book.cases import ALL
+from qsbearing import provenance
+
+
+class UnknownCaseError(ValueError):
+    """A name that no case of the book has; the message says which there are."""
+
+
+def run_book(
+    names: Iterable[str] = (), out: Path | None = None, progress: Callable[[str, float], None] | None = None
+) -> list[records.Record]:
+    """Run cases of the book, all by default, one after another.
+
+    Args:
+        names: of cases.
+        out: folder that gets `book/NAME.json`, its page `NAME.md` and picture `NAME.svg`, and the index `README.md` of
+            all records there; None writes nothing.
+        progress: called with the name of each case before it runs, and the part that is done.
+
+    Returns:
+        The records, in the order of the book; `verdict` is "pass" or "fail".
+
+    Raises:
+        UnknownCaseError: a name that no case has; nothing was run.
+        OSError: the folder cannot be written.
+    """
+    names = list(names)
+    unknown = [name for name in names if name not in ALL]
+    if unknown:
+        raise UnknownCaseError(f"no case named {', '.join(unknown)}; there are: {', '.join(ALL)}")
+    chosen = [case for case in ALL.values() if not names or case.name in names]
+    found = []
+    for index, case in enumerate(chosen):
+        if progress is not None:
+            progress(case.name, index / len(chosen))
+        memory.restart_peak()
+        start, cpu = time.perf_counter(), time.process_time()
+        result = case.run()
+        run = {
+            "provenance": provenance.of_run(f"fem-check book {case.name}", packages=("matplotlib",)),
+            "seconds": round(time.perf_counter() - start, 2),
+            "cpu_seconds": round(time.process_time() - cpu, 2),
+            "peak_memory_MB": round(memory.peak_MB()),
+        }
+        found.append(records.record(case, result, run))
+        if out is not None:
+            records.write(found[-1], out)
+    if out is not None:
+        write_pages(out)
+    return found
+
+
+def write_pages(folder: Path) -> Path:
+    """Page and picture of every record in a folder of records, and the index; returns the index's path."""
+    entries = records.read_all(folder)
+    entries = {name: entries[name] for name in ALL if name in entries}
+    target = records.folder_of(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    for name, entry in entries.items():
+        records_store.replace(target / entry["picture"]["file"], picture.svg(entry))
+        records_store.replace(target / f"{name}.md", page.markdown(entry).encode())
+    path = target / "README.md"
+    records_store.replace(path, page.index(list(entries.values())).encode())
+    return path

@@ -1,0 +1,204 @@
+"""The validation book: every case passes, sees an error of its physics, and is printed from its record alone."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from fem_check import records_store
+from fem_check.book import UnknownCaseError, page, picture, records, run_book
+from fem_check.book.case import Case, Result, plain
+from fem_check.book.cases import ALL
+from fem_check.book.not_yet import NOT_YET
+from fem_check.cli import cli
+from qsbearing import flatten
+from qsbearing.compiled import COMPILED
+from qsbearing.readings import dynamic_rating, pass_frequencies
+from qsbearing.scene import bearing as scene_bearing
+
+pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, records.Record], Path]:
+    """The whole book, run once, and the folder that holds it."""
+    out = tmp_path_factory.mktemp("results")
+    return {entry["case"]: entry for entry in run_book((), out)}, out
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_case_passes_and_says_all_that_a_page_needs(name: str, book: Any) -> None:
+    entry = book[0][name]
+    assert entry["verdict"] == "pass", [row for row in entry["rows"] if row["verdict"] == "fail"]
+    assert set(entry) == set(records.FIELDS)
+    assert entry["kind"] in "MCB"
+    for text in ("title", "question", "summary", "sources", "inputs", "missing", "does_not_show"):
+        assert entry[text]
+    assert any(row["tolerance_percent"] is not None for row in entry["rows"])
+    assert all(row["why_tolerance"] and row["reference_source"] for row in entry["rows"])
+    assert records.read_all(book[1])[name] == json.loads(records.text(entry)) == entry
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_shipped_records_are_what_a_run_finds(name: str, book: Any) -> None:
+    shipped = records.read_all(records_store.FOLDER)[name]
+    assert shipped["provenance"]["dirty"] is False
+    assert list(differences(records.comparable(shipped), records.comparable(book[0][name]))) == []
+
+
+def differences(one: Any, other: Any, at: str = "") -> Iterator[str]:
+    """Where two records differ by more than processors do in their last digits."""
+    if isinstance(one, dict) and isinstance(other, dict) and one.keys() == other.keys():
+        for key in one:
+            yield from differences(one[key], other[key], f"{at}.{key}")
+    elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
+        for i, (left, right) in enumerate(zip(one, other, strict=True)):
+            yield from differences(left, right, f"{at}[{i}]")
+    elif isinstance(one, float) and isinstance(other, float):
+        if one != pytest.approx(other, rel=1e-6, abs=1e-9):
+            yield f"{at}: {one} and {other}"
+    elif one != other:
+        yield f"{at}: {one} and {other}"
+
+
+def test_a_second_run_finds_the_same_numbers_and_draws_the_same_picture(book: Any) -> None:
+    name = "gmn_rigidities"
+    first, again = book[0][name], run_book([name])[0]
+    assert records.text(records.comparable(first)) == records.text(records.comparable(again))
+    assert picture.svg(first) == picture.svg(again) == (book[1] / "book" / f"{name}.svg").read_bytes()
+
+
+# ------------------------------------------------------------------------------------------------------ planted errors
+
+
+def softer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """E' 2 % too high, wherever a bearing tells it."""
+    for module in (flatten, scene_bearing):
+        right = module.effective_modulus
+        monkeypatch.setattr(module, "effective_modulus", lambda *numbers, right=right: 1.02 * right(*numbers))
+
+
+def groove_distance(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The distance of the groove centres 0.01 D too long: contact angles change too little under load."""
+    right = flatten.CaseMaker.make
+
+    def longer(*arguments: Any) -> Any:
+        cases = right(*arguments)
+        cases["outer_coefficient"] += 0.01
+        return cases
+
+    monkeypatch.setattr(flatten.CaseMaker, "make", longer)
+
+
+def size_exponent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ratings as D^1.7."""
+    monkeypatch.setattr(dynamic_rating, "size_factor", lambda D: (np.asarray(D) * 1e3) ** 1.7)
+
+
+def zero_angle(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Frequencies from the nominal angle in place of the solved one."""
+    right = pass_frequencies.frequencies
+
+    def blind(solution: Any) -> Any:
+        found = right(solution)
+        return type(found)(found.nominal, found.nominal, found.orbit_spread)
+
+    monkeypatch.setattr("qsbearing.readings.frequencies", blind)
+
+
+PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
+    ("gmn_rigidities", softer),
+    ("gmn_rigidities", groove_distance),
+    ("iso_76_factors", softer),
+    ("endurance_1956", size_exponent),
+    ("motor_bearings", zero_angle),
+]
+
+
+def test_every_case_has_an_error_planted() -> None:
+    assert {name for name, _ in PLANTED} == set(ALL)
+
+
+@pytest.mark.parametrize(("name", "plant"), PLANTED, ids=lambda value: getattr(value, "__name__", value))
+def test_a_planted_error_is_seen(
+    name: str, plant: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plant(monkeypatch)
+    assert ALL[name].run().verdict == "fail"
+
+
+# --------------------------------------------------------------------------------------------------- pages and command
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_page_says_what_the_record_holds(name: str, book: Any) -> None:
+    entry = book[0][name]
+    text = (book[1] / "book" / f"{name}.md").read_text()
+    assert text == page.markdown(entry)
+    for item in [
+        entry["title"],
+        entry["summary"],
+        *entry["missing"],
+        *entry["does_not_show"],
+        entry["provenance"]["date"],
+    ]:
+        assert item in text
+    assert all(row["why_tolerance"] in text for row in entry["rows"])
+    changed = json.loads(json.dumps(entry))
+    changed["rows"][0]["found"] = 123.456
+    assert "123.456" in page.markdown(changed)
+
+
+def test_the_index_lists_cases_and_documents_wanted(book: Any) -> None:
+    text = (book[1] / "book" / "README.md").read_text()
+    assert all(f"({name}.md)" in text for name in ALL)
+    assert all(each["document"] in text for each in NOT_YET)
+
+
+def test_unknown_names_are_refused_before_anything_is_run(tmp_path: Path) -> None:
+    with pytest.raises(UnknownCaseError, match="no case named iso_67"):
+        run_book(["iso_76_factors", "iso_67"], tmp_path)
+    assert list(tmp_path.iterdir()) == []
+    result = CliRunner().invoke(cli, ["book", "iso_67", "--out", str(tmp_path)])
+    assert result.exit_code == 2
+    assert "iso_76_factors" in result.stderr
+
+
+def test_the_command_prints_records_and_fails_with_a_case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    arguments = ["book", "iso_76_factors", "--out", str(tmp_path)]
+    result = CliRunner().invoke(cli, [*arguments, "--json"])
+    assert result.exit_code == 0
+    assert json.loads(result.stdout) == records.read_all(tmp_path)["iso_76_factors"]
+    assert "pass" in CliRunner().invoke(cli, arguments).output
+    softer(monkeypatch)
+    assert CliRunner().invoke(cli, arguments).exit_code == 1
+    assert records.read_all(tmp_path)["iso_76_factors"]["verdict"] == "fail"
+
+
+def test_a_damaged_record_is_named(tmp_path: Path) -> None:
+    folder = records.folder_of(tmp_path)
+    folder.mkdir()
+    (folder / "iso_76_factors.json").write_text('{"case": "iso_76_factors"}')
+    with pytest.raises(records.RecordError, match="lacks title"):
+        records.read_all(tmp_path)
+    (folder / "iso_76_factors.json").write_text("{")
+    with pytest.raises(records.RecordError, match="no record of the book"):
+        records.read_all(tmp_path)
+
+
+def test_numbers_that_are_none_stay_none() -> None:
+    assert plain({"a": np.array([1.0, np.nan]), "b": (np.int64(3), np.bool_(True), 1 / 3)}) == {
+        "a": [1.0, None],
+        "b": [3, True, 0.3333333333],
+    }
+
+
+def test_a_case_without_texts_is_an_error() -> None:
+    with pytest.raises(FileNotFoundError):
+        Case("nothing", lambda: Result("", [], [])).texts  # noqa: B018
