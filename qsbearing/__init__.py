@@ -40,6 +40,11 @@ if TYPE_CHECKING:
     from qsbearing.scene.operation import Operation
     from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import Scene
+    from qsbearing.sets.bearing_set import BearingSet, Row
+    from qsbearing.sets.preload_speeds import preload_speeds
+    from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.sets.solve import solve_set
+    from qsbearing.sets.system_life import system_life
     from qsbearing.solution import Solution, stiffness
     from qsbearing.status import Reason, Status
     from qsbearing.studies.sobol import sobol_indices
@@ -67,6 +72,11 @@ _HOMES = {
     "scene.preload": ("Preload",),
     "scene.scene": ("Scene",),
     "raceway_contacts": ("RacewayContacts",),
+    "sets.bearing_set": ("BearingSet", "Row"),
+    "sets.preload_speeds": ("preload_speeds",),
+    "sets.set_solution": ("SetSolution",),
+    "sets.solve": ("solve_set",),
+    "sets.system_life": ("system_life",),
     "solution": ("Solution", "stiffness"),
     "status": ("Reason", "Status"),
     "studies.sobol": ("sobol_indices",),
@@ -78,13 +88,13 @@ _HOMES = {
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
-    "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "CentrifugalForce", "ErrorDetail",
-    "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material", "MomentShares", "N",
-    "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl",
-    "Reason", "RingExpansion", "RingState", "Scene", "SceneError", "SceneFileError", "Solution", "Status", "Study",
-    "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message", "mm", "mrad", "open_results",
-    "point_contact", "rad", "readings", "rpm", "sobol_indices", "solve", "stiffness", "subsurface_shear", "sweep",
-    "um", "warnings", "zero_celsius",
+    "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "BearingSet", "CentrifugalForce",
+    "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material",
+    "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
+    "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
+    "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
+    "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve",
+    "solve_set", "stiffness", "subsurface_shear", "sweep", "system_life", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

@@ -91,12 +91,7 @@ class Solution:
         Raises:
             ValueError: the index is missing or does not name one case of this solution.
         """
-        given = () if index is None else index if isinstance(index, tuple) else (index,)
-        if len(given) != len(self.shape) or not all(-n <= i < n for i, n in zip(given, self.shape, strict=True)):
-            hint = f"{self.shape} cases; give index, such as {tuple(n - 1 for n in self.shape)}"
-            found = hint if self.shape else "a single case; leave index out"
-            raise ValueError(f"index = {index!r} names none of its cases: this solution has {found}")
-        return tuple(int(i) % n for i, n in zip(given, self.shape, strict=True))
+        return place_of(index, self.shape)
 
     def _flat_index(self, index: Index) -> int:
         """The number of a case, counted along the flattened case axes."""
@@ -380,6 +375,20 @@ class Solution:
         from qsbearing import quantities
 
         return quantities.dataset(self)
+
+
+def place_of(index: Index, shape: Place) -> Place:
+    """The index of one case along each case axis of a solution of this shape.
+
+    Raises:
+        ValueError: the index is missing or does not name one case.
+    """
+    given = () if index is None else index if isinstance(index, tuple) else (index,)
+    if len(given) != len(shape) or not all(-n <= i < n for i, n in zip(given, shape, strict=True)):
+        hint = f"{shape} cases; give index, such as {tuple(n - 1 for n in shape)}"
+        found = hint if shape else "a single case; leave index out"
+        raise ValueError(f"index = {index!r} names none of its cases: this solution has {found}")
+    return tuple(int(i) % n for i, n in zip(given, shape, strict=True))
 
 
 def _unit(cases: NDArray, unit: str) -> NDArray:

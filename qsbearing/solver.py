@@ -93,7 +93,7 @@ def solve(
     if count <= KEPT_RECORDS:
         cases = solve_stretch(0)
     else:
-        _in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
+        in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
     return Solution(maker, cases, *found, seconds=time.perf_counter() - began, mounted=mounted)
 
 
@@ -106,7 +106,8 @@ def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
     return {"axial_displacement": mounted.displacement[..., 0]}
 
 
-def _in_threads(solve_stretch: Callable[[int], NDArray], count: int, workers: int) -> None:
+def in_threads(solve_stretch: Callable[[int], object], count: int, workers: int) -> None:
+    """Solve stretches of CHUNK cases, beginning at these numbers, in so many threads."""
     first, *others = range(0, count, CHUNK)
     solve_stretch(first)  # compiled or loaded once, not by every thread
     if workers == 1:

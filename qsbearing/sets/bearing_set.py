@@ -1,0 +1,211 @@
+"""The set: rows of bearings on one rigid shaft, where they stand, which way each carries, and what presses them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.contact.hertz import HertzForm
+from qsbearing.effects import BallEffect, RingEffect
+from qsbearing.effects.hertz_angle import HertzAngle
+from qsbearing.effects.orbit_radius import OrbitRadius
+from qsbearing.effects.raceway_control import RacewayControl
+from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.operation import Operation
+from qsbearing.scene.preload import Preload
+from qsbearing.scene.scene import Scene
+from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+
+FARTHEST = 10.0
+"""Metres along the shaft; it catches mistakes of unit."""
+
+
+class Direction(StrEnum):
+    """Which axial load on the shaft a row carries; it presses the row's balls."""
+
+    PLUS = "+x"
+    MINUS = "-x"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of balls: its bearing and its place in the set. SI units; numbers may be arrays that span cases."""
+
+    bearing: BallBearing
+    position: ArrayLike = 0.0
+    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle [m]."""
+    carries: Direction = Direction.PLUS
+    """As a member or as its word."""
+    offset: ArrayLike = 0.0
+    """How far the row is pressed together while the shaft is at its zero [m]: what ring faces are ground off, or a
+    spacer is longer. Below zero it is a gap."""
+    sprung: bool = False
+    """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
+    ring_effects: tuple[RingEffect, ...] | None = None
+    """Its own; None: those of the set."""
+    readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
+    """Its own; None: those of the set."""
+
+    @property
+    def sign(self) -> float:
+        """1 for a row that carries load in +x, -1 for one that carries it in -x."""
+        return 1.0 if self.carries == Direction.PLUS else -1.0
+
+
+@dataclass(frozen=True)
+class BearingSet:
+    """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
+
+    The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and
+    tilts are those of the shaft there. A row at x has there the shaft's displacement and, from its tilts,
+
+        y + tilt_z (x - reference),      z - tilt_y (x - reference).
+
+    A row that carries load in -x is solved as its mirror image in a plane across the shaft: the same azimuths and
+    speeds, axial displacement and tilts reversed.
+
+    A preload presses the rows that carry in +x against those that carry in -x:
+        rigid: the axial load of the rows of either direction together at rest and cold; the rings are then held;
+        axial_displacement: how far both directions together are pressed from touching, half of it each; held likewise;
+        spring: the force on the outer rings of the sprung rows, which slide together.
+    It leaves the shaft's axial channel free for a load or a displacement of its own.
+
+    Raises:
+        SceneError: parts that do not fit together; every error, at once.
+    """
+
+    rows: tuple[Row, ...]
+    operation: Operation = field(default_factory=Operation)
+    preload: Preload | None = None
+    reference_position: ArrayLike | None = None
+    """Where the shaft's channels are meant [m]; None: midway between the first and the last row."""
+    ball_effects: tuple[BallEffect, ...] = ()
+    raceway_control: RacewayControl | None = None
+    hertz_angle: HertzAngle = HertzAngle.FREE
+    hertz_form: HertzForm = HertzForm.EXACT
+    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    ring_effects: tuple[RingEffect, ...] = ()
+    readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
+            raise SceneError([ErrorDetail("rows", "is not a tuple of rows", cause="Write (qs.Row(...), qs.Row(...))")])
+        raise_if_any([*_row_errors(self.rows), *_place_errors(self), *_preload_errors(self)])
+        rows = (replace(row, carries=Direction(row.carries)) for row in self.rows)
+        object.__setattr__(self, "rows", tuple(rows))
+        raise_if_any(_scene_errors(self))
+
+    def row_scene(self, number: int, operation: Operation) -> Scene:
+        """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
+        row = self.rows[number]
+        choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_effects")
+        return Scene(
+            row.bearing,
+            operation,
+            ring_effects=self.ring_effects if row.ring_effects is None else row.ring_effects,
+            readings=self.readings if row.readings is None else row.readings,
+            **{name: getattr(self, name) for name in choices},
+        )
+
+    @property
+    def reference(self) -> NDArray:
+        """Where the shaft's channels are meant [m]."""
+        if self.reference_position is not None:
+            return np.asarray(self.reference_position, float)
+        positions = np.broadcast_arrays(*(np.asarray(row.position, float) for row in self.rows))
+        return np.asarray(0.5 * (np.min(positions, axis=0) + np.max(positions, axis=0)))
+
+    @property
+    def is_opposed(self) -> bool:
+        """Whether some rows carry in +x and some in -x."""
+        return len({row.carries for row in self.rows}) == 2
+
+    @property
+    def arrangement(self) -> str:
+        """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest."""
+        order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
+        pair = tuple(row.carries for row in order)
+        names = {
+            (Direction.PLUS, Direction.MINUS): "DB (back to back)",
+            (Direction.MINUS, Direction.PLUS): "DF (face to face)",
+        }
+        if len(pair) == 2:
+            return names.get(pair, "DT (tandem)")
+        return " ".join(pair)
+
+
+def _row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
+    errors = []
+    for number, row in enumerate(rows, 1):
+        path = f"row {number}"
+        if not isinstance(row.bearing, BallBearing):
+            errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
+        errors += choose(f"{path}.carries", row.carries, Direction)[1]
+        errors += within(f"{path}.position", row.position, LENGTH, -FARTHEST, FARTHEST)
+        errors += within(f"{path}.offset", row.offset, LENGTH, -0.01, 0.01)
+    return errors
+
+
+def _place_errors(of: BearingSet) -> list[ErrorDetail]:
+    errors = []
+    if of.reference_position is not None:
+        errors += within("reference_position", of.reference_position, LENGTH, -FARTHEST, FARTHEST)
+    for number, row in enumerate(of.rows, 1):
+        for before, other in enumerate(of.rows[: number - 1], 1):
+            if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
+                cause = "Give each row the place of its balls along the shaft"
+                problem = f"is that of row {before} as well"
+                errors.append(ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause))  # type: ignore[arg-type]
+    return errors
+
+
+def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
+    sprung = [row for row in of.rows if row.sprung]
+    if of.preload is not None and not isinstance(of.preload, Preload):
+        cause = "qs.Preload(spring=...), qs.Preload(rigid=...) or qs.Preload(axial_displacement=...)"
+        return [ErrorDetail("preload", "is not a preload", of.preload, cause=cause)]
+    kind = None if of.preload is None else of.preload.kind
+    errors = []
+    if kind == "spring" and not sprung:
+        cause = "Give sprung = true to each row whose outer ring the spring presses"
+        errors.append(ErrorDetail("preload.spring", "presses no row", cause=cause))
+    if kind != "spring" and sprung:
+        cause = "Give the spring's force, or leave sprung out"
+        errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
+    if len({str(row.carries) for row in sprung}) > 1:
+        cause = "Spring the rows of one direction; the others stand against them"
+        errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
+    directions = {str(row.carries) for row in of.rows}
+    if kind is not None and len(directions) == 1:
+        cause = f"All rows carry in {directions.pop()}: turn some round, or give an axial load of the operation"
+        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
+    return errors
+
+
+def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
+    """What is wrong with the rows as bearings; what all have alike is said once, without a row."""
+    plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
+    found: list[list[ErrorDetail]] = []
+    for number in range(len(of.rows)):
+        try:
+            of.row_scene(number, plain)
+            found.append([])
+        except SceneError as error:
+            found.append(list(error.errors))
+    common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]
+    said = set(map(str, common))
+    own = [
+        replace(each, field=f"row {number}.{each.field}")
+        for number, errors in enumerate(found, 1)
+        for each in errors
+        if str(each) not in said
+    ]
+    return common + own

@@ -1,0 +1,117 @@
+"""The rows of a stretch of cases as the kernel solves them: each row's displacement prescribed, its load the answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.case import RESULT
+from qsbearing.kernel.results import stiffness_of_cases
+from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
+from qsbearing.kernel.workspace import working_memory
+
+
+class Found(NamedTuple):
+    """What the kernel finds of a row: case records of results, ball positions and controls, in the cases' units."""
+
+    results: NDArray
+    positions: NDArray
+    controls: NDArray
+
+    def part(self, which: NDArray) -> Found:
+        """Of these cases alone; a copy."""
+        return Found(self.results[which], self.positions[which], self.controls[which])
+
+    def put(self, which: NDArray, other: Found) -> None:
+        """Replace these cases."""
+        for mine, new in zip(self, other, strict=True):
+            mine[which] = new
+
+
+def empty(count: int, balls: int) -> Found:
+    """Room for so many cases, which hold no start."""
+    results = np.zeros(count, RESULT)
+    results["status"] = UNFINISHED
+    return Found(results, np.zeros((count, balls, 3)), np.zeros((count, balls), np.int8))
+
+
+@dataclass
+class RowCases:
+    """One row over a stretch of cases."""
+
+    cases: NDArray
+    matrix: NDArray
+    """G, shape (case, 5, 6)."""
+    offset: NDArray
+    """How far the row is pressed together while the shaft is at its zero; shape (case,) [m]."""
+    datum_shift: NDArray
+    """By how much further it touches than at rest and cold; shape (case,) [m]."""
+    found: Found
+    balls: int
+
+    @classmethod
+    def of(cls, maker: CaseMaker, matrix: NDArray, offset: NDArray, begin: int, stop: int) -> RowCases:
+        """The flattened cases [begin, stop)."""
+        cases = maker.make(begin, stop)
+        shift = np.broadcast_to(np.asarray(maker.axial_datum_shift(), float).reshape(-1), (maker.count,))[begin:stop]
+        room = empty(stop - begin, maker.ball_axis)
+        return cls(cases, matrix[begin:stop], offset[begin:stop], shift, room, maker.ball_axis)
+
+    def displacement(self, q: NDArray, which: NDArray) -> NDArray:
+        """Of the inner ring in the row's own frame, from touching at rest and cold; shape (case, 5) [m, rad]."""
+        moved = np.einsum("kij,kj->ki", self.matrix[which], q)
+        moved[:, 0] += self.offset[which]
+        return moved
+
+    def prescribe(self, q: NDArray, which: NDArray) -> None:
+        """Put the displacement into these case records."""
+        moved = self.displacement(q, which)
+        length = self.cases["length"][which]
+        moved[:, 0] -= self.datum_shift[which]
+        moved[:, :3] /= length[:, None]
+        self.cases["prescribed"][which] = moved
+
+    def solve(self, q: NDArray, which: NDArray, tolerance: float, speed_factor: NDArray) -> tuple[Found, NDArray]:
+        """These cases at this displacement of the shaft, from where they were: (what is found, which are solved)."""
+        self.prescribe(q, which)
+        cases, found = self.cases[which], self.found.part(which)
+        for name in ("inner_speed", "outer_speed"):
+            cases[name] *= speed_factor
+        known = found.results["status"] == CONVERGED
+        for is_warm in (True, False):
+            some = np.flatnonzero(known == is_warm)
+            if some.size:
+                found.put(some, _solved(cases[some], self.balls, tolerance, is_warm, found.part(some)))
+        return found, found.results["status"] == CONVERGED
+
+    def load(self, found: Found, which: NDArray) -> NDArray:
+        """On the inner ring in the row's own frame; shape (case, 5) [N, N m]."""
+        force, length = self.cases["force"][which], self.cases["length"][which]
+        load = found.results["load"] * force[:, None]
+        load[:, 3:] *= length[:, None]
+        return np.asarray(load)
+
+    def stiffness(self, which: NDArray, speed_factor: NDArray) -> NDArray:
+        """dF/du where these cases were solved; shape (case, 5, 5), SI."""
+        cases = self.cases[which]
+        for name in ("inner_speed", "outer_speed"):
+            cases[name] *= speed_factor
+        out = np.empty((which.size, 5, 5))
+        stiffness_of_cases(cases, *working_memory(self.balls), *self.found.part(which), out)
+        return out
+
+
+def _solved(cases: NDArray, balls: int, tolerance: float, is_warm: bool, found: Found) -> Found:
+    given = (cases, *working_memory(balls), tolerance, is_warm, *found)
+    solve_cases(*given)
+    unfinished = np.flatnonzero(found.results["status"] == UNFINISHED)
+    if unfinished.size:
+        from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
+
+        solve_unfinished(unfinished, *given)
+    return found

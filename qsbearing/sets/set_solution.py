@@ -1,0 +1,284 @@
+"""The solution of a set: the shaft's displacement and stiffness, what each row carries, what is left of the preload."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.columns import DISPLACEMENT, LOAD
+from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.ring_stiffness import SOFTEST
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.sets import set_messages
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
+from qsbearing.solution import Index, Solution, place_of
+from qsbearing.status import STATUS_OF_CODE
+
+LENGTH_OF_TILTS = 0.1
+"""Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
+
+
+@dataclass
+class Outcome:
+    """How the flattened cases ended."""
+
+    q: NDArray
+    """The shaft's five channels and the slide of the sprung rings; shape (case, 6) [m, rad]."""
+    status: NDArray
+    residual: NDArray
+    iterations: NDArray
+    fault: NDArray
+    """The row that gave way; -1: none."""
+    unsupported: NDArray
+    """Which unknowns nothing resists although they are loaded; shape (case, 6)."""
+    reached: NDArray
+    """The part of loads and speeds up to which an equilibrium was followed."""
+
+    @classmethod
+    def of(cls, count: int) -> Outcome:
+        """Of so many cases, not solved yet."""
+        numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
+        return cls(
+            np.zeros((count, UNKNOWNS)), np.zeros(count, np.int8), np.zeros(count), *numbers,
+            np.zeros((count, UNKNOWNS), bool), np.ones(count),
+        )  # fmt: skip
+
+
+class SetSolution:
+    """Solved cases of a set. Arrays lead with the case axes: none for a single case.
+
+    Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
+    units and radians. Cases that did not converge hold NaN; `qs.message` says why and which row gives way.
+    """
+
+    def __init__(
+        self,
+        of: BearingSet,
+        shape: tuple[int, ...],
+        rows: list[Solution],
+        matrices: list[NDArray],
+        outcome: Outcome,
+        sides: dict[float, SetSolution],
+        unloaded: Callable[[bool], SetSolution],
+        seconds: float,
+    ) -> None:
+        self.set = of
+        self.shape = shape
+        self.rows: tuple[Solution, ...] = tuple(rows)
+        """Each row's own solution, in its own frame: axial displacement and load count in the direction that it
+        carries, tilts likewise; azimuths and speeds are the shaft's."""
+        self._matrices = matrices
+        self._outcome = outcome
+        self._sides = sides
+        self._unloaded = unloaded
+        self.seconds = seconds
+        """Wall time of the solve [s]."""
+
+    def _shaped(self, array: NDArray, *tail: int) -> Any:
+        shaped = array.reshape(self.shape + tail)
+        return shaped[()] if not shaped.shape else shaped
+
+    def _flat_index(self, index: Index) -> int:
+        place = place_of(index, self.shape)
+        return int(np.ravel_multi_index(place, self.shape)) if place else 0
+
+    def __repr__(self) -> str:
+        name = f"SetSolution of {self.set.name or 'a set'}, {self.set.arrangement}"
+        if self.shape:
+            return f"{name}: {self.message()}"
+        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
+        if not self.converged:
+            return f"{lines[0]}\n  {self.message()}"
+        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
+            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
+            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+        for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
+            largest = self.rows[number].inner.load.max()
+            name = set_messages.row_name(row, number)
+            lines.append(f"  {name}: axial load {load:.6g} N, largest ball load {largest:.6g} N")
+        return "\n".join(lines)
+
+    def message(self, index: Index = None) -> str:
+        """A sentence or two on how a case ended, and which row gives way; of several cases without an index, how many
+        ended how.
+
+        Raises:
+            ValueError: the index does not name one case of this solution.
+        """
+        return set_messages.message(self, index)
+
+    def warnings(self, index: Index = None) -> list[str]:
+        """Sentences on what to beware of in a case: preload lost or run away, and the rows' own warnings; of several
+        cases without an index, how many lose their preload or run away with it.
+
+        Raises:
+            ValueError: the index does not name one case of this solution.
+        """
+        return set_messages.warnings(self, index)
+
+    @property
+    def converged(self) -> Any:
+        """Whether each case is solved; shape (*cases)."""
+        return self._shaped(self._outcome.status == CONVERGED)
+
+    @property
+    def status(self) -> Any:
+        """`Status` of a single case, or an array of their names; shape (*cases)."""
+        if not self.shape:
+            return STATUS_OF_CODE[int(self._outcome.status[0])]
+        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
+        return self._shaped(names[self._outcome.status])
+
+    @property
+    def residual(self) -> Any:
+        """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
+        return self._shaped(self._outcome.residual)
+
+    @property
+    def iterations(self) -> Any:
+        """Newton iterations of the shaft; shape (*cases)."""
+        return self._shaped(self._outcome.iterations)
+
+    @property
+    def row_that_gives_way(self) -> Any:
+        """Number of the row, from 0, whose own equilibrium ends before the set's; -1: none; shape (*cases)."""
+        return self._shaped(self._outcome.fault)
+
+    def _known(self, array: NDArray) -> NDArray:
+        solved = self._outcome.status == CONVERGED
+        return np.where(solved.reshape(-1, *[1] * (array.ndim - 1)), array, np.nan)
+
+    @cached_property
+    def displacement(self) -> NDArray:
+        """Of the shaft at the reference position; shape (*cases, 5) [m, m, m, rad, rad].
+
+        Axially from where every row is pressed by its offset alone: with a rigid preload, from the set as mounted.
+        """
+        return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
+
+    @cached_property
+    def slide(self) -> Any:
+        """How far the sprung outer rings have slid towards their balls; shape (*cases) [m]; None without a spring."""
+        if not any(row.sprung for row in self.set.rows):
+            return None
+        return self._shaped(self._known(self._outcome.q[:, SLIDE]))
+
+    @cached_property
+    def row_loads(self) -> NDArray:
+        """What each row carries of the shaft's load, about the reference position and in the shaft's axes;
+        shape (*cases, row, 5) [N, N m]."""
+        parts = [
+            np.einsum("kij,ki->kj", matrix, row.load.reshape(-1, 5))[:, :5]
+            for matrix, row in zip(self._matrices, self.rows, strict=True)
+        ]
+        return np.asarray(self._shaped(self._known(np.stack(parts, axis=1)), len(parts), 5))
+
+    @property
+    def load(self) -> NDArray:
+        """On the shaft, reactions of prescribed displacements included: the sum of the rows; shape (*cases, 5)."""
+        return np.asarray(self.row_loads.sum(axis=-2))
+
+    @cached_property
+    def axial_loads(self) -> NDArray:
+        """Of each row in the direction that it carries; shape (*cases, row) [N]."""
+        loads = np.stack([row.load[..., 0].reshape(-1) for row in self.rows], axis=-1)
+        return np.asarray(self._shaped(self._known(loads), len(self.rows)))
+
+    @cached_property
+    def stiffness(self) -> NDArray:
+        """The shaft's exact tangent stiffness dF/dd at the reference position; shape (*cases, 5, 5), SI.
+
+        Rows are loads, columns displacements, in the order x, y, z, tilt y, tilt z; all channels, whether load or
+        displacement is prescribed. Sprung rings slide so that the spring's force stays what it is.
+        """
+        parts = [
+            matrix.swapaxes(1, 2) @ row.stiffness.reshape(-1, 5, 5) @ matrix
+            for matrix, row in zip(self._matrices, self.rows, strict=True)
+        ]
+        total = np.asarray(sum(parts))
+        if self.slide is not None:
+            own = total[:, SLIDE, SLIDE]
+            with np.errstate(invalid="ignore", divide="ignore"):
+                total = total - total[:, :, SLIDE, None] * total[:, None, SLIDE, :] / own[:, None, None]
+        return np.asarray(self._shaped(self._known(total[:, :5, :5]), 5, 5))
+
+    @property
+    def locked_stiffness(self) -> NDArray:
+        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5)."""
+        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
+
+    @cached_property
+    def mounted(self) -> SetSolution | None:
+        """The set at rest and cold under its preload alone, straight and centred; None where nothing presses one row
+        against another."""
+        return self._unloaded(False) if self._is_preloaded else None
+
+    @cached_property
+    def without_load(self) -> SetSolution | None:
+        """The set in operation without its external loads, straight and centred; None likewise."""
+        return self._unloaded(True) if self._is_preloaded else None
+
+    @property
+    def _is_preloaded(self) -> bool:
+        return self.set.is_opposed
+
+    @property
+    def preload_at_rest(self) -> NDArray | None:
+        """Axial load of each row at rest and cold, nothing else acting; shape (*cases, row) [N]; None likewise."""
+        return None if self.mounted is None else self._spread(self.mounted)
+
+    @property
+    def preload_in_operation(self) -> NDArray | None:
+        """What is left of it, or has grown, at speed without external loads; shape (*cases, row) [N]; None likewise."""
+        return None if self.without_load is None else self._spread(self.without_load)
+
+    @cached_property
+    def preload_state(self) -> NDArray | None:
+        """kept, lost or run_away, of each row; shape (*cases, row); empty where not solved; None likewise.
+
+        Lost: in operation, external loads included, below 1 % of that at rest. Run away: without external loads above
+        three times that at rest.
+        """
+        return set_messages.states(self)
+
+    @cached_property
+    def _free_channels(self) -> NDArray:
+        """Numbers of the channels whose load is prescribed."""
+        given = [getattr(self.set.operation, channel.displacement) for channel in CHANNELS]
+        return np.flatnonzero([displacement is None for displacement in given])
+
+    @cached_property
+    def compliance(self) -> NDArray:
+        """Inverse of the stiffness over the free channels, those whose load is prescribed; shape (*cases, 5, 5), SI.
+
+        NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
+        free direction.
+        """
+        out = np.full((*self.shape, 5, 5), np.nan)
+        free = self._free_channels
+        if not free.size:
+            return out
+        scale = np.ones(5)
+        scale[3:] = 1.0 / LENGTH_OF_TILTS
+        sizes = scale[free, None] * scale[free]
+        matrix = self.stiffness[..., free[:, None], free] * sizes
+        regular = np.isfinite(matrix).all(axis=(-1, -2))
+        regular &= np.linalg.cond(np.where(regular[..., None, None], matrix, np.eye(free.size))) < 1.0 / SOFTEST
+        inverse = np.linalg.inv(np.where(regular[..., None, None], matrix, np.eye(free.size))) * sizes
+        out[..., free[:, None], free] = np.where(regular[..., None, None], inverse, np.nan)
+        return out
+
+    @property
+    def effective_stiffness(self) -> NDArray:
+        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI; NaN where
+        `compliance` is."""
+        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
+
+    def _spread(self, other: SetSolution) -> NDArray:
+        return np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))
