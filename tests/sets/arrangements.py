@@ -12,7 +12,7 @@ import numpy as np
 import qsbearing as qs
 from tests.qsbearing.scenes import BOTH, OUTER
 
-CATALOGUE = Path(__file__).parents[1] / "readings" / "data" / "gmn_spindle_bearings.csv"
+CATALOGUE = Path(__file__).parents[2] / "fem_check" / "book" / "data" / "gmn_spindle_bearings.csv"
 PRINTED_STEEL = qs.Material(208 * qs.GPa, 0.3, 7800.0)
 """E' with which the maker's printed rigidities were shown to be made."""
 
