@@ -5,7 +5,8 @@
     ```python   one program from the page's top to its end; what a line `print(...)  # -> TEXT` prints must be TEXT
 
 A block behind the comment `<!-- minutes long -->` is left to the heavy tests. Commands of qsbearing inside a sentence,
-in back quotes, run too, after the blocks, if they have arguments and none of those is a placeholder in capitals.
+in back quotes, run too, after the blocks, if they have arguments, none of which is a placeholder in
+capitals or opens a browser.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ NOT_HERE = ("python", "(python3", "pip")
 """The repository's own scripts, and the installation, which continuous integration runs."""
 _BLOCK = re.compile(r"(<!-- minutes long -->\n+)?^```(\w+)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)
 _INLINE = re.compile(r"`(qsbearing [a-z][^`\n]*)`")
-_PLACEHOLDER = re.compile(r"(?<![\w.])[A-Z]{3,}[A-Z.]*\b|\[|\.\.\.")
+_PLACEHOLDER = re.compile(r"(?<![\w.])[A-Z]{3,}[A-Z.]*\b|\[|\.\.\.|--open")
 
 
 @dataclass(frozen=True)

@@ -59,3 +59,16 @@ def test_every_picture_of_the_gallery_is_made_by_a_command_above_it() -> None:
         assert re.search(rf"--(plot|out) {re.escape(found[1])}\n", text[: found.start()]), found[1]
     shipped = {path.name for path in (GUIDE / "gallery").iterdir()}
     assert shipped == set(re.findall(r"\]\(gallery/([\w.]+)\)", text))
+
+
+def test_the_index_names_every_page() -> None:
+    named = re.findall(r"\]\((\w+)\.md\)", (GUIDE / "index.md").read_text(encoding="utf-8"))
+    assert sorted(named) == sorted(page.stem for page in GUIDE.glob("*.md") if page.stem != "index")
+
+
+def test_links_lead_to_sections() -> None:
+    """The whole guide as one page: its maker refuses a link to a section that there is not."""
+    from qsbearing.documents.data import data
+    from qsbearing.documents.guide import document
+
+    data(document("0"))
