@@ -69,12 +69,19 @@ class Solution:
         self._controls = controls
         self.seconds = seconds
         """Wall time of the solve [s]."""
-        self.inner = RacewayContacts(self, INNER_SIDE)
-        """Contacts with the inner raceway."""
-        self.outer = RacewayContacts(self, OUTER_SIDE)
-        """Contacts with the outer raceway."""
+        self._contact_results: tuple[dict[int, NDArray], dict[int, NDArray]] = ({}, {})
         self.choice: Choice | None = None
         """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
+
+    @property
+    def inner(self) -> RacewayContacts:
+        """Contacts with the inner raceway."""
+        return RacewayContacts(self, INNER_SIDE, self._contact_results[0])
+
+    @property
+    def outer(self) -> RacewayContacts:
+        """Contacts with the outer raceway."""
+        return RacewayContacts(self, OUTER_SIDE, self._contact_results[1])
 
     @cached_property
     def operating_point(self) -> OperatingPoint:

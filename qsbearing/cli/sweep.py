@@ -5,16 +5,17 @@ from __future__ import annotations
 import importlib.util
 import os
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, refuse
 from qsbearing.cli.picture_file import PICTURES, draw_to
+from qsbearing.cli.progress import progress_bar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from concurrent.futures import Executor
 
     import xarray
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from qsbearing.studies.study import Study
 
 INTERRUPTED = 130
+IN_MEMORY = 1 << 18
+"""Points whose results are held in memory; of more they are in a file, a temporary one where none is asked for."""
 TABLES = (".csv", ".parquet")
 
 
@@ -59,27 +62,30 @@ def sweep(
 
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
+    from qsbearing.studies import summary
     from qsbearing.validation import SceneError
 
     _need("xarray", "h5netcdf")
-    problem = _place_problem(out, resume) or _picture_problem(picture)
+    problems = [*filter(None, (_place_problem(out, resume), _picture_problem(picture)))]
     try:
         study = _study(scene, vary, given)
-        if problem:
-            refuse(problem)
+        if problems:
+            refuse("\nqsbearing: ".join(problems))
         with ExitStack() as stack:
+            write = stack.enter_context(_table(out)) if out and _ending(out) in TABLES else None
             executor = _executor(stack, scheduler)
-            results = _solved(study, executor, out, resume)
+            results = _solved(study, executor, out if write is None else None, resume, stack)
+            if write:
+                write(results)
+            if picture is not None:
+                draw_to(results, picture)
+            print_table(summary.table(results))
+            solved = summary.any_is_solved(results)
     except SceneError as error:
-        refuse(f"{problem}\nqsbearing: {error}" if problem else str(error))
+        refuse("\nqsbearing: ".join([*problems, str(error)]))
     except OSError as error:
         refuse(f"cannot write: {error.strerror or error}")
-    from qsbearing.studies import summary
-
-    if picture is not None:
-        draw_to(results, picture)
-    print_table(summary.table(results))
-    if not (results["status"] == 0).any():
+    if not solved:
         sys.exit(UNSOLVED)
 
 
@@ -89,8 +95,12 @@ def _need(*modules: str) -> None:
         refuse(f"studies need {' and '.join(missing)}: pip install 'qsbearing[studies]'")
 
 
+def _ending(name: str) -> str:
+    return os.path.splitext(name)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+
+
 def _place_problem(out: str | None, resume: bool) -> str:
-    ending = os.path.splitext(out or "")[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+    ending = _ending(out or "")
     if out is not None and ending not in (".nc", *TABLES):
         return f"--out {out}: the name must end in one of .nc, {', '.join(TABLES)}"
     if ending == ".parquet" and importlib.util.find_spec("pyarrow") is None:
@@ -105,7 +115,7 @@ def _picture_problem(picture: str | None) -> str:
         return ""
     if importlib.util.find_spec("matplotlib") is None:
         return "--plot needs matplotlib: pip install 'qsbearing[studies]'"
-    if os.path.splitext(picture)[1].lower() not in PICTURES:  # noqa: PTH122
+    if _ending(picture) not in PICTURES:
         return f"--plot {picture}: the name must end in one of {', '.join(PICTURES)}"
     if not os.path.isdir(os.path.dirname(picture) or "."):  # noqa: PTH112, PTH120
         return f"--plot {picture}: there is no such folder"
@@ -140,47 +150,34 @@ def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
     return executor
 
 
-def _solved(study: Study, executor: Executor | None, out: str | None, resume: bool) -> xarray.Dataset:
+@contextmanager
+def _table(out: str) -> Iterator[Callable[[xarray.Dataset], None]]:
+    """Claim the place of a table, before hours are spent on what it is to hold; yields what writes it."""
+    from qsbearing.io.output_file import output_stream
+    from qsbearing.studies.tables import write_table
+
+    with output_stream(out) as file:
+        yield lambda results: write_table(results, file, _ending(out))
+
+
+def _solved(study: Study, executor: Executor | None, out: str | None, resume: bool, stack: ExitStack) -> xarray.Dataset:
+    from tempfile import TemporaryDirectory
+
+    from qsbearing.studies.points import Points
     from qsbearing.studies.sweep import sweep as solve_all
 
-    ending = os.path.splitext(out or "")[1].lower()  # noqa: PTH122
+    place = out
+    if out is None and Points(study).count > IN_MEMORY:
+        place = os.path.join(stack.enter_context(TemporaryDirectory(prefix="qsbearing-")), "results.nc")  # noqa: PTH118
     try:
-        with _bar() as progress:
-            results = solve_all(study, executor, out=out if ending == ".nc" else None, resume=resume, progress=progress)
+        with progress_bar() as progress:
+            results = solve_all(study, executor, out=place, resume=resume, progress=progress)
     except KeyboardInterrupt:
         _interrupted(out)
-    if out is not None and ending in TABLES:
-        from qsbearing.studies.tables import write_table
-
-        write_table(results, out)
-    return results
+    return stack.enter_context(results)
 
 
 def _interrupted(out: str | None) -> NoReturn:
-    kept = f": finished points are kept in {out}.parts; --resume goes on" if out and out.endswith(".nc") else ""
+    kept = f": finished points are kept in {out}.parts; --resume goes on" if out else ""
     note(f"interrupted{kept}")
     sys.exit(INTERRUPTED)
-
-
-class _bar:  # noqa: N801 - reads as a function
-    """A progress bar with rate and time left, where there is a terminal to show it."""
-
-    def __enter__(self) -> Callable[[int, int], None]:
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-        console = Console(stderr=True)
-        columns = (BarColumn(), TextColumn("{task.fields[shown]}"), TimeRemainingColumn())
-        self._progress = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
-        self._progress.start()
-        task = self._progress.add_task("", total=None, shown="")
-
-        def update(done: int, count: int) -> None:
-            speed = self._progress.tasks[0].speed or 0.0
-            shown = f"{done:,} of {count:,} points, {speed:,.0f} per second"
-            self._progress.update(task, completed=done, total=count, shown=shown)
-
-        return update
-
-    def __exit__(self, *error: object) -> None:
-        self._progress.stop()

@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 Writer = Callable[[bytes], object]
 
@@ -19,6 +20,27 @@ def output_file(target: str) -> Iterator[Writer]:
     Raises:
         OSError: the place cannot be written, with a text that says why.
     """
+    with _claimed(target) as (temporary, place):
+
+        def put_in_place(data: bytes) -> None:
+            temporary.write_bytes(data)
+            _move(temporary, place)
+
+        yield put_in_place
+
+
+@contextmanager
+def output_stream(target: str) -> Iterator[BinaryIO]:
+    """Likewise a file for data that come one after the other; in place once the block ends without an error."""
+    with _claimed(target) as (temporary, place):
+        with temporary.open("wb") as file:
+            yield file
+        _move(temporary, place)
+
+
+@contextmanager
+def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
+    """Where to write meanwhile, and the place itself; the same where that is none to be replaced, as a pipe is."""
     # Through links, so that a link stays one and what it points at is replaced.
     place = Path(os.path.realpath(target))
     if not target:
@@ -30,7 +52,7 @@ def output_file(target: str) -> Iterator[Writer]:
     if place.exists() and not os.access(place, os.W_OK):
         raise OSError("is write-protected")
     if place.exists() and not place.is_file():  # a terminal, a pipe, /dev/null: written to, never replaced
-        yield place.write_bytes
+        yield place, place
         return
     try:
         # In the same folder: only there is the last step one step, and only this proves that it can be written.
@@ -40,15 +62,16 @@ def output_file(target: str) -> Iterator[Writer]:
     os.close(handle)
     temporary = Path(name)
 
-    def put_in_place(data: bytes) -> None:
-        temporary.write_bytes(data)
-        temporary.chmod(_mode(place))
-        temporary.replace(place)
-
     try:
-        yield put_in_place
+        yield temporary, place
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _move(temporary: Path, place: Path) -> None:
+    if temporary != place:
+        temporary.chmod(_mode(place))
+        temporary.replace(place)
 
 
 def _mode(place: Path) -> int:

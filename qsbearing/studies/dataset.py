@@ -90,7 +90,7 @@ def coordinates(
 
 
 def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str) -> xarray.Dataset:
-    """All chunks, in memory."""
+    """All chunks, in memory; they are taken out of `chunks` one by one, so that nothing is there twice."""
     import xarray
 
     reasons = all_reasons(chunk.reasons for chunk in chunks.values())
@@ -98,7 +98,8 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str)
     for name, (dims, kind, attrs) in variables_of(plan, points).items():
         shape = (*points.shape, plan.ball_axis) if dims[-1:] == (BALL,) else points.shape
         made[name] = (dims, np.empty(shape, kind), attrs | (reason_attributes(reasons) if name == "reason" else {}))
-    for number, chunk in chunks.items():
+    for number in list(chunks):
+        chunk = chunks.pop(number)
         for name, values in arrays_of(chunk, reasons).items():
             block = made[name][1][points.chunk(number)]
             block[...] = values.reshape(block.shape)

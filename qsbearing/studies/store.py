@@ -144,7 +144,7 @@ class Store:
 
 
 def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
-    """The results of a sweep, read from the disk as they are used.
+    """The results of a sweep, read from the disk as they are used, and as often; `.load()` keeps them in memory.
 
     Raises:
         SceneFileError: no file, or none that this version reads.
@@ -155,7 +155,7 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
     if not place.is_file():
         raise _refused(place, "no such file")
     try:
-        found = xarray.open_dataset(place, engine="h5netcdf")
+        found = xarray.open_dataset(place, engine="h5netcdf", cache=False)
     except (OSError, ValueError, KeyError) as error:
         raise _refused(place, f"is not a results file, or damaged: {error}") from None
     version = found.attrs.get("qsbearing_format")

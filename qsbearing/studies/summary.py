@@ -1,11 +1,17 @@
-"""A study's results in a table: how its points ended, and the spread of each quantity over those that are solved."""
+"""A study's results in a table: how its points ended, and the spread of each quantity over those that are solved.
+
+Read in blocks: ten million points take no more memory than one million.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections import Counter
+from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+from qsbearing.block_statistics import blocks, quantiles
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -15,6 +21,8 @@ QUANTILES = (0.0, 0.05, 0.5, 0.95, 1.0)
 HEADS = ("smallest", "5 %", "median", "95 %", "largest")
 ITSELF = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")
 """What is said in words, or means nothing over all points."""
+_MANY = 1 << 16
+"""More than there are reasons."""
 
 
 def words(flags: DataArray) -> list[str]:
@@ -28,18 +36,26 @@ def words(flags: DataArray) -> list[str]:
 
 def endings(results: Dataset) -> list[tuple[str, int, str, dict[str, float]]]:
     """How points ended: status, how many, why, and the first of them by its keys."""
-    found = []
     statuses, reasons = words(results["status"]), words(results["reason"])
-    pairs = np.stack([results["status"].values.ravel(), results["reason"].values.ravel()])
-    for (code, why), at, count in zip(*_unique(pairs), strict=True):
-        found.append((statuses[code], int(count), "" if why == 0 else reasons[why], point(results, int(at))))
-    return found
+    counts: Counter[tuple[int, int]] = Counter()
+    first: dict[tuple[int, int], int] = {}
+    passed = 0
+    for status, reason in zip(blocks(results["status"]), blocks(results["reason"]), strict=True):
+        together = status.ravel().astype(int) * _MANY + reason.ravel()
+        for number, at, count in zip(*np.unique(together, return_index=True, return_counts=True), strict=True):
+            kind = divmod(int(number), _MANY)
+            counts[kind] += int(count)
+            first.setdefault(kind, passed + int(at))
+        passed += together.size
+    return [
+        (statuses[code], counts[code, why], "" if why == 0 else reasons[why], point(results, first[code, why]))
+        for code, why in sorted(counts)
+    ]
 
 
-def _unique(pairs: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-    """The different columns, the first place of each, and how many there are."""
-    numbers, first, counts = np.unique(pairs[0].astype(int) * 100_000 + pairs[1], return_index=True, return_counts=True)
-    return np.stack(np.divmod(numbers, 100_000), axis=1), first, counts
+def any_is_solved(results: Dataset) -> bool:
+    """Whether some point has a solution."""
+    return any(bool((block == 0).any()) for block in blocks(results["status"]))
 
 
 def point(results: Dataset, number: int) -> dict[str, float]:
@@ -70,14 +86,10 @@ def table(results: Dataset) -> Group:
         spread.add_column(head, justify="right")
     spread.add_column("unit")
     for name, values in results.data_vars.items():
-        if name not in ITSELF and np.isfinite(values).any():
-            row = _spread(values)
-            if row[0] != row[-1] or row[0] != 0.0:
-                unit = str(values.attrs.get("units", ""))
-                spread.add_row(str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else unit)
+        if name in ITSELF:
+            continue
+        row = quantiles(partial(blocks, values), QUANTILES)
+        if row and (row[0] != row[-1] or row[0] != 0.0):
+            unit = str(values.attrs.get("units", ""))
+            spread.add_row(str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else unit)
     return Group(ends, "", spread)
-
-
-def _spread(values: Any) -> list[float]:
-    finite = values.values[np.isfinite(values.values)]
-    return [float(value) for value in np.quantile(finite, QUANTILES)]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from io import BytesIO
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
+from math import prod
+from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 
-from qsbearing.io.output_file import output_file
 from qsbearing.studies.summary import words
 
 if TYPE_CHECKING:
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 def frame_of(results: Dataset) -> pandas.DataFrame:
     """The results as a table of pandas, status and reason in words."""
-    frame = results.to_dataframe().reset_index()
+    dims = results["status"].dims
+    frame = results.to_dataframe([*dims, *(dim for dim in results.dims if dim not in dims)]).reset_index()
     for name in ("status", "reason"):
         frame[name] = np.array(words(results[name]), object)[frame[name]]
     frame.loc[frame["reason"] == "none", "reason"] = ""
@@ -27,17 +28,48 @@ def frame_of(results: Dataset) -> pandas.DataFrame:
     return frame.rename(columns=columns)
 
 
-def write_table(results: Dataset, out: str) -> None:
-    """Write it as CSV or Parquet, by the file's ending; whole or not at all.
+def write_table(results: Dataset, file: BinaryIO, form: str) -> None:
+    """Write it as ".csv" or ".parquet", in blocks of points.
 
     Raises:
         OSError: it cannot be written.
     """
-    frame = frame_of(results)
-    with output_file(out) as write:
-        if out.lower().endswith(".csv"):
-            write(frame.to_csv(index=False, lineterminator="\n").encode())
+    frames = (frame_of(part) for part in parts_of(results))
+    if form == ".csv":
+        for number, frame in enumerate(frames):
+            file.write(frame.to_csv(index=False, header=number == 0, lineterminator="\n").encode())
+    else:
+        _write_parquet(frames, file)
+
+
+def parts_of(results: Dataset, most: int = 1 << 17) -> Iterator[Dataset]:
+    """The results in their order, cut along their axes into parts of at most so many rows."""
+    dims = results["status"].dims
+    if not dims or prod(results.sizes.values()) <= most:
+        yield results
+        return
+    along = next((dim for dim in dims if results.sizes[dim] > 1), dims[-1])
+    step = max(1, most * results.sizes[along] // prod(results.sizes.values()))
+    for start in range(0, results.sizes[along], step):
+        part = results.isel({along: slice(start, start + step)})
+        if along not in part.coords:  # a plain number, which goes on where the part before it ended
+            part = part.assign_coords({along: np.arange(start, start + part.sizes[along])})
+        if part.sizes[along] == results.sizes[along]:
+            yield part
         else:
-            data = BytesIO()
-            frame.to_parquet(data, index=False)
-            write(data.getvalue())
+            yield from parts_of(part, most)
+
+
+def _write_parquet(frames: Iterable[pandas.DataFrame], file: BinaryIO) -> None:
+    from pyarrow import Table
+    from pyarrow.parquet import ParquetWriter
+
+    writer: ParquetWriter | None = None
+    try:
+        for frame in frames:
+            table = Table.from_pandas(frame, schema=writer and writer.schema, preserve_index=False)
+            writer = writer or ParquetWriter(file, table.schema)
+            writer.write_table(table)
+    finally:
+        if writer is not None:
+            writer.close()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import gc
+import weakref
 
 import numpy as np
 import pytest
@@ -225,3 +227,21 @@ def test_ellipses_of_bearings_that_vary(hertz_angle: str) -> None:
             for side in ("inner", "outer"):
                 found = getattr(getattr(together, side), name)[k]
                 assert found == pytest.approx(getattr(getattr(alone, side), name), rel=1e-9), (name, side)
+
+
+def test_a_solution_is_freed_when_it_is_let_go() -> None:
+    """By its last reference, and not when the garbage collector comes by: chunks of a study would pile up."""
+    solution = qs.solve(MANY)
+    contacts, freed = solution.outer, weakref.ref(solution)
+    assert solution.outer.load is contacts.load, "read once"
+    assert solution.inner.required_friction is solution.inner.required_friction
+    assert solution.effective_stiffness.shape == (3, 2, 5)
+    gc.disable()
+    try:
+        del solution
+        assert freed() is not None
+        assert contacts.angle.shape == (3, 2, 16), "the contacts hold it as long as they are held"
+        del contacts
+        assert freed() is None
+    finally:
+        gc.enable()

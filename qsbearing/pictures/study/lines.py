@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.block_statistics import MOST
 from qsbearing.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
@@ -134,28 +136,47 @@ def _limits(axes: Axes) -> None:
 
 def _curve(results: Dataset, name: str, x: str) -> tuple[NDArray, NDArray | None, NDArray | None]:
     """A curve and the band about it: the most loaded ball among all, or the median among the samples."""
-    values = results[name]
-    carried = results.get(name.replace("_angle", "_load"))
-    if name.endswith("_angle") and carried is not None and carried.dims == values.dims:
-        values = values.where(carried > 0.0)  # an unloaded contact has no angle to show
+    if SAMPLE not in results[name].dims:
+        return _curve_over_balls(results, name, x)
+    width = max(1, MOST * results.sizes[x] // results[name].size)  # of the axis, what fits into memory
+    starts = range(0, results.sizes[x], width)
+    return _joined([_curve_over_samples(results.isel({x: slice(at, at + width)}), name, x) for at in starts])
+
+
+def _joined(parts: list[tuple[NDArray, NDArray, NDArray]]) -> tuple[NDArray, NDArray, NDArray]:
+    line, low, high = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return line, low, high
+
+
+def _curve_over_samples(results: Dataset, name: str, x: str) -> tuple[NDArray, NDArray, NDArray]:
+    values = _loaded_contacts(results, name)
+    if BALL in values.dims:
+        values = _most_loaded(results, values)
+    wanted = [BAND[0], 0.5, BAND[1]]
+    with warnings.catch_warnings(action="ignore", category=RuntimeWarning):  # where no sample is solved
+        low, middle, high = values.quantile(wanted, SAMPLE).transpose("quantile", x).values
+    return middle, low, high
+
+
+def _curve_over_balls(results: Dataset, name: str, x: str) -> tuple[NDArray, NDArray | None, NDArray | None]:
+    values = _loaded_contacts(results, name)
     low = high = None
     if BALL in values.dims:
-        low, high = (np.asarray(_over(values, how, BALL)) for how in ("min", "max"))
-        values = _most_loaded(results, values, name)
-        if SAMPLE in values.dims:
-            low = high = None
-    if SAMPLE in values.dims:
-        low, middle, high = (values.quantile(q, SAMPLE).transpose(x).values for q in (BAND[0], 0.5, BAND[1]))
-        return middle, low, high
+        low, high = np.asarray(values.min(BALL)), np.asarray(values.max(BALL))
+        values = _most_loaded(results, values)
     return np.asarray(values.transpose(x)), low, high
 
 
-def _over(values: DataArray, how: str, dim: str) -> DataArray:
-    found: DataArray = getattr(values, how)(dim)
-    return found
+def _loaded_contacts(results: Dataset, name: str) -> DataArray:
+    """A result; of contact angles only those of loaded contacts, as others show nothing."""
+    values = results[name]
+    carried = results.get(name.replace("_angle", "_load"))
+    if name.endswith("_angle") and carried is not None and carried.dims == values.dims:
+        return values.where(carried > 0.0)
+    return values
 
 
-def _most_loaded(results: Dataset, values: DataArray, name: str) -> DataArray:
+def _most_loaded(results: Dataset, values: DataArray) -> DataArray:
     """At the ball that carries most on the outer raceway, which is one that carries on both."""
     load = results.get("outer_load")
     if load is None or BALL not in load.dims:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from qsbearing.pictures.style import GREY, figure_of_size
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from xarray import DataArray
 
 LEVELS = 9
 
@@ -34,15 +36,7 @@ def draw_maps(chosen: Selection) -> Figure:
 def _map(figure: Figure, axes: Axes, chosen: Selection, name: str) -> None:
     from matplotlib.ticker import MaxNLocator
 
-    values = chosen.results[name]
-    said = words(stem(name)[0])
-    if BALL in values.dims:
-        differ = not np.allclose(values.max(BALL), values.min(BALL), equal_nan=True)
-        values = values.max(BALL)
-        said += " of any ball" if differ else ""
-    if SAMPLE in values.dims:
-        values = values.median(SAMPLE)
-        said += ", median"
+    values, said = _one_each(chosen.results[name], words(stem(name)[0]))
     x, y = chosen.results[chosen.x].values, chosen.results[chosen.other].values
     z = np.asarray(values.transpose(chosen.other, chosen.x), float)
     which = stem(name)[1]
@@ -70,6 +64,24 @@ def _map(figure: Figure, axes: Axes, chosen: Selection, name: str) -> None:
         axes.text(
             0.99, 0.01, "grey: no solution", transform=axes.transAxes, ha="right", va="bottom", fontsize=7, color=GREY
         )
+
+
+def _one_each(values: DataArray, said: str) -> tuple[DataArray, str]:
+    """One number for each place of a map, and what it is."""
+    import xarray
+
+    if SAMPLE in values.dims:
+        along = values.dims[0]  # all samples are in memory for one of its values at a time
+        with warnings.catch_warnings(action="ignore", category=RuntimeWarning):  # where no sample is solved
+            rows = [_of_any_ball(values.isel({along: [at]})).median(SAMPLE) for at in range(values.shape[0])]
+        return xarray.concat(rows, along), f"{said}{' of any ball' if BALL in values.dims else ''}, median"
+    largest = _of_any_ball(values)
+    differ = BALL in values.dims and not np.allclose(largest, values.min(BALL), equal_nan=True)
+    return largest, said + (" of any ball" if differ else "")
+
+
+def _of_any_ball(values: DataArray) -> DataArray:
+    return values.max(BALL) if BALL in values.dims else values
 
 
 def _colours() -> Any:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from qsbearing.block_statistics import blocks, varies_from_zero
 from qsbearing.io.unknown_key import near
 from qsbearing.pictures.study.labels import stem
 
@@ -89,10 +91,11 @@ def select(
     free = [name for name in axes if name not in fixed]
     across = x or max(free, key=lambda name: results.sizes[name], default="")
     others = sorted((name for name in free if name != across), key=lambda name: -results.sizes[name])
-    for name in others[1:]:
-        fixed[name] = float(results[name].values[0])
     other = others[0] if others else ""
     chosen = _kind(results, kind, across, other)
+    if chosen in (Kind.DISTRIBUTION, Kind.SENSITIVITY):
+        across = other = ""  # over the samples alone, at one value of every axis
+    fixed |= {name: float(results[name].values[0]) for name in free if name not in (across, other)}
     results = results.sel(fixed)
     return Selection(results, chosen, across, other, _panels(results, chosen, y), fixed)
 
@@ -157,9 +160,7 @@ _NOT_RESULTS = ("status", "reason", "iterations", "residual", "azimuth", "inner_
 def _varies(results: Dataset, name: str) -> bool:
     if name not in results:
         return False
-    values = results[name].values
-    finite = values[np.isfinite(values)]
-    return bool(finite.size and np.abs(finite).max() > 0.0)
+    return varies_from_zero(partial(blocks, results[name]))
 
 
 def _meant(name: str) -> str:

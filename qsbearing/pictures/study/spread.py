@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.block_statistics import blocks, histogram, quantiles
 from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
-from qsbearing.pictures.study.selection import BALL, Selection
+from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, plain
 from qsbearing.rank_correlation import rank_correlation
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from xarray import DataArray
 
+CORRELATED = 1 << 20
+"""Samples that rank correlations are taken from, the first of a study: they are then known to 0.001."""
 MARKED = ((0.05, "5 %"), (0.5, "median"), (0.95, "95 %"))
 
 
@@ -28,15 +34,14 @@ def draw_distributions(chosen: Selection) -> Figure:
     figure = figure_of_size(max(4.6, 3.6 * columns), 2.6 * rows + 0.3)
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, (name,) in zip(grid, chosen.panels, strict=False):
-        values = _values(chosen, name)
-        values = values[np.isfinite(values)]
-        low, high = np.quantile(values, [0.001, 0.999])
+        numbers = partial(_numbers, chosen.results[name])
+        low, *marked, high = quantiles(numbers, [0.001, *(quantile for quantile, _ in MARKED), 0.999])
         side = stem(name)[1]
         colour = STYLE[side]["color"] if side in STYLE else "0.35"
-        bins = np.linspace(low, high, min(60, 8 + int(values.size**0.5 / 2))) if high > low else 10
-        axes.hist(values, bins=bins, color=colour, alpha=0.55, edgecolor="none")
-        for quantile, said in MARKED:
-            at = float(np.quantile(values, quantile))
+        reach = (low, high) if high > low else (low - 0.5, low + 0.5)
+        edges = np.linspace(*reach, min(60, 8 + int(chosen.results["status"].size ** 0.5 / 2)))
+        axes.stairs(histogram(numbers, edges), edges, fill=True, color=colour, alpha=0.55)
+        for at, (_, said) in zip(marked, MARKED, strict=True):
             axes.axvline(at, color="0.1", linewidth=1.0, linestyle="-" if said == "median" else "--")
             axes.annotate(
                 f"{at:.5g}", (at, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2), textcoords="offset points",
@@ -59,8 +64,12 @@ def draw_sensitivities(chosen: Selection) -> Figure:
     """Rank correlation of each result with each random key, as a table of shades."""
     keys = [name for name, values in chosen.results.coords.items() if values.dims == ("sample",) and name != "sample"]
     names = [name for (name,) in chosen.panels]
-    drawn = [chosen.results[key].values for key in keys]
-    correlation = np.array([[rank_correlation(_values(chosen, name), key) for key in drawn] for name in names])
+    points = chosen.results[[*names, *keys]].isel({SAMPLE: slice(0, CORRELATED)})
+    drawn = {key: points[key].values for key in keys}
+    correlation = np.empty((len(names), len(keys)))
+    for row, name in enumerate(names):
+        found = np.concatenate([block.ravel() for block in _numbers(points[name])])
+        correlation[row] = [rank_correlation(found, drawn[key]) for key in keys]
     figure = figure_of_size(3.2 + 0.85 * len(keys), 1.8 + 0.34 * len(names))
     axes = figure.subplots()
     axes.imshow(np.abs(correlation), cmap="Greys", vmin=0.0, vmax=1.3, aspect="auto")
@@ -77,8 +86,7 @@ def draw_sensitivities(chosen: Selection) -> Figure:
     return figure
 
 
-def _values(chosen: Selection, name: str) -> NDArray:
-    values = chosen.results[name]
-    if BALL in values.dims:
-        values = values.max(BALL)
-    return np.asarray(values.values, float).ravel()
+def _numbers(values: DataArray) -> Iterator[NDArray]:
+    """One number of each point, in blocks: of what each ball has, the largest."""
+    for block in blocks(values):
+        yield np.fmax.reduce(block, axis=-1) if BALL in values.dims else block
