@@ -1,4 +1,4 @@
-"""`fem-check`: list, run, book, contact, cost, report. It formats and calls; the checks compute."""
+"""`fem-check`: list, run, book, contact, cost, report, release. It formats and calls; the checks compute."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from rich.console import Console, Group
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 from rich.text import Text
+
+from fem_check.release.command import release
 
 RESULTS = "fem_check_results"
 """The working folder's own folder, unless another is named."""
@@ -319,6 +321,9 @@ def report(out: Path) -> None:
     except (records_store.RecordError, OSError) as problem:
         refuse(str(problem))
     Console(soft_wrap=True, highlight=False).print(f"wrote {path}, from the records in {records}")
+
+
+cli.add_command(release)
 
 
 def _load_checks() -> dict[str, Any]:

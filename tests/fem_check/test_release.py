@@ -1,0 +1,485 @@
+"""The release gate, on a repository of its own with two real checks: whatever is wrong makes it fail and is named."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from fem_check.agreement import Level, Row
+from fem_check.checks import ALL
+from fem_check.cli import cli
+from fem_check.release import drift, gate, limits, manifest, steps, tree
+from fem_check.release.steps import Place, Step, StepError
+from qsbearing import provenance
+
+CHECKS = ("check patch_test", "check hertz_formula")
+RECORDS = Path("fem_check") / "records"
+PATCH = "quick/patch_test.json"
+ROOT = Path(__file__).parents[2]
+every_step = steps.all_steps
+
+
+def commit(folder: Path, message: str = "a change") -> None:
+    """All that is there."""
+    provenance.git("add", "-A", folder=folder)
+    author = ("-c", "user.name=a", "-c", "user.email=a@b.c")
+    provenance.git(*author, "commit", "-qm", message, folder=folder)
+
+
+def kept_in(folder: Path) -> None:
+    """The manifest of the repository's records, as they stand."""
+    manifest.write(manifest.of_repository(folder), manifest.sums(folder, manifest.SHIPPED))
+
+
+@pytest.fixture(autouse=True)
+def two_checks(monkeypatch):
+    """Two checks that take half a second each stand for all."""
+    monkeypatch.setattr(steps, "all_steps", lambda level: [s for s in every_step(level) if s.name in CHECKS])
+
+
+def at(monkeypatch, folder: Path) -> None:
+    """The gate's tree, and that of the records it makes, is this folder."""
+    monkeypatch.setattr(tree, "root", lambda: folder)
+    monkeypatch.setattr(provenance, "FOLDER", folder)
+    provenance._source.cache_clear()
+
+
+def release(out: Path, *options: str) -> Result:
+    """Run the command at the quick level."""
+    provenance._source.cache_clear()
+    return CliRunner().invoke(cli, ["release", "--level", "quick", "--out", str(out), *options])
+
+
+def verdicts(result: Result) -> dict[str, list[str]]:
+    """Reasons of each step, from `--json`."""
+    return {each["step"]: each["reasons"] for each in json.loads(result.stdout)}
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory) -> Path:
+    """A repository with records of a first release, and the folder of a finished gate beside it."""
+    place = tmp_path_factory.mktemp("gate")
+    repository = place / "repository"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(steps, "all_steps", lambda level: [s for s in every_step(level) if s.name in CHECKS])
+        repository.mkdir()
+        provenance.git("init", "-q", folder=repository)
+        (repository / ".gitignore").write_text("results/\n")
+        (repository / RECORDS).mkdir(parents=True)
+        kept_in(repository)
+        commit(repository, "first")
+        at(patch, repository)
+        first = release(place / "out", "--keep")
+        assert first.exit_code == 0, first.output
+        commit(repository, "records of the first release")
+        shutil.rmtree(place / "out")
+        second = release(place / "out")
+        assert second.exit_code == 0, second.output
+    provenance._source.cache_clear()
+    return place
+
+
+@pytest.fixture
+def place(made, tmp_path, monkeypatch):
+    """The same, to be spoilt."""
+    shutil.copytree(made, tmp_path, dirs_exist_ok=True)
+    at(monkeypatch, tmp_path / "repository")
+    yield tmp_path
+    provenance._source.cache_clear()
+
+
+def change(path: Path, **values: Any) -> None:
+    """Change the first row of a record, or, of the whole, what is no field of a row."""
+    record = json.loads(path.read_text())
+    names = {field.name for field in fields(Row)}
+    row = record["rows"][0] | {name: value for name, value in values.items() if name in names}
+    if "deviation_percent" not in values:
+        row = Row(**{name: row[name] for name in names}).as_dict()
+    record["rows"][0] = row
+    path.write_text(json.dumps(record | {k: v for k, v in values.items() if k not in row}))
+
+
+def enter(out: Path, name: str) -> None:
+    """Make the gate's journal take a record as it stands for the one that was made."""
+    path = out / "gate" / "quick" / "steps.json"
+    journal = json.loads(path.read_text())
+    for step in journal["steps"].values():
+        if name in step["records"]:
+            step["records"][name] = manifest.of_file(out / name)
+    path.write_text(json.dumps(journal))
+
+
+# Passing --------------------------------------------------------------------------------------------------------------
+
+
+def test_a_gate_that_passes_has_records_of_its_commit(place):
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 0, result.output
+    assert verdicts(result) == {name: [] for name in ("clean tree", "previous release", *CHECKS, "records")}
+    head = tree.head(place / "repository")
+    for name in CHECKS:
+        record = json.loads((place / "out" / "quick" / f"{name.split()[1]}.json").read_text())
+        assert (record["provenance"]["commit"], record["provenance"]["dirty"]) == (head, False)
+    kept = json.loads((place / "out" / "gate" / "quick" / "verdicts.json").read_text())
+    assert kept == json.loads(result.stdout)
+
+
+def test_it_needs_every_check_and_all_the_rest():
+    for level in Level:
+        names = {step.name for step in every_step(level)}
+        assert {f"check {name}" for name in ALL} < names
+        assert {"hard cases", "campaign wild", "campaign realistic", "benchmarks", "reports"} < names
+        assert "validation book" in names
+
+
+def test_dry_run_says_what_and_how_long_and_does_nothing(place):
+    result = release(place / "new", "--dry-run")
+    assert result.exit_code == 0, result.output
+    record = json.loads((place / "repository" / RECORDS / "gate" / "quick" / "steps.json").read_text())
+    seconds = record["steps"]["check patch_test"]["seconds"]
+    (line,) = [line for line in result.stdout.splitlines() if line.strip().startswith("check patch_test")]
+    assert f"{seconds:.0f} s" in line and "fem-check run patch_test --level quick" in line
+    assert "nothing was run" in result.stdout
+    assert not (place / "new").exists()
+    assert "done, kept" in release(place / "out", "--dry-run", "--resume").stdout
+
+
+def test_the_records_of_a_pass_become_those_of_the_repository(place):
+    repository = place / "repository"
+    assert release(place / "out", "--resume", "--keep").exit_code == 0
+    assert provenance.git("status", "--porcelain", folder=repository)
+    for name in (PATCH, "gate/quick/steps.json"):
+        assert (repository / RECORDS / name).read_bytes() == (place / "out" / name).read_bytes()
+    commit(repository)
+    assert release(place / "out").exit_code == 0
+
+
+# Failing --------------------------------------------------------------------------------------------------------------
+
+
+def test_a_dirty_tree_is_refused_before_anything_is_run(place):
+    (place / "repository" / "new.py").write_text("")
+    result = release(place / "new", "--json")
+    assert result.exit_code == 1
+    assert verdicts(result)["clean tree"] == ["dirty tree: new.py is not committed"]
+    assert not (place / "new").exists()
+
+
+def test_a_commit_during_the_gate_is_seen(place, monkeypatch):
+    def run(where: Place, progress: Any) -> None:
+        (where.root / "late.py").write_text("")
+        commit(where.root)
+
+    real = steps.all_steps
+    monkeypatch.setattr(steps, "all_steps", lambda level: [*real(level), Step("late", "nothing", run)])
+    reasons = verdicts(release(place / "new", "--json"))["clean tree"]
+    assert len(reasons) == 1 and "the gate began with" in reasons[0]
+
+
+@pytest.mark.parametrize("committed", [True, False])
+def test_a_digit_changed_in_the_previous_records_is_named(place, committed):
+    path = place / "repository" / RECORDS / PATCH
+    text = path.read_text()
+    digits = str(json.loads(text)["seconds"])
+    path.write_text(text.replace(f'"seconds": {digits}', f'"seconds": {digits}1'))
+    if committed:
+        commit(place / "repository")
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 1
+    assert verdicts(result)["previous release"] == [f"{RECORDS / PATCH} was changed"]
+    assert (verdicts(result)["clean tree"] == []) == committed
+
+
+def test_a_record_deleted_from_the_previous_ones_is_named(place):
+    (place / "repository" / RECORDS / PATCH).unlink()
+    commit(place / "repository")
+    assert f"{RECORDS / PATCH} was deleted" in release(place / "out").stdout
+
+
+def test_without_a_manifest_the_previous_records_are_not_trusted(place):
+    (place / "repository" / RECORDS / manifest.NAME).unlink()
+    commit(place / "repository")
+    result = release(place / "out", "--json")
+    assert result.exit_code == 1
+    assert "no manifest" in verdicts(result)["previous release"][0]
+
+
+def test_a_digit_changed_in_a_record_just_made_is_named(place):
+    change(place / "out" / PATCH, found=1e-15)
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 1
+    assert verdicts(result)["records"] == [f"{PATCH} was changed"]
+
+
+def test_a_digit_changed_with_its_sum_contradicts_the_rest_of_its_row(place):
+    path = place / "out" / PATCH
+    record = json.loads(path.read_text())
+    record["rows"][0]["found"] += 1e-12
+    path.write_text(json.dumps(record))
+    enter(place / "out", PATCH)
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 1
+    assert "contradicts itself" in verdicts(result)["check patch_test"][0]
+
+
+def test_a_record_deleted_after_it_was_made_is_named(place):
+    (place / "out" / PATCH).unlink()
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 1
+    assert verdicts(result)["records"] == [f"{PATCH} was deleted"]
+    assert "patch_test.json" in verdicts(result)["check patch_test"][0]
+
+
+def test_a_record_from_elsewhere_is_named(place):
+    shutil.copy(place / "out" / PATCH, place / "out" / "quick" / "body_size.json")
+    assert verdicts(release(place / "out", "--resume", "--json"))["records"] == [
+        "quick/body_size.json is not in the manifest"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"commit": "0" * 40}, "records of several commits"),
+        ({"dirty": True}, "with changes that are not committed"),
+        (None, "not recorded"),
+    ],
+)
+def test_records_of_several_commits_are_named(place, changed, said):
+    path = place / "out" / PATCH
+    record = json.loads(path.read_text())
+    record["provenance"] = record["provenance"] | changed if changed else None
+    path.write_text(json.dumps(record))
+    enter(place / "out", PATCH)
+    result = release(place / "out", "--resume", "--json")
+    assert result.exit_code == 1
+    assert len(verdicts(result)["check patch_test"]) == 1
+    assert said in verdicts(result)["check patch_test"][0]
+
+
+def test_a_row_out_of_tolerance_fails(place, monkeypatch):
+    change(place / "out" / PATCH, found=1.0, verdict="fail")
+    enter(place / "out", PATCH)
+    reasons = verdicts(release(place / "out", "--resume", "--json"))["check patch_test"]
+    assert "is out of tolerance" in reasons[0]
+
+
+def drifted(place: Path, **values: Any) -> list[str]:
+    """Reasons of the patch test, when the previous release's first row had these values."""
+    repository = place / "repository"
+    change(repository / RECORDS / "quick" / "hertz_formula.json", **values)
+    kept_in(repository)
+    commit(repository)
+    result = release(place / "new", "--json")
+    assert result.exit_code == 1
+    found = verdicts(result)
+    assert [name for name, reasons in found.items() if reasons] == ["check hertz_formula"]
+    return found["check hertz_formula"]
+
+
+def test_drift_within_the_tolerance_is_named(place):
+    row = json.loads((place / "out" / "quick" / "hertz_formula.json").read_text())["rows"][0]
+    tolerance = row["tolerance_percent"]
+    (reason,) = drifted(place, found=row["reference"] * (1.0 + 0.002 * tolerance))
+    assert f"moved by {0.2 * tolerance:.2g} %" in reason
+    assert limits.OF_TOLERANCE.why in reason
+
+
+def test_a_tolerance_that_was_widened_is_named(place):
+    (reason,) = drifted(place, tolerance_percent=1e-7)
+    assert reason.endswith("its tolerance was 1e-07 % and is 1e-06 %")
+
+
+def test_a_reference_that_moved_is_named(place):
+    row = json.loads((place / "out" / "quick" / "hertz_formula.json").read_text())["rows"][0]
+    factor = 1.0 + 1e-7
+    (reason,) = drifted(place, reference=row["reference"] * factor, found=row["found"] * factor)
+    assert "its reference moved by 1e-05 %" in reason
+
+
+def test_a_check_that_is_no_longer_made_is_named(place):
+    repository = place / "repository"
+    record = json.loads((repository / RECORDS / PATCH).read_text())
+    (repository / RECORDS / "quick" / "old.json").write_text(json.dumps(record | {"check": "old"}))
+    kept_in(repository)
+    commit(repository)
+    assert "quick/old.json is on record, and no step makes it any more" in release(place / "out").stdout
+
+
+# Steps that end badly -------------------------------------------------------------------------------------------------
+
+
+def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypatch):
+    def broken(level: Level, progress: Any, scene: str = "") -> Any:
+        raise ZeroDivisionError("planted")
+
+    monkeypatch.setitem(ALL, "patch_test", replace(ALL["patch_test"], run=broken))
+    result = release(place / "new", "--json")
+    assert result.exit_code == 1
+    found = verdicts(result)
+    assert found["check patch_test"] == ["ZeroDivisionError: planted"]
+    assert found["check hertz_formula"] == found["records"] == []
+
+
+def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
+    ran, stop = [], [True]
+
+    def counted(step: Step) -> Step:
+        def run(where: Place, progress: Any) -> None:
+            ran.append(step.name)
+            if stop and step.name == CHECKS[1]:
+                raise KeyboardInterrupt
+            step.run(where, progress)
+
+        return replace(step, run=run)
+
+    monkeypatch.setattr(steps, "all_steps", lambda level: [counted(s) for s in every_step(level) if s.name in CHECKS])
+    result = release(place / "new")
+    assert result.exit_code == 2 and "--resume` goes on" in result.stderr
+    stop.clear()
+    assert release(place / "new", "--resume").exit_code == 0
+    assert ran == [*CHECKS, CHECKS[1]]
+    # Another commit: nothing of what was done counts for it.
+    (place / "repository" / "later.py").write_text("")
+    commit(place / "repository")
+    assert release(place / "new", "--resume").exit_code == 0
+    assert ran == [*CHECKS, CHECKS[1], *CHECKS]
+
+
+def test_a_process_that_fails_is_told_with_its_last_words(tmp_path):
+    where = Place(ROOT, Level.QUICK, tmp_path, "0" * 40)
+    with pytest.raises(StepError, match=r"no_such_module ended with exit code 1: .*No module named"):
+        steps._python(where, "log", "no_such_module", accept=0)
+    with pytest.raises(StepError, match="ZeroDivisionError"):  # a traceback is not "a row is out of tolerance"
+        steps._python(where, "log", "timeit", "1/0", accept=1)
+
+
+# What it is compared with, and where it writes ------------------------------------------------------------------------
+
+
+def test_another_folder_or_a_tag_can_be_the_previous_release(place):
+    provenance.git("tag", "v1", folder=place / "repository")
+    for previous in (str(place / "out"), "v1"):
+        result = release(place / "new", "--json", "--previous", previous)
+        assert result.exit_code == 0, result.output
+    change(place / "out" / PATCH, found=1e-15)
+    result = release(place / "new", "--json", "--previous", str(place / "out"))
+    assert verdicts(result)["previous release"] == [f"{PATCH} was changed"]
+    result = release(place / "new", "--previous", "v2")
+    assert result.exit_code == 2
+    assert "neither a folder nor a tag" in result.stderr
+
+
+def test_records_without_provenance_serve_as_values_only(place):
+    repository = place / "repository"
+    path = repository / RECORDS / PATCH
+    record = json.loads(path.read_text())
+    del record["provenance"]
+    path.write_text(json.dumps(record))
+    kept_in(repository)
+    commit(repository)
+    result = release(place / "new", "--json")
+    assert result.exit_code == 0, result.output
+    (found,) = [each for each in json.loads(result.stdout) if each["step"] == "previous release"]
+    assert "1 of 2 do not say where they come from (not recorded): values only" in found["said"]
+
+
+def test_it_does_not_write_into_the_tree(place):
+    result = release(place / "repository" / RECORDS)
+    assert result.exit_code == 2 and "would be changes of the tree" in result.stderr
+    assert release(place / "repository" / "results").exit_code == 0
+
+
+def test_what_is_no_checkout_is_refused(tmp_path, monkeypatch):
+    monkeypatch.undo()
+    monkeypatch.setattr(tree, "__file__", str(tmp_path / "site-packages" / "fem_check" / "release" / "tree.py"))
+    result = release(tmp_path / "out")
+    assert result.exit_code == 2
+    assert "is no checkout of the source" in result.stderr
+
+
+def test_the_manifest_is_that_of_the_records():
+    """After a change of records: `python -m fem_check.release.manifest`."""
+    kept = manifest.read(manifest.of_repository(ROOT))
+    assert kept is not None
+    assert manifest.problems(kept, manifest.sums(ROOT, manifest.SHIPPED)) == []
+
+
+# Drift of what is no check --------------------------------------------------------------------------------------------
+
+
+def record_of(name: str) -> dict[str, Any]:
+    return json.loads((ROOT / name).read_text())
+
+
+def test_drift_of_hard_cases():
+    old, new = (record_of("tests/hard_cases/table.json") for _ in range(2))
+    assert drift.of_hard_cases(new, old) == []
+    case = new["cases"][0]
+    case["loads"] = 1e-10  # within 1e-9 still
+    assert "hard case one_ball_held: the error of its loads" in drift.of_hard_cases(new, old)[0]
+    case["verdict"] = "explained by its condition"
+    assert "was converged, within 1e-9, and is converged, explained" in drift.of_hard_cases(new, old)[0]
+    del new["cases"][0]
+    assert drift.of_hard_cases(new, old) == ["the hard case one_ball_held of the previous release is gone"]
+
+
+def test_drift_of_a_campaign():
+    old, new = (record_of("tests/campaign/records/wild_seed_1_count_200000.json") for _ in range(2))
+    assert drift.of_campaign(new, old) == []
+    new["classes"]["not_converged"] += 40
+    new["classes"]["converged"] -= 40
+    assert drift.of_campaign(new, old) == []
+    new["classes"]["not_converged"] += 1
+    (reason,) = drift.of_campaign(new, old)
+    assert reason.startswith("not converged: 22 of 200000 scenes before, 63 now (limit 40")
+    missed = old | {"not_converged": ["wild/1/0/1"] * 52}
+    (reason,) = _step("campaign wild").wrong(missed)
+    assert reason.startswith("the bar is missed") and "wild/1/0/1" in reason
+    assert _step("campaign wild").wrong(old) == []
+
+
+def test_drift_of_benchmarks():
+    spread = {"median": 2.0, "low": 1.9, "high": 2.2}
+    old = {"ratios": {"point": spread}, "points": 10, "converged": 10, "mean_iterations": 5.0}
+    old["provenance"] = {"level": "release"}
+    slower = {name: 1.6 * value for name, value in spread.items()}
+    assert drift.of_benchmarks(old, old) == []
+    (reason,) = drift.of_benchmarks(old | {"ratios": {"point": slower}}, old)
+    assert reason.startswith("point: 2 before, 3.2 (3.04 to 3.52) now")
+    assert drift.of_benchmarks(old | {"ratios": {"point": slower}, "provenance": {"level": "quick"}}, old) == []
+    (reason,) = drift.of_benchmarks(old | {"mean_iterations": 5.1}, old)
+    assert reason.startswith("mean iterations: 5 before, 5.1 now")
+    assert _step("benchmarks").wrong(old | {"converged": 9}) == ["1 of 10 points did not converge"]
+
+
+def _step(name: str) -> Step:
+    return next(step for step in every_step(Level.RELEASE) if step.name == name)
+
+
+def test_drift_on_another_mesh_is_limited_by_both_uncertainties():
+    row = Row("c", "approach", "m", 1.0, "s", 1.0, 0.01, 1.0, "w").as_dict()
+    moved = Row("c", "approach", "m", 1.0, "s", 1.00019, 0.01, 1.0, "w").as_dict()
+    old = {"mesh": {"dofs": 1}, "rows": [row]}
+    assert drift.of_check({"mesh": {"dofs": 2}, "rows": [moved]}, old) == []
+    (reason,) = drift.of_check({"mesh": {"dofs": 1}, "rows": [moved]}, old)
+    assert limits.SAME_MESH.why in reason
+    moved["found"], moved["deviation_percent"] = 1.00021, 0.021
+    (reason,) = drift.of_check({"mesh": {"dofs": 2}, "rows": [moved]}, old)
+    assert limits.ANOTHER_MESH in reason
+    assert drift.of_check({"mesh": {"dofs": 1}, "rows": []}, old) == [
+        "the row 'approach' of 'c' of the previous release is gone"
+    ]
+
+
+def test_gate_verdicts_need_no_terminal_and_say_how_to_run_again(place):
+    table = release(place / "out", "--resume").stdout
+    assert "fem-check run patch_test --level quick" in table
+    assert table.rstrip().endswith("pass")
+    assert gate.Verdict("x", ["bad"]).passes is False
