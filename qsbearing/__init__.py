@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.messages import message, warnings
     from qsbearing.raceway_contacts import RacewayContacts
+    from qsbearing.rotordynamics import stiffness_table, to_ross
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
     from qsbearing.scene.preload import Preload
@@ -72,6 +73,7 @@ _HOMES = {
     "scene.preload": ("Preload",),
     "scene.scene": ("Scene",),
     "raceway_contacts": ("RacewayContacts",),
+    "rotordynamics": ("stiffness_table", "to_ross"),
     "sets.bearing_set": ("BearingSet", "Row"),
     "sets.preload_speeds": ("preload_speeds",),
     "sets.set_solution": ("SetSolution",),
@@ -94,7 +96,8 @@ __all__ = [
     "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
     "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
     "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve",
-    "solve_set", "stiffness", "subsurface_shear", "sweep", "system_life", "um", "warnings", "zero_celsius",
+    "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um",
+    "warnings", "zero_celsius",
 ]
 # fmt: on
 

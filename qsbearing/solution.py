@@ -383,6 +383,24 @@ class Solution:
 
         return quantities.dataset(self)
 
+    def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
+        """A bearing element of ROSS at node n of its shaft, from the stiffness over the speed; needs the `ross` extra.
+
+        ROSS's z is x here, its x and y are y and z; see `qsbearing.to_ross` for the arguments `tilt`, `mirrored`, `cxx`
+        and those of ROSS, and for what of the matrix is kept.
+
+        Args:
+            index: which cases, as numpy's arrays take it, such as (0, slice(None)); None: all. One axis at most, along
+                which the inner ring's speed rises.
+
+        Raises:
+            SceneError: every error of the arguments; cases that are not solved.
+            ImportError: ROSS is not installed.
+        """
+        from qsbearing.rotordynamics import ross_bearing
+
+        return ross_bearing.of_solution(self, n, index, **arguments)
+
 
 def place_of(index: Index, shape: Place) -> Place:
     """The index of one case along each case axis of a solution of this shape.

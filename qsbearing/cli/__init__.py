@@ -23,6 +23,7 @@ from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
 from qsbearing.cli.run import run
+from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
 
 
@@ -57,7 +58,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, plot, figures, cost, init, catalogue, guide):
+for command in (run, explain, sweep, plot, stiffness, figures, cost, init, catalogue, guide):
     cli.add_command(command)
 
 

@@ -13,6 +13,7 @@ import click
 from qsbearing.cli.output import UNSOLVED, note, print_table, refuse
 from qsbearing.cli.picture_file import PICTURES, draw_to
 from qsbearing.cli.progress import progress_bar
+from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -30,14 +31,7 @@ TABLES = (".csv", ".parquet")
 
 @click.command(short_help="Solve a scene over ranges of its keys.")
 @click.argument("scene")
-@click.option(
-    "--vary",
-    multiple=True,
-    metavar="KEY=VALUES",
-    help="A numeric key of the scene file and what it takes: START:STOP:COUNT, START:STOP:COUNT:log, A,B,C, "
-    "normal(MEAN,SD), uniform(LOW,HIGH) or triangular(LOW,MODE,HIGH). Again for each further key; all combinations are "
-    "solved.",
-)
+@vary_option
 @click.option("--samples", type=int, metavar="N", help="Points of the keys that vary at random; 1024 if not given.")
 @click.option("--sampling", metavar="HOW", help="random, latin_hypercube or sobol (if not given).")
 @click.option("--seed", type=int, metavar="N", help="Of the random points; 0 if not given.")
@@ -68,7 +62,7 @@ def sweep(
     _need("xarray", "h5netcdf")
     problems = [*filter(None, (_place_problem(out, resume), _picture_problem(picture)))]
     try:
-        study = _study(scene, vary, given)
+        study = study_of(scene, vary, given)
         if problems:
             refuse("\nqsbearing: ".join(problems))
         with ExitStack() as stack:
@@ -120,20 +114,6 @@ def _picture_problem(picture: str | None) -> str:
     if not os.path.isdir(os.path.dirname(picture) or "."):  # noqa: PTH112, PTH120
         return f"--plot {picture}: there is no such folder"
     return ""
-
-
-def _study(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
-    from qsbearing.studies.study import Study
-
-    varied: dict[str, str] = {}
-    for text in vary:
-        key, equals, values = text.partition("=")
-        if not equals or key.strip() in varied:
-            fault = "is varied twice" if equals else "has no values. Write KEY=START:STOP:COUNT or KEY=A,B,C"
-            refuse(f"--vary {text}: {fault}")
-        varied[key.strip()] = values
-    options = {name: value for name, value in given.items() if value is not None and value != ()}
-    return Study.of(scene, varied, **options)
 
 
 def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:

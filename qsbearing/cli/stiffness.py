@@ -1,0 +1,50 @@
+"""`qsbearing stiffness`: the stiffness of a bearing over speed and load, for programs of rotor dynamics."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import ExitStack
+
+import click
+
+from qsbearing.cli.output import UNSOLVED, print_text, refuse
+from qsbearing.cli.vary import study_of, vary_option
+
+
+@click.command(short_help="Tabulate stiffness over speed and load, for rotor dynamics.")
+@click.argument("scene")
+@vary_option
+@click.option("--mirrored", is_flag=True, help="The bearing is mounted the other way round on the shaft.")
+@click.option("--out", metavar="FILE", help="Write the table to this CSV file instead of printing it.")
+def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None) -> None:
+    """Stiffness of SCENE as programs of rotor dynamics take it: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
+
+    The shaft turns about z: x, y, z of the table are y, z, x of the scene. For instance: qsbearing stiffness 7210c
+    --vary speed_rpm=0:24000:13 --vary axial_load_N=240,720,1440 --out 7210c.csv
+
+    Exit codes: 0 some point is solved, 1 none is, 2 bad input.
+    """
+    from qsbearing.io.csv_table import csv_text
+    from qsbearing.io.output_file import output_file
+    from qsbearing.studies.stiffness import stiffness_of
+    from qsbearing.validation import SceneError
+
+    with ExitStack() as stack:
+        try:
+            write = None if out is None else stack.enter_context(output_file(out))
+        except (OSError, ValueError) as error:
+            refuse(f"--out {out}: {error}")
+        try:
+            columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored)
+        except SceneError as error:
+            refuse(str(error))
+        text = csv_text({name: values.tolist() for name, values in columns.items()})
+        if write is None:
+            print_text(text)
+        else:
+            try:
+                write(text.encode("utf-8"))
+            except OSError as error:  # a disk that filled up meanwhile
+                refuse(f"cannot write: {error}")
+    if not (columns["status"] == "converged").any():
+        sys.exit(UNSOLVED)

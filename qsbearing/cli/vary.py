@@ -1,0 +1,40 @@
+"""The option that varies keys of a scene, and the study that it asks for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from qsbearing.cli.output import refuse
+
+if TYPE_CHECKING:
+    from qsbearing.studies.study import Study
+
+vary_option = click.option(
+    "--vary",
+    multiple=True,
+    metavar="KEY=VALUES",
+    help="A numeric key of the scene file and what it takes: START:STOP:COUNT, START:STOP:COUNT:log, A,B,C, "
+    "normal(MEAN,SD), uniform(LOW,HIGH) or triangular(LOW,MODE,HIGH). Again for each further key; all combinations are "
+    "solved.",
+)
+
+
+def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
+    """The study of a scene or study file with the keys that are varied beside it.
+
+    Raises:
+        SceneError: what is wrong with it.
+    """
+    from qsbearing.studies.study import Study
+
+    varied: dict[str, str] = {}
+    for text in vary:
+        key, equals, values = text.partition("=")
+        if not equals or key.strip() in varied:
+            fault = "is varied twice" if equals else "has no values. Write KEY=START:STOP:COUNT or KEY=A,B,C"
+            refuse(f"--vary {text}: {fault}")
+        varied[key.strip()] = values
+    options = {name: value for name, value in given.items() if value is not None and value != ()}
+    return Study.of(scene, varied, **options)

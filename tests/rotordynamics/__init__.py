@@ -1,0 +1,1 @@
+"""Stiffness for rotor dynamics: axes, table, ROSS."""
