@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from qsbearing.effects.tilt_lever import TiltLever
     from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
     from qsbearing.io.scene_file import load_scene
+    from qsbearing.io.set_file import load_set
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.messages import message, warnings
     from qsbearing.raceway_contacts import RacewayContacts
@@ -66,6 +67,7 @@ _HOMES = {
     "effects.tilt_lever": ("TiltLever",),
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
     "io.scene_file": ("load_scene",),
+    "io.set_file": ("load_set",),
     "messages": ("message", "warnings"),
     "scene.bearing": ("BallBearing", "BearingKind"),
     "material": ("SILICON_NITRIDE", "STEEL", "Material"),
@@ -94,10 +96,10 @@ __all__ = [
     "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material",
     "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
     "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
-    "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "m", "message",
-    "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve",
-    "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um",
-    "warnings", "zero_celsius",
+    "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "load_set",
+    "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad", "readings", "rpm",
+    "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life",
+    "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
-from qsbearing.cli.scene import load, solve
+from qsbearing.cli.run_set import run_set
+from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
@@ -47,7 +48,8 @@ PICTURES = (".png", ".svg", ".pdf")
     "operating point, whether SCENE names them or not. 1e-3, for instance.",
 )
 def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
-    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
+    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
+    is a set of rows on one shaft: `qsbearing init --set` prints one.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
@@ -55,7 +57,11 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         given = {"--csv": csv_target, "--plot": plot_target}
         targets = {option: target for option, target in given.items() if target is not None}
         write = _claim(stack, scene, targets)
-        loaded = load(scene)
+        loaded, of_set = load_scene_or_set(scene)
+        if of_set is not None:
+            run_set(of_set, as_json, targets, write, accuracy)
+            return
+        assert loaded is not None
         if accuracy is not None:
             _check(accuracy)
         solution = solve(loaded, accuracy)

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from qsbearing.cli.output import note, refuse
 
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
+    from qsbearing.sets.bearing_set import BearingSet
     from qsbearing.solution import Solution
+
+T = TypeVar("T")
 
 PATIENCE = 2.0
 """Seconds of silence on a terminal."""
@@ -21,18 +24,32 @@ PATIENCE = 2.0
 def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.io.scene_file import load_scene
+
+    return _loaded(load_scene, source)
+
+
+def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:
+    """Likewise, but a file with rows is a set: the one or the other."""
+    from qsbearing.io.set_file import load_scene_or_set
+    from qsbearing.scene.scene import Scene
+
+    found = _loaded(load_scene_or_set, source)
+    return (found, None) if isinstance(found, Scene) else (None, found)
+
+
+def _loaded(read: Callable[[str], T], source: str) -> T:
     from qsbearing.solver import thread_count
     from qsbearing.validation import SceneError
 
     try:
-        scene = load_scene(source)
+        found = read(source)
     except SceneError as error:
         refuse(str(error))
     try:
         thread_count()
     except ValueError as error:  # a mistake in its environment variable
         refuse(str(error))
-    return scene
+    return found
 
 
 def solve(scene: Scene, tolerance: float | None = None) -> Solution:

@@ -40,12 +40,12 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
-        "displacement": _channels(DISPLACEMENT, solution.displacement[index]),
-        "load": _channels(LOAD, solution.load[index]),
-        "locked_stiffness": _channels(STIFFNESS, solution.locked_stiffness[index]),
-        "effective_stiffness": _channels(STIFFNESS, solution.effective_stiffness[index]),
-        "stiffness_SI": _rows(solution.stiffness[index]) if solved else None,
-        "compliance_SI": _rows(solution.compliance[index]) if solved else None,
+        "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
+        "load": of_channels(LOAD, solution.load[index]),
+        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
+        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
+        "stiffness_SI": matrix_rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": matrix_rows(solution.compliance[index]) if solved else None,
         "balls": balls(solution, index) if solved else [],
         "readings": _readings(solution, index) if solved else None,
         **_choice(solution, index),
@@ -152,9 +152,11 @@ def _numbers(
     }
 
 
-def _channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:
+def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:
+    """Values of the five channels under their keys."""
     return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
 
 
-def _rows(matrix: NDArray) -> list[list[float | None]]:
+def matrix_rows(matrix: NDArray) -> list[list[float | None]]:
+    """A matrix as lists."""
     return [[number(value) for value in row] for row in matrix]

@@ -37,8 +37,13 @@ def result(solution: Solution) -> Group:
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         rows, count = distinct(found["balls"]), len(found["balls"])
-        tables = [_ring(solution, found), *_expansion(solution, found), _stiffness(found), _stiffness_matrix(found)]
-        tables += [_contacts(rows, count), _ellipses(rows, count)]
+        tables = [
+            _ring(solution, found),
+            *_expansion(solution, found),
+            stiffness_table(found),
+            stiffness_matrix_table(found),
+        ]
+        tables += [contacts_table(rows, count), _ellipses(rows, count)]
         if solution.scene.ball_effects:
             tables.append(_motion(rows, count, found))
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
@@ -95,7 +100,7 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
     )
     if "outer_speed" in numbers:
         lines.append(f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm")
-    lines.append(f". {_asked_for(found)}\n")
+    lines.append(f". {asked_for(found)}\n")
     solved = found["status"] == "converged"
     preload = found["preload"]
     if preload is not None and solved:
@@ -106,7 +111,7 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
     lines.append(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
     if solved:
         lines.append(
-            f" in {found['iterations']} iterations, {_duration(found['seconds'])}; largest imbalance "
+            f" in {found['iterations']} iterations, {duration(found['seconds'])}; largest imbalance "
             f"{found['residual']:.1e} of the largest force"
         )
     else:
@@ -114,8 +119,8 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
     return lines
 
 
-def _asked_for(found: dict[str, Any]) -> str:
-    """The effects, and the choices that are not the usual ones."""
+def asked_for(found: dict[str, Any]) -> str:
+    """The effects of a record, and the choices that are not the usual ones."""
     choices = found["choices"]
     *others, last = found["effects"] or ["No ball effects (static)"]
     text = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
@@ -131,7 +136,8 @@ def _asked_for(found: dict[str, Any]) -> str:
     return text.replace("_", " ")
 
 
-def _duration(seconds: float) -> str:
+def duration(seconds: float) -> str:
+    """How long a solve took."""
     if seconds >= 0.1:
         return f"{seconds:.2g} s (starting the compiled solver included)"
     return f"{seconds * 1e3:.2g} ms"
@@ -148,8 +154,8 @@ def _ring(solution: Solution, found: dict[str, Any]) -> Table:
         length, force, _ = _UNITS[channel.is_rotation]
         table.add_row(
             channel.label,
-            *(_digits(displacements[i], 1e-9), length),
-            *(_digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
+            *(digits(displacements[i], 1e-9), length),
+            *(digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
             "load" if i in solution._free_channels else "displacement",
         )
     return table
@@ -170,22 +176,23 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         heading = ("", "grows\num", "seat\nMPa", "seat gap\num", "hoop at bore\nMPa", "Tresca\nMPa")
         table = plain_table("Rings", heading)
         for side, state in rings.items():
-            table.add_row(side, *("-" if value is None else _digits(value, 1e-9) for value in state.values()))
+            table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
         tables.append(table)
     return tables
 
 
-def _stiffness(found: dict[str, Any]) -> Table:
+def stiffness_table(found: dict[str, Any]) -> Table:
+    """Locked and effective stiffness of a record, channel by channel."""
     heading = ("", "locked", "effective", "")
     table = plain_table("Stiffness (effective: other loads kept)", heading, left=(0, 3))
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
-        values = (_digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
+        values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])
     return table
 
 
-def _stiffness_matrix(found: dict[str, Any]) -> Table:
-    """The whole tangent; what is rounding beside the diagonal is shown as zero."""
+def stiffness_matrix_table(found: dict[str, Any]) -> Table:
+    """The whole tangent of a record; what is rounding beside the diagonal is shown as zero."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
     heading = [f"{channel.label}\n/{'mrad' if tilt else 'um'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
@@ -193,18 +200,20 @@ def _stiffness_matrix(found: dict[str, Any]) -> Table:
     matrix = found["stiffness_SI"]
     for i, channel in enumerate(CHANNELS):
         noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
-        cells = [_digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
+        cells = [digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
         table.add_row(channel.label, _UNITS[channel.is_rotation][1], *cells)
     return table
 
 
-def _digits(value: float | None, noise: float) -> str:
+def digits(value: float | None, noise: float) -> str:
+    """A number to six digits; what is rounding as zero, what there is not as a dash."""
     if value is None:
         return "-"
     return "0" if abs(value) <= noise else f"{value:.6g}"
 
 
-def _contacts(rows: list[Row], count: int) -> Table:
+def contacts_table(rows: list[Row], count: int) -> Table:
+    """Angles, loads and pressures of the balls' contacts."""
     heading = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
     pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
     return _per_ball("Contacts", heading, rows, count, [_contact_column(rows, *pair) for pair in pairs])

@@ -30,6 +30,7 @@ from qsbearing.scene.keys import (
     PRELOAD,
     READING_SECTIONS,
     SECTIONS,
+    SET_SECTIONS,
 )
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import Preload, beside_preload
@@ -40,6 +41,7 @@ from qsbearing.validation import SceneError, printable
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
+SETS_ARE_READ_BY = "Of a set of rows on one shaft, which `qsbearing run` and `qs.load_set` read"
 AUTO = "auto"
 """In place of the table of effects: they are chosen to a tolerance."""
 DEFAULT_TOLERANCE = 0.01
@@ -95,10 +97,10 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     """
     errors: Errors = []
     _find_unknown_tables(document, errors)
-    bearing = _bearing(document, label, errors)
-    operation = _operation(document, errors)
-    preload = _preload(document, operation, errors)
-    effects = _effects(document, errors)
+    bearing = bearing_of(document, label, errors)
+    operation = operation_of(document, errors)
+    preload = preload_of(document, operation, errors)
+    effects = effects_of(document, errors)
     find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
     if errors or bearing is None or operation is None:
@@ -137,17 +139,21 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             cause = f"Did you mean [{meant}]?" if meant else known
             if name in STUDY_TABLES:
                 meant, cause = "", "Of a study, which `qsbearing sweep` solves"
+            if name in SET_SECTIONS:
+                meant, cause = "", SETS_ARE_READ_BY
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
-            errors.append(FileErrorDetail(name, "unknown key", cause=suggest(name, "", value).sentence))
+            cause = SETS_ARE_READ_BY if name in SET_SECTIONS else suggest(name, "", value).sentence
+            errors.append(FileErrorDetail(name, "unknown key", cause=cause))
 
 
 # Bearing --------------------------------------------------------------------------------------------------------------
 
 
-def _bearing(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
+def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
+    """The bearing of a file's table [bearing]; None where errors were found and added."""
     if "bearing" not in document:
         cause = f'At the least name = "{catalogue.entries()[0].name}"'
         errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
@@ -237,7 +243,8 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
 # Operation and effects ------------------------------------------------------------------------------------------------
 
 
-def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
+def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
+    """The operation of a file's table [operation]; likewise."""
     if "operation" not in document:
         needed = "At the least one load or displacement, such as axial_load_N = 1000; speed_rpm if it turns"
         errors.append(FileErrorDetail("[operation]", "missing", cause=needed))
@@ -261,7 +268,8 @@ def _operation(document: dict[str, Any], errors: Errors) -> Operation | None:
         return None
 
 
-def _preload(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
+def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
+    """The preload of a file's table [preload], where it has one; with an operation given, judged beside it."""
     if document.get("preload") is None:
         return None
     good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
@@ -276,7 +284,7 @@ def _preload(document: dict[str, Any], operation: Operation | None, errors: Erro
         return None
 
 
-def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The fields of `Scene` that say what is asked for."""
     table = document.get("effects")
     if table == AUTO:

@@ -33,6 +33,13 @@ def scene_template(entry: Entry, by_name: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
+def set_template(entry: Entry) -> str:
+    """The text of a file of a set: two rows of a catalogue entry, back to back."""
+    template = Template(files("qsbearing.io").joinpath("set_template.toml").read_text("utf-8"))
+    width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
+    return template.substitute(name=entry.name, description=entry.description, width=width)
+
+
 def _toml(value: Any) -> str:
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key} = {_toml(item)}" for key, item in value.items()) + "}"

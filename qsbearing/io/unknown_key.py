@@ -5,12 +5,21 @@ from __future__ import annotations
 import difflib
 from typing import Any, NamedTuple
 
-from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, NUMBERS, READING_SECTIONS, SECTIONS
+from qsbearing.scene.keys import (
+    EFFECT_SECTIONS,
+    MATERIAL_KEYS,
+    NUMBERS,
+    READING_SECTIONS,
+    SECTIONS,
+    SET_NUMBERS,
+    SET_SECTIONS,
+)
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
-_TABLES = {**SECTIONS, **EFFECT_SECTIONS, **READING_SECTIONS, "material": MATERIAL_KEYS}
+_TABLES = {**SECTIONS, **EFFECT_SECTIONS, **READING_SECTIONS, "material": MATERIAL_KEYS, **SET_SECTIONS}
+_NUMBERS = NUMBERS | SET_NUMBERS
 
 
 class Suggestion(NamedTuple):
@@ -40,7 +49,7 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
     if converted is not None:
         return converted
     # Without its unit a name resembles its key less than it should.
-    stems = {key.field: key.name for key in NUMBERS.get(section, ())}
+    stems = {key.field: key.name for key in _NUMBERS.get(section, ())}
     meant = near(name, _TABLES.get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
     if meant:
         return Suggestion(f"Did you mean {meant}?", meant)
@@ -55,13 +64,15 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
+    if table == "rows":
+        return "[[rows]]"
     outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in READING_SECTIONS else ""
     return f"[{outer}{table}]"
 
 
 def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:
     """`axial_load_kN = 8` is `axial_load_N = 8000`."""
-    for key in NUMBERS.get(section, ()):
+    for key in _NUMBERS.get(section, ()):
         ending = name.removeprefix(f"{key.field}_")
         if key.quantity is None or ending == name:
             continue

@@ -139,6 +139,11 @@ READING_CHOICES = {
 }
 EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
 
+ROW = (Key("position_mm", "position", "mm", mm, LENGTH), Key("offset_um", "offset", "um", um, LENGTH))
+SHAFT = (Key("reference_position_mm", "reference_position", "mm", mm, LENGTH),)
+SET_NUMBERS = {"rows": ROW, "shaft": SHAFT}
+"""The keys that hold numbers in what a file of a set has beside the tables of a scene."""
+
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
 EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
@@ -173,6 +178,12 @@ SECTIONS: dict[str, tuple[str, ...]] = {
 }
 """Every key a file may hold, by its table."""
 
+SET_SECTIONS: dict[str, tuple[str, ...]] = {
+    "rows": (*(key.name for key in ROW), "carries", "sprung", "bearing", *EFFECT_TABLES, "readings"),
+    "shaft": tuple(key.name for key in SHAFT),
+}
+"""Likewise, of the tables that only a set has."""
+
 EFFECT_SECTIONS = {
     name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
     for name, keys in EFFECT_TABLES.items()
@@ -193,7 +204,10 @@ _FIELD = re.compile(r"\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=Tru
 def find(path: str) -> Key | None:
     """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
     section, _, name = path.rpartition(".")
-    keys = NUMBERS.get("material" if section.endswith("_material") else section.rpartition(".")[2], ())
+    table = "material" if section.endswith("_material") else section.rpartition(".")[2]
+    if table.startswith("row "):
+        table = "rows"
+    keys = SET_NUMBERS.get(table) or NUMBERS.get(table, ())
     return next((key for key in keys if name in (key.field, key.name)), None)
 
 

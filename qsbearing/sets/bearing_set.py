@@ -25,6 +25,9 @@ from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_
 FARTHEST = 10.0
 """Metres along the shaft; it catches mistakes of unit."""
 
+WIDEST_OFFSET = 0.01
+"""Metres; likewise."""
+
 
 class Direction(StrEnum):
     """Which axial load on the shaft a row carries; it presses the row's balls."""
@@ -149,9 +152,14 @@ def _row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
         if not isinstance(row.bearing, BallBearing):
             errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
         errors += choose(f"{path}.carries", row.carries, Direction)[1]
-        errors += within(f"{path}.position", row.position, LENGTH, -FARTHEST, FARTHEST)
-        errors += within(f"{path}.offset", row.offset, LENGTH, -0.01, 0.01)
+        errors += placement_errors(path, row.position, row.offset)
     return errors
+
+
+def placement_errors(path: str, position: ArrayLike, offset: ArrayLike) -> list[ErrorDetail]:
+    """Errors of where a row stands, whatever the bearing."""
+    errors = within(f"{path}.position", position, LENGTH, -FARTHEST, FARTHEST)
+    return errors + within(f"{path}.offset", offset, LENGTH, -WIDEST_OFFSET, WIDEST_OFFSET)
 
 
 def _place_errors(of: BearingSet) -> list[ErrorDetail]:

@@ -1,0 +1,115 @@
+"""A solved set as plain data in the field's units, the object that `run --json` prints; and as columns of a table."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import __version__
+from qsbearing.columns import DISPLACEMENT, LOAD, STIFFNESS, columns
+from qsbearing.io.json_record import choices, matrix_rows, number, of_channels, record
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.system_life import system_life
+from qsbearing.units import mm, um
+
+OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy")
+"""What a row's own record would only repeat."""
+
+
+def set_record(solution: SetSolution) -> dict[str, Any]:
+    """A single case of a set as the object that `run --json` prints.
+
+    Returns:
+        None stands for a number that there is not: not called for, not solved, or not defined.
+    """
+    of, solved = solution.set, bool(solution.converged)
+    scene = solution.rows[0].scene
+    rows = [_row(solution, i) for i in range(len(of.rows))]
+    return {
+        "version": __version__,
+        "status": str(solution.status),
+        "message": solution.message(),
+        "residual": number(solution.residual),
+        "iterations": int(solution.iterations),
+        "seconds": solution.seconds,
+        "set": of.name,
+        "arrangement": of.arrangement,
+        "reference_position_mm": float(of.reference / mm),
+        "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
+        "choices": choices(scene),
+        "warnings": solution.warnings(),
+        "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
+        "displacement": of_channels(DISPLACEMENT, solution.displacement),
+        "load": of_channels(LOAD, solution.load),
+        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness),
+        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness),
+        "stiffness_SI": matrix_rows(solution.stiffness) if solved else None,
+        "compliance_SI": matrix_rows(solution.compliance) if solved else None,
+        "system_life_h": _system_life(rows) if solved else None,
+        "rows": rows,
+    }
+
+
+def _slide(solution: SetSolution) -> dict[str, float | None]:
+    return {} if solution.slide is None else {"slide_um": number(solution.slide / um)}
+
+
+def _row(solution: SetSolution, i: int) -> dict[str, Any]:
+    row, own = solution.set.rows[i], record(solution.rows[i])
+    at_rest, left, state = solution.preload_at_rest, solution.preload_in_operation, solution.preload_state
+    return {
+        "position_mm": float(np.asarray(row.position) / mm),
+        "carries": str(row.carries),
+        "sprung": row.sprung,
+        "offset_um": float(np.asarray(row.offset) / um),
+        "axial_load_N": number(solution.axial_loads[i]),
+        "share": of_channels(LOAD, solution.row_loads[i]),
+        "preload_at_rest_N": None if at_rest is None else number(at_rest[i]),
+        "preload_in_operation_N": None if left is None else number(left[i]),
+        "preload_state": None if state is None else str(state[i]) or None,
+        **{key: value for key, value in own.items() if key not in OF_THE_SET},
+    }
+
+
+def _system_life(rows: list[dict[str, Any]]) -> float | None:
+    """Hours that all rows survive together; None unless each has its life."""
+    lives = [((row["readings"] or {}).get("life") or {}).get("duration_h") for row in rows]
+    known = [life for life in lives if life is not None]
+    return number(system_life(known)) if len(known) == len(rows) else None
+
+
+def set_columns(solution: SetSolution) -> dict[str, NDArray]:
+    """One row per ball of every row of a single case, rows counting from 1; the shaft's values follow on each.
+
+    Rows that differ in what they have leave cells empty.
+    """
+    shaft = {
+        f"shaft_{kind}_{key}": values[i] / size
+        for kind, keys, values in (
+            ("displacement", DISPLACEMENT, solution.displacement),
+            ("load", LOAD, solution.load),
+            ("locked_stiffness", STIFFNESS, solution.locked_stiffness),
+        )
+        for i, (key, size) in enumerate(keys)
+    }
+    parts = [_row_columns(solution, i, shaft) for i in range(len(solution.rows))]
+    names = dict.fromkeys(name for part in parts for name in part)
+    empty = [np.full(part["row"].size, np.nan) for part in parts]
+    return {
+        name: np.concatenate([part.get(name, none).astype(object) for part, none in zip(parts, empty, strict=True)])
+        for name in names
+    }
+
+
+def _row_columns(solution: SetSolution, i: int, shaft: dict[str, Any]) -> dict[str, NDArray]:
+    row, own = solution.set.rows[i], columns(solution.rows[i])
+    if solution.rows[i].scene.readings:
+        from qsbearing.readings import reading_columns, take_asked  # a set without readings does not load them
+
+        own |= reading_columns(solution.rows[i], take_asked(solution.rows[i]))
+    of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm, "carries": str(row.carries)}
+    count = own["ball"].size
+    first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))
+    return first | own | last
