@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import sys
 import tempfile
@@ -306,21 +307,42 @@ def cost(level: str, out: Path, as_json: bool) -> None:
 
 @cli.command("report")
 @click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
-def report(out: Path) -> None:
-    """Build REPORT.md and its pictures in a folder.
+@click.option(
+    "--records",
+    default=None,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder of records; unless named, that of --out, or where it has none, those that came with the package.",
+)
+@click.option(
+    "--previous",
+    default=None,
+    type=click.Path(path_type=Path, file_okay=False, exists=True),
+    help="Folder of an earlier release's records, to be compared with.",
+)
+def report(out: Path, records: Path | None, previous: Path | None) -> None:
+    """Write the validation report, HTML and PDF, from records alone; runs no check.
 
-    From the records there; where it has none, from those that came with the package. Runs no check.
+    Exit codes: 0 written, whatever the verdict in it; 2 no records, or a missing dependency.
     """
     _load_checks()
+    _check_documents()
     from fem_check import records_store
-    from fem_check.report import book
+    from fem_check.report import evidence, files
 
     try:
-        records = out if records_store.read_all(out) else records_store.FOLDER
-        path = book.write(records, out)
+        folder = records or (out if records_store.read_all(out) else records_store.FOLDER)
+        found = evidence.read(folder)
+        written = files.write(found, None if previous is None else evidence.read(previous), out)
     except (records_store.RecordError, OSError) as problem:
         refuse(str(problem))
-    Console(soft_wrap=True, highlight=False).print(f"wrote {path}, from the records in {records}")
+    console = Console(soft_wrap=True, highlight=False)
+    console.print(*(f"wrote {path}" for path in written), f"from the records in {folder}", sep="\n")
+
+
+def _check_documents() -> None:
+    missing = [name for name in ("jinja2", "typst", "markdown_it") if importlib.util.find_spec(name) is None]
+    if missing:
+        refuse(f"the report needs {', '.join(missing)}: pip install 'qsbearing[report]'")
 
 
 cli.add_command(release)

@@ -1,10 +1,9 @@
-"""Pictures, drawn from the numbers in the records."""
+"""Pictures, drawn from the numbers in the records, each with the words for those who do not see it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib
 
@@ -18,17 +17,12 @@ from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Picture
+
 Entry = dict[str, Any]
-DPI = 110
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
 FOUND: dict[str, Any] = {"color": "#c44e52", "marker": ".", "linestyle": "none", "markersize": 3}
-
-
-def save(figure: Figure, path: Path) -> None:
-    """Write without the date and version that would change the file."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})
-    plt.close(figure)
 
 
 def load_axis(axes: Axes, loads: list[float]) -> None:
@@ -287,7 +281,9 @@ def sector_bodies(entry: Entry) -> Figure:
             triangles.append(np.stack([x, z, y], axis=-1)[corners])
         every = np.concatenate(triangles)
         axes.add_collection3d(
-            Poly3DCollection(every, facecolors=np.concatenate(faces), edgecolors="#00000060", linewidths=0.25)
+            Poly3DCollection(
+                every, facecolors=np.concatenate(faces), edgecolors="#00000060", linewidths=0.25, rasterized=True
+            )
         )
         low, high = every.min(axis=(0, 1)), every.max(axis=(0, 1))
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), title=name)
@@ -328,28 +324,80 @@ def sector_contacts(entry: Entry) -> Figure:
     return figure
 
 
-DRAWN: dict[str, tuple[Callable[[Entry], Figure], str]] = {
-    "contact": (pressure_map, "Pressure over the ellipse, Hertz's outline in white"),
-    "contact profiles": (profiles, "Pressure along both axes"),
-    "contact shear": (shear_map, "Largest shear stress below the surface"),
-    "mesh": (mesh, "Mesh"),
-    "load_series": (load_series, "Deviation over the load"),
-    "body_size": (body_size, "Approach of clamped boxes"),
-    "convergence": (convergence, "Convergence"),
-    "true_geometry": (true_geometry, "True bodies against Hertz"),
-    "conformity": (conformity, "Closing grooves"),
-    "sector bodies": (sector_bodies, "What was solved: half a ball and its segments of both rings, as meshed"),
-    "sector contacts": (sector_contacts, "Pressure and gap of both contacts of the ball"),
-    "bearing_sector": (bearing_sector, "One ball between two elastic rings: deviation from the quasi-static model"),
+class Drawing(NamedTuple):
+    """What draws a picture, its caption, and what it shows."""
+
+    draw: Callable[[Entry], Figure]
+    caption: str
+    alt: str
+
+
+DRAWN = {
+    "contact": Drawing(
+        pressure_map,
+        "Pressure over the ellipse, Hertz's outline in white",
+        "Map of the contact pressure: elliptic contours, highest in the middle, ending at Hertz's outline.",
+    ),
+    "contact profiles": Drawing(
+        profiles,
+        "Pressure along both axes",
+        "Pressure along both axes of the ellipse: points of the finite elements on Hertz's half circle.",
+    ),
+    "contact shear": Drawing(
+        shear_map,
+        "Largest shear stress below the surface",
+        "Map of the shear stress below the contact, with its largest value on the axis where theory has it.",
+    ),
+    "mesh": Drawing(
+        mesh, "Mesh", "Lines of the mesh from above and from the side, finest at the contact, coarser away from it."
+    ),
+    "load_series": Drawing(
+        load_series,
+        "Deviation over the load",
+        "Deviation of five quantities from Hertz over the load, level: one mesh serves every load.",
+    ),
+    "body_size": Drawing(
+        body_size,
+        "Approach of clamped boxes",
+        "Approach against the inverse size of the box: a straight line to the value with the exact far field.",
+    ),
+    "convergence": Drawing(
+        convergence, "Convergence", "Errors of four quantities falling with the element size, in double logarithms."
+    ),
+    "true_geometry": Drawing(
+        true_geometry,
+        "True bodies against Hertz",
+        "Deviation of approach, semi-axes and pressure from Hertz over the load, for the exact gap and true bodies.",
+    ),
+    "conformity": Drawing(
+        conformity,
+        "Closing grooves",
+        "Worst deviation from Hertz over the load, one line for each groove radius: the closer the groove, the larger.",
+    ),
+    "sector bodies": Drawing(
+        sector_bodies,
+        "What was solved: half a ball and its segments of both rings, as meshed",
+        "The meshed half ball between segments of both rings, and the ball alone with its contact in colour.",
+    ),
+    "sector contacts": Drawing(
+        sector_contacts,
+        "Pressure and gap of both contacts of the ball",
+        "Pressure maps of the inner and the outer contact, and pressure and gap across the groove.",
+    ),
+    "bearing_sector": Drawing(
+        bearing_sector,
+        "One ball between two elastic rings: deviation from the quasi-static model",
+        "Six panels of deviations over the axial load, with the outside diameter rigid and free, at rest and at speed.",
+    ),
 }
 
 
-def draw_all(entry: Entry, folder: Path) -> list[tuple[str, str]]:
-    """Draw every picture that a record has numbers for: file name and caption of each."""
-    drawn = []
-    for key, (draw, caption) in DRAWN.items():
+def draw_all(entry: Entry) -> list[Picture]:
+    """Every picture that a record has numbers for."""
+    found = []
+    for key, drawing in DRAWN.items():
         if key.split()[0] in entry["pictures"]:
-            name = f"{entry['check']}-{key.replace(' ', '-').replace('_', '-')}.png"
-            save(draw(entry), folder / name)
-            drawn.append((name, caption))
-    return drawn
+            figure = drawing.draw(entry)
+            found.append(picture(figure, drawing.alt, drawing.caption, min(1.0, figure.get_size_inches()[0] / 9.0)))
+            plt.close(figure)
+    return found

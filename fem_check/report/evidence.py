@@ -1,0 +1,190 @@
+"""All records that the report is made from, each with the name of its file and the command that makes it anew."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from fem_check import records_store
+from fem_check.cost import record as cost_record
+from qsbearing.documents.model import Trace
+
+REPOSITORY = Path(__file__).parents[2]
+CARRIED = Path(__file__).parents[1] / "repository"
+"""Where an installed package has the records that stand elsewhere in the repository."""
+
+NOT_RECORDED = "commit, date and machine not recorded"
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A record, and where it is kept."""
+
+    name: str
+    """Of its file, from the folder of records or the repository."""
+    data: dict[str, Any]
+    command: str
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """Of the run; empty where nothing was recorded."""
+        return dict(self.data.get("provenance") or {})
+
+    @property
+    def version(self) -> str:
+        """Of qsbearing, as far as the record says it."""
+        holders = (self.provenance, self.data.get("versions") or {}, self.data.get("machine") or {})
+        found = [holder["qsbearing"] for holder in holders if "qsbearing" in holder]
+        return str(found[0]) if found else str(self.data.get("version") or "")
+
+    @property
+    def made_with(self) -> str:
+        """Version, commit, date in a line."""
+        version = f"qsbearing {self.version}" if self.version else "version not recorded"
+        if not self.provenance:
+            return f"{version}; {NOT_RECORDED}"
+        commit = (self.provenance["commit"] or "no commit")[:12]
+        changed = " with changes that are not committed" if self.provenance["dirty"] else ""
+        return f"{version}, {commit}{changed}, {self.provenance['date']}"
+
+    @property
+    def trace(self) -> Trace:
+        """The line below what is shown of it."""
+        return Trace(self.name, self.command, self.made_with)
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Everything on record."""
+
+    folder: Path
+    checks: dict[str, Kept]
+    book: dict[str, Kept] = field(default_factory=dict)
+    cost: Kept | None = None
+    reference: Kept | None = None
+    relations: Kept | None = None
+    errata: Kept | None = None
+    hard_cases: Kept | None = None
+    campaigns: list[Kept] = field(default_factory=list)
+    model_cost: Kept | None = None
+    auto_accuracy: Kept | None = None
+    scipy: Kept | None = None
+    gate: list[Kept] = field(default_factory=list)
+    """Of the last release run: its steps."""
+
+    def all(self) -> Iterator[Kept]:
+        """Every record."""
+        yield from self.checks.values()
+        yield from self.book.values()
+        yield from self.campaigns
+        others = (self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost)
+        yield from (each for each in (*others, self.auto_accuracy, self.scipy, *self.gate) if each is not None)
+
+
+def read(records: Path = records_store.FOLDER) -> Evidence:
+    """All that a folder of records holds; what only the package or the repository has is taken from there.
+
+    Raises:
+        records_store.RecordError: a file that is no record, or a folder without any record of a check.
+    """
+    label = _label(records)
+    entries = records_store.read_all(records)
+    if not entries:
+        raise records_store.RecordError(f"no records in {records}: run `fem-check run --out {records}` first")
+    checks = {
+        name: Kept(f"{label}/{each['level']}/{name}.json", each, _check_command(name, each))
+        for name, each in entries.items()
+    }
+    gate = _gate(records, label)
+    campaigns = [gate[name] for name in ("campaign-wild", "campaign-realistic") if name in gate]
+    return Evidence(
+        records,
+        checks,
+        _book(records) or _book(records_store.FOLDER),
+        _cost(records) or _cost(records_store.FOLDER),
+        _elsewhere("tests/reference/table.json", "python -m tests.reference.table"),
+        _elsewhere("tests/relations.json", "python -m tests.relations"),
+        _elsewhere("tests/reference/errata.json", "python -m tests.reference.errata"),
+        gate.get("hard_cases") or _elsewhere("tests/hard_cases/table.json", "python -m tests.hard_cases.table"),
+        campaigns or _campaigns(),
+        _elsewhere(
+            "qsbearing/studies/cost/records/b218_combined.json",
+            "qsbearing cost tests/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
+        ),
+        _elsewhere("tests/benchmarks/auto_accuracy.json", "python -m tests.benchmarks.auto_accuracy"),
+        _elsewhere("tests/benchmarks/record.json", "python -m tests.benchmarks.record"),
+        [gate["steps"]] if "steps" in gate else [],
+    )
+
+
+def _label(folder: Path) -> str:
+    """What a folder of records is called in the report."""
+    return "fem_check/records" if folder == records_store.FOLDER else folder.resolve().name
+
+
+def _check_command(name: str, entry: dict[str, Any]) -> str:
+    scene = "" if entry["scene"] == "b218" else f" --scene {entry['scene']}"
+    return f"fem-check run {name} --level {entry['level']}{scene}"
+
+
+def _load(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(found, dict):
+            raise ValueError("it is no object")
+    except (ValueError, OSError) as problem:
+        raise records_store.RecordError(f"{path} is no record ({problem})") from problem
+    return found
+
+
+def _elsewhere(name: str, command: str) -> Kept | None:
+    """A record of the repository, where the repository or what an installed package carries of it has one."""
+    for root in (REPOSITORY, CARRIED):
+        if (root / name).is_file():
+            return Kept(name, _load(root / name), command)
+    return None
+
+
+def _campaigns() -> list[Kept]:
+    """The latest record of each envelope."""
+    found = []
+    for root in (REPOSITORY, CARRIED):
+        for path in sorted((root / "tests" / "campaign" / "records").glob("*.json")):
+            data = _load(path)
+            command = (
+                f"python -m tests.campaign --envelope {data['envelope']} --count {data['count']} --seed {data['seed']}"
+            )
+            found.append(Kept(f"tests/campaign/records/{path.name}", data, f"{command} --record"))
+        if found:
+            break
+    return found
+
+
+def _cost(records: Path) -> Kept | None:
+    found = cost_record.read(records)
+    if found is None:
+        return None
+    level = found["level"]
+    return Kept(f"{_label(records)}/cost/{level}.json", found, f"fem-check cost --level {level}")
+
+
+def _book(records: Path) -> dict[str, Kept]:
+    found = {}
+    for path in sorted((records / "book").glob("*.json")):
+        data = _load(path)
+        if {"case", "verdict", "rows"} <= set(data):
+            found[data["case"]] = Kept(f"{_label(records)}/book/{path.name}", data, f"fem-check book {data['case']}")
+    return found
+
+
+def _gate(records: Path, label: str) -> dict[str, Kept]:
+    """What the last release run left in the folder, of its finest level."""
+    for level in ("release", "quick"):
+        paths = sorted((records / "gate" / level).glob("*.json"))
+        if paths:
+            command = f"fem-check release --level {level}"
+            return {path.stem: Kept(f"{label}/gate/{level}/{path.name}", _load(path), command) for path in paths}
+    return {}

@@ -1,0 +1,103 @@
+"""Rows of agreement as cells and tables: numbers shortened, units for readers, verdicts with colours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from qsbearing.documents.model import Badge, Cell, Table
+
+Row = dict[str, Any]
+
+UNITS = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, "")}
+SHORT = {
+    "semi_major_axis": "a", "semi_minor_axis": "b", "max_pressure": "p0", "max_shear_stress": "τmax",
+    "max_shear_depth": "depth of τmax", "axial_displacement": "axial displacement",
+}  # fmt: skip
+STATUS = {"pass": "pass", "fail": "fail", "finding": "finding"}
+ORDER = ("fail", "pass", "finding")
+"""The verdict of several rows is the first of these that one of them has."""
+
+
+def number(value: float | None, digits: int = 6, signed: bool = False) -> str:
+    """A number of a record, shortened."""
+    if value is None:
+        return ""
+    return f"{value:+.{digits}g}" if signed else f"{value:.{digits}g}"
+
+
+def quantity(name: str) -> str:
+    """A quantity as readers call it."""
+    for long, short in SHORT.items():
+        name = name.replace(long, short)
+    return name.replace("_", " ")
+
+
+def badge(word: str) -> Badge:
+    """A verdict; a word that is none of ours has no colour."""
+    return Badge(word, STATUS.get(word, "missing"))
+
+
+def verdict(rows: Iterable[Row]) -> str:
+    """Of several rows."""
+    found = {row["verdict"] for row in rows}
+    return next((word for word in ORDER if word in found), "finding")
+
+
+def counts(rows: Sequence[Row]) -> dict[str, int]:
+    """How many rows have each verdict."""
+    return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
+
+
+HEADINGS = ("quantity", "unit", "reference", "found", "deviation %", "± %", "tolerance %", "verdict")
+ALIGN = "llrrrrrl"
+
+
+def cells(row: Row) -> list[Cell]:
+    """The cells of a row below `HEADINGS`."""
+    factor, unit = UNITS.get(row["unit"], (1.0, row["unit"] or ""))
+    return [
+        quantity(row["quantity"]) + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
+        unit,
+        _scaled(row["reference"], factor),
+        _scaled(row["found"], factor),
+        number(row["deviation_percent"], 2, signed=True),
+        number(row["uncertainty_percent"], 2),
+        number(row["tolerance_percent"], 2),
+        badge(row["verdict"]),
+    ]
+
+
+def _scaled(value: float | None, factor: float) -> str:
+    return "" if value is None else number(value * factor)
+
+
+def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
+    """The rows as tables: cases that have the same quantities side by side share one, with deviations in its cells."""
+    cases: dict[str, list[Row]] = {}
+    for row in rows:
+        cases.setdefault(row["case"], []).append(row)
+    shapes: dict[tuple[str, ...], list[str]] = {}
+    for case, own in cases.items():
+        shapes.setdefault(tuple(row["quantity"] for row in own), []).append(case)
+    found, lines = [], []
+    for quantities, names in shapes.items():
+        if len(names) >= 3 and len(quantities) >= 2:
+            found.append(_side_by_side(quantities, [(name, cases[name]) for name in names], caption))
+        else:
+            lines += [[name, *cells(row)] for name in names for row in cases[name]]
+    return ([Table(("case", *HEADINGS), lines, f"l{ALIGN}", caption)] if lines else []) + found
+
+
+def _side_by_side(quantities: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
+    title = f"{caption}: deviation, and ± its uncertainty, per cent" if caption else "Deviation ± uncertainty, per cent"
+    lines: list[list[Cell]] = []
+    for name, rows in cases:
+        lines.append([name, *map(_deviation, rows), badge(verdict(rows))])
+    headings = ("case", *map(quantity, quantities), "verdict")
+    return Table(headings, lines, "l" + "r" * len(quantities) + "l", title)
+
+
+def _deviation(row: Row) -> str:
+    spread = row["uncertainty_percent"]
+    return number(row["deviation_percent"], 2, signed=True) + (f" ± {number(spread, 2)}" if spread is not None else "")

@@ -1,0 +1,118 @@
+"""The validation book: published cases, measured, catalogued, or computed by others; a page for each."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.missing import missing
+from fem_check.report.rows import agreement, badge
+from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Picture, Remark, Section, Table
+
+COMPUTED = (
+    "What others have computed and published: standards and their worked examples, catalogues, programs. Complete "
+    "inputs make it binding, but it is somebody's calculation, no measurement."
+)
+MEASURED = (
+    "Physical measurements. What their publications leave open is said on each page, and what was fitted, predicted, "
+    "or chosen after seeing the data."
+)
+
+
+def computed(evidence: Evidence) -> Section:
+    """Standards, catalogues, other programs."""
+    cases = [_page(name, kept) for name, kept in evidence.book.items() if kept.data["kind"] != "M"]
+    blocks: list[Block] = [Paragraph(COMPUTED), *_overview(evidence, measured=False), *cases, *_scipy(evidence.scipy)]
+    return Section("Other programs, standards, catalogues", blocks, "computed-by-others")
+
+
+def measured(evidence: Evidence) -> Section:
+    """Measurements."""
+    cases = [_page(name, kept) for name, kept in evidence.book.items() if kept.data["kind"] == "M"]
+    return Section("Measurements", [Paragraph(MEASURED), *_overview(evidence, measured=True), *cases])
+
+
+def _overview(evidence: Evidence, measured: bool) -> list[Block]:
+    if not evidence.book:
+        return [missing("The validation book", "fem-check book")]
+    rows = [
+        [kept.data["title"], kept.data["kind_text"], kept.data["summary"], badge(kept.data["verdict"])]
+        for kept in evidence.book.values()
+        if (kept.data["kind"] == "M") == measured
+    ]
+    return [Table(("case", "kind", "what came out", "verdict"), rows, "llll")] if rows else [Remark("No case.")]
+
+
+def _page(name: str, kept: Kept) -> Section:
+    entry = kept.data
+    blocks: list[Block] = [Remark(f"{entry['question']} {entry['summary']}", entry["verdict"])]
+    blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]))
+    if entry["inputs"]:
+        inputs = [list(map(str, each)) for each in entry["inputs"]]
+        blocks.append(Table(("input", "value", "from"), inputs, "lll", "What went in"))
+    blocks += _lists(entry)
+    blocks += _picture(kept)
+    blocks += agreement(entry["rows"], "Agreement")
+    blocks += _reasons(entry["rows"])
+    points = entry.get("points")
+    if points and len(points["rows"]) <= LONGEST:
+        rows = [[_cell(value) for value in row] for row in points["rows"]]
+        blocks.append(Table(points["columns"], rows, "l" + "r" * (len(points["columns"]) - 1), points["caption"]))
+    elif points:
+        blocks.append(Paragraph(f"{points['caption']}: {len(points['rows'])} points, in the record."))
+    return Section(entry["title"], [*blocks, kept.trace], f"book-{name.replace('_', '-')}")
+
+
+LONGEST = 120
+"""Points that a page shows one by one."""
+
+LISTS = {
+    "missing": "What the source does not say",
+    "fitted": "Fitted",
+    "predicted": "Predicted",
+    "chosen_after_seeing": "Chosen after seeing the data",
+    "does_not_show": "What this does not show",
+}
+
+
+def _lists(entry: dict[str, Any]) -> list[Block]:
+    return [
+        block
+        for key, heading in LISTS.items()
+        if entry.get(key)
+        for block in (Paragraph(f"{heading}:"), Bullets(entry[key]))
+    ]
+
+
+def _reasons(rows: list[dict[str, Any]]) -> list[Block]:
+    why = dict.fromkeys(row["why_tolerance"] for row in rows if row["why_tolerance"])
+    return [Paragraph("Why these tolerances:"), Bullets(list(why))] if why else []
+
+
+def _picture(kept: Kept) -> list[Block]:
+    told = kept.data.get("picture")
+    if not told:
+        return []
+    from fem_check.book.picture import svg
+
+    return [Picture(svg(kept.data), told["alt"], told["caption"], "svg", 0.85)]
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _scipy(kept: Kept | None) -> list[Block]:
+    """The same equations left to a library's root finder."""
+    if kept is None or "against_scipy" not in kept.data:
+        return []
+    found = kept.data["against_scipy"]
+    rows = [
+        ["scipy.optimize.root, all unknowns at once", str(found["scipy_right"]), f"{found['scipy_ms']['median']:g}"],
+        ["qsbearing.solve", str(found["solve_right"]), f"{found['solve_ms']['median']:g}"],
+    ]
+    words = f"The same equations, {found['points']} random operating points of B218, left to a library's root finder."
+    headings = ("solved by", f"right, of {found['points']}", "median time, ms")
+    return [Section("A library's root finder", [Paragraph(words), Table(headings, rows), kept.trace])]

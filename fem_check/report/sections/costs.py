@@ -1,0 +1,64 @@
+"""What accuracy costs: levels of the model, and elements of a contact."""
+
+from __future__ import annotations
+
+from fem_check.cost import picture as cost_picture
+from fem_check.cost import table as cost_table
+from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.missing import missing
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.from_rich import blocks as from_rich
+from qsbearing.documents.model import Block, Paragraph, Section, Table
+
+
+def section(evidence: Evidence) -> Section:
+    """Time and memory against accuracy."""
+    return Section(
+        "What accuracy costs",
+        [
+            Section("Levels of the model", _levels(evidence.model_cost, evidence.auto_accuracy)),
+            Section("Elements of one contact", _elements(evidence.cost)),
+        ],
+    )
+
+
+def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
+    if kept is None:
+        return [missing("The cost of the model's levels", "qsbearing cost SCENE --out DIR")]
+    from qsbearing.studies.cost import figures, tables
+
+    speeds = picture(
+        figures.speeds(kept.data),
+        "Errors of angles, loads, pressures, displacement and stiffness against the speed, a line for every level.",
+        "Errors of every level against the finest, over the speed",
+    )
+    blocks = [*from_rich(tables.report(kept.data)), speeds, kept.trace]
+    if auto is not None:
+        found = auto.data
+        worst = found["worst"][0]
+        words = (
+            f"Effects chosen by a tolerance of {found['tolerance']:g}: of {found['scenes']} random operating points "
+            f"{found['within_tolerance']} stayed within it and {found['something_left_out']} left something out; the "
+            f"worst is off by {worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). On average it took "
+            f"{found['solves_mean']:g} solves."
+        )
+        blocks += [Paragraph(words), auto.trace]
+    return blocks
+
+
+def _elements(kept: Kept | None) -> list[Block]:
+    if kept is None:
+        return [missing("The cost of the elements", "fem-check cost --level release")]
+    found = kept.data
+    figure = cost_picture.draw(found)
+    drawn = picture(
+        figure, "Worst error against time in double logarithms, a line for every family of elements.",
+        "Error against time, by element family and mesh",
+    )  # fmt: skip
+    cost_picture.plt.close(figure)
+    tables = [
+        Table(each.headings, each.rows, "l" + "r" * (len(each.headings) - 1), each.title)
+        for each in (cost_table.mesh_choices(found), cost_table.measured(found))
+    ]
+    remark = cost_table.remark(found).replace("`", "")
+    return [Paragraph(remark), drawn, *tables, kept.trace]

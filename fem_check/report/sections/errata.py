@@ -1,0 +1,24 @@
+"""Errors found in the source paper, and what each does to an answer."""
+
+from __future__ import annotations
+
+from fem_check.report.evidence import Evidence
+from fem_check.report.missing import missing
+from qsbearing.documents.model import Cell, Paragraph, Section, Table
+
+
+def section(evidence: Evidence) -> Section:
+    """A row for each error: printed, correct, effect."""
+    kept = evidence.errata
+    if kept is None:
+        return Section("Errors of the source", [missing("What they do", "python -m tests.reference.errata")], "errata")
+    found = kept.data
+    rows: list[list[Cell]] = [
+        [each["place"], each["printed"], each["correct"], each["shows"], each["effect"]] for each in found["errors"]
+    ]
+    words = (
+        f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
+        f"solved: {found['scene']}. As corrected: {found['corrected']}."
+    )
+    table = Table(("place", "printed", "correct", "how it shows", "effect on the answer"), rows, "lllll")
+    return Section("Errors of the source", [Paragraph(words), table, kept.trace], "errata")

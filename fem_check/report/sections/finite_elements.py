@@ -1,0 +1,46 @@
+"""Finite elements: contacts of half-spaces, true bodies, one ball between elastic rings."""
+
+from __future__ import annotations
+
+from fem_check.checks import ALL
+from fem_check.report.evidence import Evidence
+from fem_check.report.missing import missing
+from fem_check.report.sections import checks
+from fem_check.report.sections.mathematics import CHECKS as OF_FORMULAS
+from qsbearing.documents.model import Block, Md, Paragraph, Section
+
+VERIFICATION = (
+    "Half-spaces and a parabolic gap, where Hertz is exact, so that every per cent of deviation is an error. A row "
+    "passes if deviation and uncertainty together stay within a tolerance set before the first run. Contacts of one "
+    "shape are similar at every load: one row stands for all the loads that it names, and says where it is worst."
+)
+VALIDATION = (
+    "Bodies as they are: true grooves, elastic rings, the ball's own position. Here the deviation is the finding, and "
+    "has no tolerance; what is gated is the agreement of two methods, the uncertainty of the mesh, and limits. It is "
+    "no measurement."
+)
+
+
+def section(evidence: Evidence) -> Section:
+    """The rung of the finite elements; a check without a record is said."""
+    kinds: dict[str, list[Block]] = {"verification": [], "validation": []}
+    for name, check in ALL.items():
+        if name in OF_FORMULAS:
+            continue
+        kept = evidence.checks.get(name)
+        kinds[str(check.kind)].append(
+            missing(f"Check {name}", f"fem-check run {name}") if kept is None else checks.section(name, kept)
+        )
+    return Section(
+        "Finite elements",
+        [
+            Paragraph(
+                Md(
+                    "`fem_check` solves contacts and a sector of the bearing in three dimensions. Its own formulas "
+                    "start from the drawing's dimensions and share no code with what they judge."
+                )
+            ),
+            Section("Verification", [Paragraph(VERIFICATION), *kinds["verification"]], "fe-verification"),
+            Section("Validation of Hertz and of rigid rings", [Paragraph(VALIDATION), *kinds["validation"]]),
+        ],
+    )

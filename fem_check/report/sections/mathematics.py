@@ -1,0 +1,61 @@
+"""Mathematics: the equations against fifty digits, two derivations against each other, relations that must hold."""
+
+from __future__ import annotations
+
+from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.missing import missing
+from fem_check.report.sections import checks
+from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
+
+CHECKS = ("hertz_formula",)
+"""Checks that judge formulas, without elements."""
+
+
+def section(evidence: Evidence) -> Section:
+    """The first rung."""
+    return Section(
+        "Mathematics",
+        [
+            Paragraph(
+                "Are the equations solved as they stand? The references share no code with the package: the whole "
+                "system of equations at fifty digits, closed forms derived a second time, and relations that hold "
+                "whatever the numbers are. This is verification: it says nothing of real bearings."
+            ),
+            Section("Fifty-digit solutions", _reference(evidence.reference)),
+            *(checks.section(name, evidence.checks[name]) for name in CHECKS if name in evidence.checks),
+            Section("Relations", _relations(evidence.relations)),
+        ],
+    )
+
+
+def _reference(kept: Kept | None) -> list[Block]:
+    if kept is None:
+        return [missing("The comparison with the fifty-digit solutions", "python -m tests.reference.table")]
+    rows = [
+        [
+            each["case"], each["what"], *(f"{each[name]:.1e}" for name in ("loads", "angles", "displacements")),
+            f"{each['stiffness']:.1e}", Badge(each["verdict"]),
+        ]
+        for each in kept.data["cases"]
+    ]  # fmt: skip
+    headings = ("scene", "what is hard about it", "loads", "angles", "displacements", "stiffness", "verdict")
+    words = (
+        f"{len(rows)} scenes, each solved with four unknowns a ball by mpmath. Largest relative errors of what "
+        f"`qsbearing.solve` says; the tolerance is {kept.data['tolerance']:g}: {kept.data['why_tolerance']}."
+    )
+    return [Paragraph(words.replace("`", "")), Table(headings, rows, "llrrrrl", "Relative errors"), kept.trace]
+
+
+def _relations(kept: Kept | None) -> list[Block]:
+    if kept is None:
+        return [missing("The outcome of the tests of relations", "python -m tests.relations")]
+    rows = [
+        [each["file"], each["what"], str(each["passed"]), str(each["failed"]), Badge(each["verdict"])]
+        for each in kept.data["files"]
+    ]
+    words = (
+        "Symmetries, limits, energy, derivatives, motion: each test states a relation and holds random or named scenes "
+        "to it, without a number that was computed before."
+    )
+    table = Table(("file", "what must hold", "passed", "failed", "verdict"), rows, "llrrl")
+    return [Paragraph(words), table, kept.trace]

@@ -1,0 +1,77 @@
+"""Robustness: named hard cases and random scenes."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.missing import missing
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
+
+GOOD = ("within 1e-9", "explained by its condition", "as expected")
+
+
+def section(evidence: Evidence) -> Section:
+    """Whether a scene is solved, and if not, whether it is said rightly."""
+    words = (
+        "Does every scene end, and does its status tell the truth? A solution is checked from its public numbers "
+        "alone: forces, moments, closure, Hertz. A refusal needs a certificate from another method: a proof, or an "
+        "inadmissible equilibrium as evidence."
+    )
+    blocks: list[Block] = [
+        Paragraph(words),
+        Section("Random scenes", _campaigns(evidence.campaigns)),
+        Section("Named hard cases", _hard_cases(evidence.hard_cases)),
+    ]
+    return Section("Hard cases and random scenes", blocks, "robustness")
+
+
+def _campaigns(kept: list[Kept]) -> list[Block]:
+    if not kept:
+        return [missing("A campaign of random scenes", "python -m tests.campaign --envelope wild --record")]
+    rows: list[list[Cell]] = []
+    for each in kept:
+        found = each.data
+        classes, met = found["classes"], found["bar"]["met"]
+        rows.append([
+            found["envelope"], f"{found['count']:,}",
+            *(f"{classes.get(name, 0):,}" for name in ("converged", "no_equilibrium", "not_converged")),
+            str(sum(found["failures"].values())), str(found["iterations_of_converged"]["median"]),
+            f"{found['largest']['imbalance']:.0e}",
+            Badge("met" if met else "missed", "pass" if met else "fail"),
+        ])  # fmt: skip
+    headings = (
+        "envelope", "scenes", "converged", "no equilibrium", "not converged", "wrong",
+        "iterations, median", "largest imbalance", "bar",
+    )  # fmt: skip
+    bars = [f"{each.data['envelope']}: {each.data['bar']['asked']}" for each in kept]
+    table = Table(headings, rows, "l" + "r" * 7 + "l")
+    proofs = ", ".join(
+        f"{each.data['no_equilibrium']['proofs']:,} of {each.data['classes'].get('no_equilibrium', 0):,} "
+        f"({each.data['envelope']})"
+        for each in kept
+    )
+    words = f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence."
+    return [table, Paragraph(words), Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
+
+
+def _hard_cases(kept: Kept | None) -> list[Block]:
+    if kept is None:
+        return [missing("The table of hard cases", "python -m tests.hard_cases.table")]
+    rows: list[list[Cell]] = []
+    for each in kept.data["cases"]:
+        errors = [f"{each[key]:.0e}" if key in each else "" for key in ("loads", "angles", "displacements")]
+        verdict = each["verdict"]
+        rows.append([
+            each["case"], each["what"], each["status"].replace("_", " "), str(each["iterations"]), *errors,
+            f"{each['unavoidable']:.0e}" if "unavoidable" in each else "",
+            Badge(verdict, "pass" if verdict in GOOD else "fail"),
+        ])  # fmt: skip
+    tally = Counter(each["verdict"] for each in kept.data["cases"])
+    words = (
+        f"{len(rows)} scenes against their own fifty-digit solutions: "
+        f"{', '.join(f'{count} {verdict}' for verdict, count in tally.items())}. Errors are relative; unavoidable is "
+        "what the condition number makes of the last bit of the input."
+    )
+    headings = ("case", "what", "outcome", "iterations", "loads", "angles", "displacements", "unavoidable", "verdict")
+    return [Paragraph(words), Table(headings, rows, "lllrrrrrl"), kept.trace]
