@@ -44,7 +44,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             robustness.section(evidence),
             costs.section(evidence),
             errata.section(evidence),
-            limits.section(),
+            limits.section(evidence),
             previous.section(evidence, before),
             every_row.section(evidence),
             every_row.commands(evidence),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import io
+import json
 import re
 import tempfile
 from pathlib import Path
@@ -13,8 +14,13 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import qsbearing as qs
+from fem_check import records_store
+from fem_check.cost import picture as cost_picture
+from fem_check.cost import record as cost_record
+from fem_check.report.figures import bearing_sector
 from qsbearing.pictures.life import LifePanel, life_against
 from qsbearing.pictures.study import picture
+from qsbearing.studies.cost import figures
 from tests.benchmarks.coordinate_drawing import coordinate_drawing
 from tests.guide.pages import run_page
 
@@ -67,9 +73,24 @@ def gallery() -> None:
             (GUIDE / "gallery" / path.name).write_text(lean(path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
+def of_records() -> dict[str, Figure]:
+    """What checks and cost runs have on record, by file name."""
+    sector = records_store.read_all()["bearing_sector"]
+    elements = cost_record.read()
+    levels = json.loads((Path(figures.__file__).parent / "records" / "b218_combined.json").read_text(encoding="utf-8"))
+    assert elements is not None
+    return {
+        "sector.svg": bearing_sector(sector),
+        "element_cost.svg": cost_picture.draw(elements),
+        "model_levels.svg": figures.speeds(levels),
+    }
+
+
 def main() -> None:
     """Draw and keep the pictures."""
     gallery()
+    for name, figure in of_records().items():
+        (GUIDE / name).write_text(svg(figure), encoding="utf-8")
     (GUIDE / "b218_speed.svg").write_text(svg(against_speed()), encoding="utf-8")
     (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")

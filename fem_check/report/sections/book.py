@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from fem_check.book import picture
+from fem_check.book.not_yet import NOT_YET
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import agreement, badge
@@ -29,7 +31,13 @@ def computed(evidence: Evidence) -> Section:
 def measured(evidence: Evidence) -> Section:
     """Measurements."""
     cases = [_page(name, kept) for name, kept in evidence.book.items() if kept.data["kind"] == "M"]
-    return Section("Measurements", [Paragraph(MEASURED), *_overview(evidence, measured=True), *cases])
+    return Section("Measurements", [Paragraph(MEASURED), *_overview(evidence, measured=True), *cases, _not_yet()])
+
+
+def _not_yet() -> Section:
+    """Published cases whose documents are not at hand."""
+    rows = [[each["document"], each["would_show"], each["at_hand"]] for each in NOT_YET]
+    return Section("Wanted", [Table(("document", "what it would show", "at hand"), rows, "lll")])
 
 
 def _overview(evidence: Evidence, measured: bool) -> list[Block]:
@@ -93,9 +101,7 @@ def _picture(kept: Kept) -> list[Block]:
     told = kept.data.get("picture")
     if not told:
         return []
-    from fem_check.book.picture import svg
-
-    return [Picture(svg(kept.data), told["alt"], told["caption"], "svg", 0.85)]
+    return [Picture(picture.svg(kept.data), told["alt"], told["caption"], "svg", 0.85)]
 
 
 def _cell(value: Any) -> str:

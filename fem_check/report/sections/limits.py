@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
+from fem_check.report.evidence import Evidence
 from qsbearing.documents.model import Bullets, Md, Section
+
+SECTOR = "bearing_sector"
 
 LIMITS = (
     "Rings are rigid but for their contacts. A loose or thin housing lets the outer ring grow: see "
@@ -18,6 +23,7 @@ LIMITS = (
 )
 
 
-def section() -> Section:
+def section(evidence: Evidence) -> Section:
     """Known limits."""
-    return Section("Known limits", [Bullets([Md(each) for each in LIMITS])])
+    limits = LIMITS if SECTOR in evidence.checks else [re.sub(r"\[(.*?)\]\(#.*?\)", r"\1", each) for each in LIMITS]
+    return Section("Known limits", [Bullets([Md(each) for each in limits])])

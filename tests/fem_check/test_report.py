@@ -1,0 +1,204 @@
+"""The validation report: its numbers are the records', what is missing or fails is said, both forms are sound."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import re
+import shutil
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from fem_check import records_store
+from fem_check.cli import cli
+from fem_check.report import evidence, validation
+from fem_check.report.evidence import Evidence
+from fem_check.report.rows import UNITS, quantity
+from qsbearing.documents.html import html
+from qsbearing.documents.model import Document
+from qsbearing.documents.pdf import pdf
+from tests.documents.browser import Browser, installed
+from tests.documents.page import Page
+from tests.documents.test_pdf import fonts
+
+SMALL = ("patch_test", "hertz_formula", "body_size")
+
+
+@pytest.fixture(scope="module")
+def shipped() -> Document:
+    return validation.document(evidence.read())
+
+
+@pytest.fixture(scope="module")
+def page(shipped: Document) -> str:
+    return html(shipped)
+
+
+@pytest.fixture
+def records(tmp_path: Path) -> Path:
+    """A folder with a few records."""
+    folder = tmp_path / "records"
+    (folder / "quick").mkdir(parents=True)
+    for name in SMALL:
+        shutil.copy(records_store.FOLDER / "quick" / f"{name}.json", folder / "quick")
+    return folder
+
+
+def without_the_rest(found: Evidence) -> Evidence:
+    """Only the checks, to be quick."""
+    return dataclasses.replace(found, book={}, cost=None, model_cost=None, campaigns=[], hard_cases=None)
+
+
+def change(folder: Path, name: str, spoil: Callable[[dict[str, Any]], object]) -> None:
+    path = folder / "quick" / f"{name}.json"
+    entry = json.loads(path.read_text())
+    spoil(entry)
+    path.write_text(json.dumps(entry))
+
+
+def test_the_page_is_sound(page: str) -> None:
+    assert Page.of(page).faults == []
+
+
+def test_every_row_of_the_records_stands_in_the_table(page: str) -> None:
+    """Read back from the page, each number is the record's, to the digits shown."""
+    found = evidence.read()
+    table = next(table for table in Page.of(page).tables if table[0][:2] == ["check", "case"])
+    kept = [(name, row) for each in (found.checks, found.book) for name, k in each.items() for row in k.data["rows"]]
+    assert len(kept) == len(table) - 1 > 400
+    for (name, row), cells in zip(kept, table[1:], strict=True):
+        check, case, what, _, reference, value, deviation, _, tolerance, verdict = cells
+        assert (check, case, verdict) == (name, row["case"], row["verdict"])
+        assert what.startswith(quantity(row["quantity"]))
+        factor = UNITS.get(row["unit"], (1.0, ""))[0]
+        assert float(value) == pytest.approx(row["found"] * factor, rel=1e-5, abs=1e-300)
+        assert float(reference) == pytest.approx(row["reference"] * factor, rel=1e-5, abs=1e-300)
+        assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=1e-300)
+        assert (tolerance == "") == (row["tolerance_percent"] is None)
+
+
+def test_every_record_is_named_with_its_command(page: str) -> None:
+    text = Page.of(page).text
+    for kept in evidence.read().all():
+        assert kept.name in text
+        assert kept.command in text
+
+
+def test_the_pdf_holds_its_fonts_and_says_the_verdict(shipped: Document) -> None:
+    pypdf = pytest.importorskip("pypdf")
+    reader = pypdf.PdfReader(BytesIO(pdf(shipped, strict=True)))
+    held = fonts(reader)
+    assert held
+    assert all(held.values())
+    first = re.sub(r"\s", "", reader.pages[0].extract_text())
+    assert "Validationreport" in first or "VALIDATIONREPORT" in first
+    assert re.sub(r"\s", "", "rows of agreement pass") in first
+
+
+def test_the_same_records_are_the_same_report(records: Path) -> None:
+    first, second = (html(validation.document(without_the_rest(evidence.read(records)))) for _ in range(2))
+    assert first == second
+
+
+def test_what_is_missing_is_said(records: Path) -> None:
+    (records / "quick" / "patch_test.json").unlink()
+    text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
+    assert "Check patch_test is not on record here" in text
+    assert "not on record: patch_test, sphere_on_plane" in text
+    assert "the validation book" in text
+    assert "commit, date and machine not recorded" in text
+
+
+def test_a_failing_row_is_the_verdict(records: Path) -> None:
+    def spoil(entry: dict[str, Any]) -> None:
+        entry["verdict"] = entry["rows"][0]["verdict"] = "fail"
+
+    change(records, "patch_test", spoil)
+    document = validation.document(without_the_rest(evidence.read(records)))
+    assert "Fail: patch_test" in Page.of(html(document)).text
+    assert "Pass:" not in Page.of(html(document)).text
+
+
+def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> None:
+    found = evidence.read(records)
+    missed = json.loads(json.dumps(found.campaigns[0].data))
+    missed["bar"]["met"] = False
+    campaigns = [dataclasses.replace(found.campaigns[0], data=missed)]
+    text = Page.of(html(validation.document(dataclasses.replace(without_the_rest(found), campaigns=campaigns)))).text
+    assert "Does not hold: Random scenes end" in text
+
+
+def test_changes_since_other_records_are_told(records: Path, tmp_path: Path) -> None:
+    before = tmp_path / "before"
+    shutil.copytree(records, before)
+    (before / "quick" / "body_size.json").unlink()
+
+    def digit(entry: dict[str, Any]) -> None:
+        entry["rows"][0]["found"] *= 1.001
+
+    now = without_the_rest(evidence.read(records))
+    same = validation.document(now, without_the_rest(evidence.read(before)))
+    assert "0 of them found otherwise" in Page.of(html(same)).text
+    change(records, "hertz_formula", digit)
+    text = Page.of(html(validation.document(without_the_rest(evidence.read(records)), evidence.read(before)))).text
+    assert "1 of them found otherwise" in text
+    assert re.search(r"New:\s+body_size: 4 rows", text)
+
+
+def test_commits_that_differ_are_said(records: Path) -> None:
+    at = {"commit": "a" * 40, "dirty": False, "date": "2026-01-01T00:00:00Z", "qsbearing": "0.1.0", "packages": {}}
+    at["machine"] = {"processor": "x", "cores": 2, "memory_GB": 8.0, "system": "Linux 6", "python": "3.11.7"}
+    for name, commit in zip(SMALL, ("a", "b", "a"), strict=True):
+        change(records, name, lambda entry, commit=commit: entry.update(provenance=at | {"commit": commit * 40}))
+    found = without_the_rest(evidence.read(records))
+    found = dataclasses.replace(found, reference=None, relations=None, errata=None, auto_accuracy=None, scipy=None)
+    text = Page.of(html(validation.document(found))).text
+    assert "not of one commit: 2 are named." in text
+    assert "a" * 40 in text
+
+
+@pytest.mark.parametrize("level", ["quick"])
+def test_two_commands_make_it(tmp_path: Path, level: str) -> None:
+    run = CliRunner().invoke(cli, ["run", "patch_test", "--level", level, "--out", str(tmp_path / "x")])
+    assert run.exit_code == 0
+    done = CliRunner().invoke(cli, ["report", "--records", str(tmp_path / "x"), "--out", str(tmp_path / "report")])
+    assert done.exit_code == 0, done.output
+    names = sorted(path.name for path in (tmp_path / "report").iterdir())
+    assert names == ["validation_report.html", "validation_report.pdf"]
+    text = Page.of((tmp_path / "report" / names[0]).read_text(encoding="utf-8")).text
+    assert f"fem-check run patch_test --level {level}" in text
+
+
+def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
+    done = CliRunner().invoke(cli, ["report", "--records", str(tmp_path), "--out", str(tmp_path / "report")])
+    assert done.exit_code == 2
+    assert "no records in" in done.stderr
+    assert not (tmp_path / "report").exists()
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page, encoding="utf-8")
+    every_row = "document.querySelector('#every-row').closest('section')"
+    shown = f"[...{every_row}.querySelectorAll('tbody tr')].filter(r => !r.hidden)"
+    with Browser() as browser:
+        browser.open(path)
+        every = browser.value(f"{shown}.length")
+        browser.click(f"{every_row}.querySelector('.tools input')")
+        browser.type("bearing_sector angle")
+        some = browser.value(f"{shown}.map(r => r.textContent)")
+        assert 0 < len(some) < every
+        assert all("bearing_sector" in text and "angle" in text for text in some)
+        browser.click(f"{every_row}.querySelectorAll('th button')[6]")
+        deviations = [float(text) for text in browser.value(f"{shown}.map(r => r.cells[6].textContent)") if text]
+        assert deviations == sorted(deviations)
+        for width in (360, 1280):
+            browser.open(path, width=width)
+            assert browser.value("document.documentElement.scrollWidth") <= width
+        assert browser.complaints == []
