@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, refuse
-from qsbearing.cli.picture_file import PICTURES, draw_to
+from qsbearing.cli.picture_file import draw_to
 from qsbearing.cli.progress import progress_bar
+from qsbearing.cli.sobol import show_indices
+from qsbearing.cli.sweep_problems import TABLES, ending, picture_problems, place_problems, sobol_problems
 from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
@@ -26,7 +28,6 @@ if TYPE_CHECKING:
 INTERRUPTED = 130
 IN_MEMORY = 1 << 18
 """Points whose results are held in memory; of more they are in a file, a temporary one where none is asked for."""
-TABLES = (".csv", ".parquet")
 
 
 @click.command(short_help="Solve a scene over ranges of its keys.")
@@ -36,6 +37,9 @@ TABLES = (".csv", ".parquet")
 @click.option("--sampling", metavar="HOW", help="random, latin_hypercube or sobol (if not given).")
 @click.option("--seed", type=int, metavar="N", help="Of the random points; 0 if not given.")
 @click.option("--quantity", "-y", "quantities", multiple=True, metavar="NAME", help="A result to keep; all by default.")
+@click.option(
+    "--sobol", type=int, metavar="N", help="In place of a sweep, Sobol indices from N base samples, such as 1024."
+)
 @click.option("--out", metavar="FILE", help="Write all results: .nc (netCDF), .csv or .parquet.")
 @click.option("--plot", "picture", metavar="FILE", help="Also draw them, as `qsbearing plot` does; .png, .svg or .pdf.")
 @click.option("--scheduler", metavar="ADDRESS", help="Solve on a Dask cluster, such as tcp://host:8786.")
@@ -45,6 +49,7 @@ def sweep(
     vary: tuple[str, ...],
     out: str | None,
     picture: str | None,
+    sobol: int | None,
     scheduler: str | None,
     resume: bool,
     **given: Any,
@@ -54,19 +59,25 @@ def sweep(
     A study file is a scene file with a table [vary]. Points that are impossible or have no equilibrium stay in the
     results with status and reason.
 
+    With --sobol: which part of each result's variance each random key makes, alone and together with the others.
+
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
     from qsbearing.studies import summary
     from qsbearing.validation import SceneError
 
     _need("xarray", "h5netcdf")
-    problems = [*filter(None, (_place_problem(out, resume), _picture_problem(picture)))]
+    problems = [*place_problems(out, resume), *picture_problems(picture)]
+    problems += [] if sobol is None else sobol_problems(sobol, given | {"scheduler": scheduler, "resume": resume})
     try:
         study = study_of(scene, vary, given)
         if problems:
             refuse("\nqsbearing: ".join(problems))
+        if sobol is not None:
+            show_indices(study, sobol, out, picture)
+            return
         with ExitStack() as stack:
-            write = stack.enter_context(_table(out)) if out and _ending(out) in TABLES else None
+            write = stack.enter_context(_table(out)) if out and ending(out) in TABLES else None
             executor = _executor(stack, scheduler)
             results = _solved(study, executor, out if write is None else None, resume, stack)
             if write:
@@ -87,33 +98,6 @@ def _need(*modules: str) -> None:
     missing = [module for module in modules if importlib.util.find_spec(module) is None]
     if missing:
         refuse(f"studies need {' and '.join(missing)}: pip install 'qsbearing[studies]'")
-
-
-def _ending(name: str) -> str:
-    return os.path.splitext(name)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
-
-
-def _place_problem(out: str | None, resume: bool) -> str:
-    ending = _ending(out or "")
-    if out is not None and ending not in (".nc", *TABLES):
-        return f"--out {out}: the name must end in one of .nc, {', '.join(TABLES)}"
-    if ending == ".parquet" and importlib.util.find_spec("pyarrow") is None:
-        return "--out *.parquet needs pyarrow: pip install pyarrow"
-    if resume and ending != ".nc":
-        return "--resume needs --out FILE.nc: only there finished chunks are kept"
-    return ""
-
-
-def _picture_problem(picture: str | None) -> str:
-    if picture is None:
-        return ""
-    if importlib.util.find_spec("matplotlib") is None:
-        return "--plot needs matplotlib: pip install 'qsbearing[studies]'"
-    if _ending(picture) not in PICTURES:
-        return f"--plot {picture}: the name must end in one of {', '.join(PICTURES)}"
-    if not os.path.isdir(os.path.dirname(picture) or "."):  # noqa: PTH112, PTH120
-        return f"--plot {picture}: there is no such folder"
-    return ""
 
 
 def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
@@ -137,7 +121,7 @@ def _table(out: str) -> Iterator[Callable[[xarray.Dataset], None]]:
     from qsbearing.studies.tables import write_table
 
     with output_stream(out) as file:
-        yield lambda results: write_table(results, file, _ending(out))
+        yield lambda results: write_table(results, file, ending(out))
 
 
 def _solved(study: Study, executor: Executor | None, out: str | None, resume: bool, stack: ExitStack) -> xarray.Dataset:

@@ -42,6 +42,20 @@ def write_table(results: Dataset, file: BinaryIO, form: str) -> None:
         _write_parquet(frames, file)
 
 
+def write_indices(indices: Dataset, file: BinaryIO, form: str) -> None:
+    """Write Sobol indices as ".nc", ".csv" or ".parquet".
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    if form == ".nc":
+        file.write(indices.to_netcdf(engine="h5netcdf"))
+    elif form == ".csv":
+        file.write(indices.to_dataframe().to_csv(lineterminator="\n").encode())
+    else:
+        _write_parquet([indices.to_dataframe().reset_index()], file)
+
+
 def parts_of(results: Dataset, most: int = 1 << 17) -> Iterator[Dataset]:
     """The results in their order, cut along their axes into parts of at most so many rows."""
     dims = results["status"].dims

@@ -1,4 +1,4 @@
-"""Pictures of a study's results: lines, maps, roses, distributions and sensitivities."""
+"""Pictures of a study's results: lines, maps, roses, distributions, sensitivities and Sobol indices."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from qsbearing.pictures.study.azimuth import draw_by_azimuth
+from qsbearing.pictures.study.indices import draw_indices
 from qsbearing.pictures.study.labels import key_words, value_label, words
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
@@ -28,11 +29,19 @@ def picture(
     kind: str | None = None,
     at: dict[str, float] | None = None,
 ) -> Figure:
-    """Draw results; what is not chosen is what suits them. The arguments are those of `select`.
+    """Draw results, or Sobol indices; what is not chosen is what suits them. The arguments are those of `select`.
 
     Raises:
         PictureError: a name that is not there, or a kind that these results do not allow.
     """
+    if "first_order" in results:
+        if x or kind or at:
+            raise PictureError("Sobol indices are one kind of picture, without axes; -y alone chooses what is shown")
+        figure = draw_indices(results, y)
+        figure.suptitle(
+            str(results.attrs["title"]).removeprefix("Study of "), fontsize=10, parse_math=False, x=0.01, ha="left"
+        )
+        return figure
     chosen = select(results, x, y, kind, at)
     if chosen.kind is Kind.LINES:
         figure = draw_lines(chosen)

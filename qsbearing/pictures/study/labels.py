@@ -42,7 +42,8 @@ def words(name: str) -> str:
     """A stem in words."""
     for ending, said in (("_max", ", largest"), ("_min", ", smallest")):
         if name.endswith(ending):
-            return words(name.removesuffix(ending)) + said
+            found = words(name.removesuffix(ending))
+            return found if found.startswith("greatest") else found + said
     return _NAMES.get(name, name.replace("_", " "))
 
 
@@ -53,9 +54,13 @@ def with_unit(text: str, unit: str) -> str:
 
 def key_words(values: DataArray) -> str:
     """A varied key in words, without its unit."""
-    name, unit = str(values.name), str(values.attrs.get("units", ""))
+    return without_unit(str(values.name), str(values.attrs.get("units", "")))
+
+
+def without_unit(name: str, unit: str) -> str:
+    """The name of a key in words, its unit taken off."""
     ending = unit.replace(" ", "").replace("/", "")
-    for each in (f"_{ending}", f"_{unit}", "_per_K"):
+    for each in (f"_{ending}", f"_{unit.replace('/', '_')}", "_per_K"):
         if ending and name.endswith(each):
             name = name.removesuffix(each)
     return words(name)
