@@ -53,11 +53,6 @@ def _draw(axes: Any, panel: dict[str, Any]) -> None:
     axes.title.set_fontsize(10)
     axes.set_xlabel(panel["x_label"])
     axes.set_ylabel(panel["y_label"])
-    for axis, scale in ((axes.xaxis, panel["x_scale"]), (axes.yaxis, panel["y_scale"])):
-        if scale == "log":
-            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axis.set_minor_formatter(NullFormatter())
     for level in panel["levels"]:
         axes.axhline(level, color=GREY, linewidth=0.8, linestyle=":")
     for series in panel["series"]:
@@ -70,5 +65,11 @@ def _draw(axes: Any, panel: dict[str, Any]) -> None:
             axes.stairs(y, edges, fill=True, color="0.75", edgecolor="0.3", label=series["label"])
         else:
             axes.plot(x, y, label=series["label"], **STYLES[series["style"]])
+    for axis, scale in ((axes.xaxis, panel["x_scale"]), (axes.yaxis, panel["y_scale"])):
+        if scale == "log":
+            low, high = axis.get_data_interval()
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high < 2000.0 * low else (1.0,)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
     if panel["x_names"]:
         axes.set_xticks(range(len(panel["x_names"])), panel["x_names"], rotation=60, ha="right", fontsize=7)

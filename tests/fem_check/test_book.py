@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -11,6 +15,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+import qsbearing as qs
 from fem_check import records_store
 from fem_check.book import UnknownCaseError, page, picture, records, run_book
 from fem_check.book.case import Case, Result, plain
@@ -19,7 +24,7 @@ from fem_check.book.not_yet import NOT_YET
 from fem_check.cli import cli
 from qsbearing import flatten
 from qsbearing.compiled import COMPILED
-from qsbearing.readings import dynamic_rating, pass_frequencies
+from qsbearing.readings import dynamic_rating, film_thickness, pass_frequencies, rating_life
 from qsbearing.scene import bearing as scene_bearing
 
 pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
@@ -55,7 +60,7 @@ def test_shipped_records_are_what_a_run_finds(name: str, book: Any) -> None:
 def differences(one: Any, other: Any, at: str = "") -> Iterator[str]:
     """Where two records differ by more than processors do in their last digits."""
     if isinstance(one, dict) and isinstance(other, dict) and one.keys() == other.keys():
-        for key in one:
+        for key in one.keys() - {"deviation_percent"}:  # follows from the others, and may be all rounding
             yield from differences(one[key], other[key], f"{at}.{key}")
     elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
         for i, (left, right) in enumerate(zip(one, other, strict=True)):
@@ -112,12 +117,80 @@ def zero_angle(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("qsbearing.readings.frequencies", blind)
 
 
+def free_angle(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every free contact angle a degree more."""
+    right = flatten.CaseMaker.make
+
+    def steeper(*arguments: Any) -> Any:
+        cases = right(*arguments)
+        angle = np.arctan2(cases["sin_free"], cases["cos_free"]) + np.radians(1.0)
+        cases["sin_free"], cases["cos_free"] = np.sin(angle), np.cos(angle)
+        return cases
+
+    monkeypatch.setattr(flatten.CaseMaker, "make", steeper)
+
+
+def ball_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """E' from the ball's constants alone."""
+    right = scene_bearing.effective_modulus
+    monkeypatch.setattr(scene_bearing, "effective_modulus", lambda E, nu, *ring: right(E, nu, E, nu))
+
+
+def groove_exponent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The groove's part of a dynamic rating with 0.3 in place of 0.41."""
+    right = dynamic_rating.groove_factor
+    monkeypatch.setattr(dynamic_rating, "groove_factor", lambda f: right(f) ** (0.3 / 0.41))
+
+
+def inner_share(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lundberg and Palmgren's ratio of the raceways with gamma to the power 1.6 in place of 1.72."""
+    right = dynamic_rating.rating_ratio
+    monkeypatch.setattr(dynamic_rating, "rating_ratio", lambda g, *rest: right(g, *rest) * ((1 + g) / (1 - g)) ** 0.12)
+
+
+def pitch_diameter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Frequencies with a pitch diameter 0.1 % too small."""
+    right = pass_frequencies.gamma
+    monkeypatch.setattr(pass_frequencies, "gamma", lambda solution: 1.001 * right(solution))
+    orbit = pass_frequencies.orbital_speed
+    monkeypatch.setattr(pass_frequencies, "orbital_speed", lambda solution: 0.9998 * orbit(solution))
+
+
+def fitted_ellipse(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A published fit in place of the exact ellipse."""
+    right = qs.point_contact
+    form = qs.HertzForm.BREWE_HAMROCK_1977
+    monkeypatch.setattr(qs, "point_contact", lambda *numbers: right(*numbers, form=form))
+
+
+def equivalent_load(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Equivalent loads 0.5 % too high."""
+    right = rating_life.equivalent_load
+    monkeypatch.setattr(rating_life, "equivalent_load", lambda *given: 1.005 * right(*given))
+
+
+def film_exponent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The minimum film with the central film's exponent of speed."""
+    right = film_thickness.minimum_thickness
+    monkeypatch.setattr(film_thickness, "minimum_thickness", lambda U, *rest: right(U, *rest) * U**-0.01)
+
+
 PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("gmn_rigidities", softer),
     ("gmn_rigidities", groove_distance),
     ("iso_76_factors", softer),
     ("endurance_1956", size_exponent),
     ("motor_bearings", zero_angle),
+    ("gmn_dynamic_ratings", groove_exponent),
+    ("gmn_hybrid_ratings", ball_alone),
+    ("iso_281_ratings", inner_share),
+    ("mfpt_rig", pitch_diameter),
+    ("b218_textbook", groove_distance),
+    ("half_loaded_ring", free_angle),
+    ("boresi_contacts", fitted_ellipse),
+    ("skf_examples", equivalent_load),
+    ("iso_16281_seven_balls", softer),
+    ("hamrock_209_film", film_exponent),
 ]
 
 
@@ -131,6 +204,54 @@ def test_a_planted_error_is_seen(
 ) -> None:
     plant(monkeypatch)
     assert ALL[name].run().verdict == "fail"
+
+
+# Errors in the source, compiled: file, line as it stands, line as it is made, and the cases that must fail.
+COMPILED_ERRORS = {
+    "load exponent 1.49": (
+        "qsbearing/kernel/contact_line.py",
+        "return stiffness * approach * root, 1.5 * stiffness * root",
+        "return stiffness * approach**1.49, 1.49 * stiffness * approach**0.49",
+        {"gmn_rigidities", "b218_textbook", "half_loaded_ring", "iso_16281_seven_balls", "hamrock_209_film"},
+    ),
+    "raceway curvature sign swapped": (
+        "qsbearing/contact/hertz.py",
+        "(1.0 + side * ball_diameter / pitch_diameter * cos_angle))",
+        "(1.0 - side * ball_diameter / pitch_diameter * cos_angle))",
+        {"iso_16281_seven_balls"},
+    ),
+    "E' from the ball's modulus alone": (
+        "qsbearing/contact/hertz.py",
+        "(1.0 - poisson_ratio_2**2) / elastic_modulus_2)",
+        "(1.0 - poisson_ratio_1**2) / elastic_modulus_1)",
+        {"gmn_hybrid_ratings"},
+    ),
+    "stiffness +1 %": (
+        "qsbearing/contact/hertz.py",
+        "return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
+        "return 1.01 * pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
+        {"iso_16281_seven_balls", "hamrock_209_film", "boresi_contacts"},
+    ),
+}
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize("name", COMPILED_ERRORS)
+def test_an_error_in_the_compiled_source_is_seen(name: str, tmp_path: Path) -> None:
+    path, old, new, failing = COMPILED_ERRORS[name]
+    root = Path(__file__).parents[2]
+    for package in ("qsbearing", "fem_check"):
+        ignored = shutil.ignore_patterns("records", "__pycache__")
+        shutil.copytree(root / package, tmp_path / package, ignore=ignored)
+    source = (tmp_path / path).read_text()
+    assert source.count(old) == 1, f"{path} no longer holds one {old!r}: plant the error where the formula is now"
+    (tmp_path / path).write_text(source.replace(old, new))
+    environment = os.environ | {"PYTHONPATH": str(tmp_path), "NUMBA_CACHE_DIR": str(tmp_path / "cache")}
+    command = [sys.executable, "-m", "fem_check", "book", "--out", str(tmp_path / "out")]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 1, done.stderr
+    failed = {each for each, entry in records.read_all(tmp_path / "out").items() if entry["verdict"] == "fail"}
+    assert failed >= failing, failed
 
 
 # --------------------------------------------------------------------------------------------------- pages and command

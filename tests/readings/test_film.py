@@ -12,33 +12,6 @@ from tests.qsbearing.scenes import B218, DEEP_GROOVE, UPRIGHT, resting, solved, 
 THIN = OilState(0.02, 2e-8)
 
 
-def test_the_film_of_hamrock_s_209_bearing() -> None:
-    """Zero contact angle, 8900 N, 400 rad/s, eta 0.04 Pa s, xi 2.3e-8/Pa: 0.556 um printed inside, Lambda 3.00.
-
-    The last digits are those of exact Hertz contacts under the discrete balls' 4522.6 N; the text's own ellipses are
-    approximate, and its raceway roughness is 0.175 um as Lambda implies.
-    """
-    steel = qs.Material(200e9, 0.3, 7800.0)
-    b = qs.BallBearing.from_diametral_clearance(
-        diametral_clearance=15e-6, ball_count=9, ball_diameter=12.7e-3, pitch_diameter=64.9985e-3,
-        inner_groove_radius=6.604e-3, outer_groove_radius=6.604e-3, ball_material=steel, ring_material=steel,
-        kind="deep_groove",
-    )  # fmt: skip
-    centred = -float(b.groove_centre_distance * np.sin(b.free_contact_angle))
-    operation = qs.Operation(speed=400.0, radial_load_y=8900.0, axial_displacement=centred, **UPRIGHT)
-    solution = solved(qs.Scene(b, operation, hertz_angle=qs.HertzAngle.ZERO))
-    found = qs.readings.film(solution, OilState(0.04, 2.3e-8), ball_roughness=0.0625e-6, raceway_roughness=0.175e-6)
-    assert solution.inner.load[0] == pytest.approx(4522.6, abs=0.05)
-    motion = qs.readings.kinematics(solution)
-    assert motion.inner.entrainment_speed[0] == pytest.approx(6.252, abs=5e-4)
-    for raceway, least, central in ((found.inner, 0.5563, 0.6945), (found.outer, 0.6655, 0.8326)):
-        assert raceway.minimum_thickness[0] * 1e6 == pytest.approx(least, abs=1e-4)
-        assert raceway.central_thickness[0] * 1e6 == pytest.approx(central, abs=1e-4)
-    assert found.inner.film_parameter is not None
-    assert found.inner.film_parameter[0] == pytest.approx(3.00, abs=0.01)
-    assert np.isnan(found.inner.minimum_thickness[4])  # a ball that the load has left
-
-
 def test_films_grow_as_the_formulas_say() -> None:
     """With speed to the 0.68 or 0.67, with viscosity the same, with xi to the 0.49 or 0.53."""
     slow, fast = (solved(resting(DEEP_GROOVE, axial_load=1e3, speed=w)) for w in (100.0, 200.0))
@@ -84,12 +57,6 @@ def test_what_the_film_is_warned_of() -> None:
     assert "estimate" in words
     assert "1 of 2 cases, the first 0: a film parameter" in words
     assert "1 of 2 cases, the first 1: SKF" in words
-
-
-def test_inlet_shear_heating_of_the_catalogue() -> None:
-    """22208 E of SKF's catalogue: 3500 rpm, dm 60 mm, 68 mm^2/s: 0.85 printed, 0.8490."""
-    found = film_thickness.inlet_shear_heating(3500 * qs.rpm, 60e-3, 68e-6)
-    assert found == pytest.approx(0.8490, abs=5e-5)
 
 
 # ---------------------------------------------------------------------------------------------------------------- oils

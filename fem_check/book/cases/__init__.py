@@ -3,10 +3,41 @@
 from __future__ import annotations
 
 from fem_check.book.case import Case
-from fem_check.book.cases import endurance_1956, gmn_rigidities, iso_76_factors, motor_bearings
+from fem_check.book.cases import (
+    b218_textbook,
+    boresi_contacts,
+    endurance_1956,
+    gmn_dynamic_ratings,
+    gmn_hybrid_ratings,
+    gmn_rigidities,
+    half_loaded_ring,
+    hamrock_209_film,
+    iso_76_factors,
+    iso_281_ratings,
+    iso_16281_seven_balls,
+    mfpt_rig,
+    motor_bearings,
+    skf_examples,
+)
+
+_ORDER = (
+    motor_bearings,
+    endurance_1956,
+    mfpt_rig,
+    gmn_rigidities,
+    gmn_dynamic_ratings,
+    gmn_hybrid_ratings,
+    iso_76_factors,
+    iso_281_ratings,
+    b218_textbook,
+    half_loaded_ring,
+    boresi_contacts,
+    skf_examples,
+    iso_16281_seven_balls,
+    hamrock_209_film,
+)
+"""Measurements, then catalogues, standards and textbooks, then other programs."""
 
 ALL: dict[str, Case] = {
-    name: Case(name, module.run)
-    for module in (gmn_rigidities, iso_76_factors, endurance_1956, motor_bearings)
-    for name in [module.__name__.rpartition(".")[2]]
+    name: Case(name, module.run) for module in _ORDER for name in [module.__name__.rpartition(".")[2]]
 }

@@ -61,7 +61,7 @@ def run() -> Result:
         gamma = np.arange(printed.size) / 100
         panels.append(
             Panel(
-                "D cos α / d_m", "f₀, N/mm²",
+                "D cos α / dₘ", "f₀, N/mm²",
                 [Series("computed", "line", gamma, computed), Series("printed", "circles", gamma, printed)],
                 title=f"{kind} bearings",
             )
@@ -69,7 +69,7 @@ def run() -> Result:
     gammas = np.concatenate([np.arange(printed.size) / 100 for printed, _ in kinds.values()])
     panels.append(
         Panel(
-            "D cos α / d_m", "computed less printed, N/mm²", [Series("all factors", "dots", gammas, apart)],
+            "D cos α / dₘ", "computed less printed, N/mm²", [Series("all factors", "dots", gammas, apart)],
             title="what is left: rounding", levels=[-PRINT, 0.0, PRINT],
         )
     )  # fmt: skip
