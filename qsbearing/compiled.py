@@ -190,6 +190,8 @@ class _Compilation(numba_event.Listener):
             return
         self._said = True
         what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
+        if ".readings." in function.__module__:
+            what = "a reading"
         where = f"kept in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to keep it in: each start will do this"
         print(f"qsbearing: compiling {what}, once, some seconds ({where})", file=sys.stderr, flush=True)
 

@@ -19,46 +19,53 @@ class RacewayContacts:
     of a ball at rest that touches neither raceway, whose position is undetermined.
     """
 
-    def __init__(self, solution: Solution, side: float, kept: dict[int, NDArray]) -> None:
+    def __init__(self, solution: Solution, row: int) -> None:
         self._solution = solution
-        self._side = side
-        self._kept = kept
-        """What has been read. The solution holds this, and not the object: no cycle keeps a large solution alive."""
+        self._row = row
+        # What has been read the solution holds, not this object: no cycle keeps a large solution alive.
 
-    def _read(self, what: int, unit: str) -> NDArray:
-        if what not in self._kept:
-            self._kept[what] = self._solution._read(self._side, what, unit)
-        return self._kept[what]
+    def _read(self, what: int) -> NDArray:
+        return self._solution._read(self._row, what)
 
     @property
     def angle(self) -> NDArray:
         """From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."""
-        return self._read(readings.ANGLE, "")
+        return self._read(readings.ANGLE)
+
+    @property
+    def sine(self) -> NDArray:
+        """Of the angle [-]."""
+        return self._read(readings.SINE)
+
+    @property
+    def cosine(self) -> NDArray:
+        """Of the angle [-]."""
+        return self._read(readings.COSINE)
 
     @property
     def load(self) -> NDArray:
         """Normal load Q, zero where the ball has lost the raceway [N]."""
-        return self._read(readings.LOAD, "force")
+        return self._read(readings.LOAD)
 
     @property
     def approach(self) -> NDArray:
         """Elastic approach of ball and ring; negative: the gap of a lost contact [m]."""
-        return self._read(readings.APPROACH, "length")
+        return self._read(readings.APPROACH)
 
     @property
     def semi_major_axis(self) -> NDArray:
         """Of the ellipse, a [m]; zero without load."""
-        return self._read(readings.SEMI_MAJOR_AXIS, "length")
+        return self._read(readings.SEMI_MAJOR_AXIS)
 
     @property
     def semi_minor_axis(self) -> NDArray:
         """Of the ellipse, b [m]; zero without load."""
-        return self._read(readings.SEMI_MINOR_AXIS, "length")
+        return self._read(readings.SEMI_MINOR_AXIS)
 
     @property
     def max_pressure(self) -> NDArray:
         """Hertz's p0 at the centre of the ellipse [Pa]; zero without load."""
-        return self._read(readings.MAX_PRESSURE, "pressure")
+        return self._read(readings.MAX_PRESSURE)
 
     @property
     def required_friction(self) -> NDArray | None:
@@ -68,4 +75,4 @@ class RacewayContacts:
         """
         if self._solution.scene.gyroscopic_moment is None:
             return None
-        return self._read(readings.REQUIRED_FRICTION, "")
+        return self._read(readings.REQUIRED_FRICTION)

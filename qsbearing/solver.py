@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import time
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -13,38 +10,14 @@ from numpy.typing import NDArray
 
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.kernel.case import RESULT
+from qsbearing.kernel.case import CASE, RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
-
-THREADS_VARIABLE = "QSBEARING_THREADS"
-CHUNK = 1024
-"""Cases that one thread solves at a time: enough to hide Python, few enough to share out evenly."""
+from qsbearing.solution import KEPT, Solution
+from qsbearing.threads import in_threads, thread_count
 
 TOLERANCE = 1e-12
-KEPT_RECORDS = 64
-"""Solutions of up to this many cases keep their case records; larger ones make them again where they are needed."""
-
-
-def thread_count(threads: int | None = None) -> int:
-    """Threads to use: the argument, else the environment variable QSBEARING_THREADS, else all cores.
-
-    Raises:
-        ValueError: not a positive whole number.
-    """
-    if threads is None:
-        named = os.environ.get(THREADS_VARIABLE)
-        if named is None:
-            return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-        try:
-            threads = int(named)
-        except ValueError:
-            raise ValueError(f"{THREADS_VARIABLE} = {named!r}: must be a whole number of threads") from None
-    if threads < 1:
-        raise ValueError(f"threads = {threads}: at least one is needed")
-    return threads
 
 
 def solve(
@@ -74,13 +47,14 @@ def solve(
     maker = CaseMaker(scene, _preloaded(scene, mounted))
     count = maker.count
     found = _start(start, maker)
-    cases: NDArray | None = None
+    cases = np.empty(count, CASE) if count <= KEPT else None
     workers = thread_count(threads)
 
-    def solve_stretch(begin: int) -> NDArray:
-        stop = min(begin + CHUNK, count)
-        records = maker.make(begin, stop)
-        results, positions, controls = (array[begin:stop] for array in found)
+    def solve_stretch(part: slice) -> None:
+        records = maker.make(part.start, part.stop)
+        if cases is not None:
+            cases[part] = records
+        results, positions, controls = (array[part] for array in found)
         memory = working_memory(maker.ball_axis)
         given = (records, *memory, tolerance, start is not None, results, positions, controls)
         solve_cases(*given)
@@ -88,13 +62,9 @@ def solve(
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
             solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)
-        return records
 
-    if count <= KEPT_RECORDS:
-        cases = solve_stretch(0)
-    else:
-        in_threads(solve_stretch, count, min(workers, -(-count // CHUNK)))
-    return Solution(maker, cases, *found, seconds=time.perf_counter() - began, mounted=mounted)
+    in_threads(solve_stretch, count, workers)
+    return Solution(maker, cases, *found, time.perf_counter() - began, workers, mounted)
 
 
 def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
@@ -104,19 +74,6 @@ def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
     if mounted is None:
         return {"axial_load": scene.preload.spring}
     return {"axial_displacement": mounted.displacement[..., 0]}
-
-
-def in_threads(solve_stretch: Callable[[int], object], count: int, workers: int) -> None:
-    """Solve stretches of CHUNK cases, beginning at these numbers, in so many threads."""
-    first, *others = range(0, count, CHUNK)
-    solve_stretch(first)  # compiled or loaded once, not by every thread
-    if workers == 1:
-        for begin in others:
-            solve_stretch(begin)
-        return
-    with ThreadPoolExecutor(workers) as pool:
-        for done in [pool.submit(solve_stretch, begin) for begin in others]:
-            done.result()
 
 
 def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:

@@ -38,7 +38,7 @@ def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:
-    from qsbearing.solver import thread_count
+    from qsbearing.threads import thread_count
     from qsbearing.validation import SceneError
 
     try:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan2, nan, pi
+from math import atan2, nan, pi, sqrt
 
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import entry, kernel
+from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.ball import evaluate_ball
 from qsbearing.kernel.ball_inertia import axis_where_it_is, friction_asked, inertia_of, is_moving, is_rolled
@@ -22,8 +23,15 @@ from qsbearing.kernel.raceway_stiffness import (
 )
 from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
 
-ANGLE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(7)
-CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, ORBITAL_SPEED, ROTATION_SPEED, ATTITUDE_ANGLE, SLIPS = range(7, 13)
+# Quantities of a contact, at either raceway, and of a ball.
+ANGLE, SINE, COSINE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(9)
+CENTRIFUGAL_FORCE, GYROSCOPIC_MOMENT, SLIPS, ORBITAL_SPEED, ROTATION_SPEED, ATTITUDE_ANGLE = range(9, 15)
+AXIAL_ROTATION, RADIAL_ROTATION = range(15, 17)
+QUANTITIES = 17
+NOT_ASKED = -1
+"""In place of the number of the table that a quantity goes to."""
+AT_INNER, AT_OUTER, OF_BALL = range(3)
+"""Rows of those numbers."""
 
 # Of a contact's stiffness: far below any, it lets a ball out of contact be eliminated.
 LEAST_STIFFNESS = 1e-30
@@ -37,43 +45,59 @@ def set_full_scale(case: recarray, work: recarray) -> None:
     work.regularisation = LEAST_STIFFNESS * case.series_stiffness
 
 
+# Quantities that take more than the others: they are worked out only where one of them is asked for.
+ELLIPSE = 1 << SEMI_MAJOR_AXIS | 1 << SEMI_MINOR_AXIS | 1 << MAX_PRESSURE
+INERTIA = 1 << CENTRIFUGAL_FORCE | 1 << GYROSCOPIC_MOMENT
+SPEEDS = 1 << ORBITAL_SPEED | 1 << ROTATION_SPEED | 1 << ATTITUDE_ANGLE | 1 << AXIAL_ROTATION | 1 << RADIAL_ROTATION
+
+
 @kernel
-def read_ball(case: recarray, work: recarray, ball: recarray, side: float, what: int, a: float, b: float) -> float:
-    """One quantity of one ball, in the case's units; side: INNER_SIDE or OUTER_SIDE; a, b: semi-axes at unit load.
+def asked_of(tables: ndarray) -> int:
+    """Which quantities are asked for, as bits."""
+    asked = 0
+    for what in range(QUANTITIES):
+        if tables[what] != NOT_ASKED:
+            asked |= 1 << what
+    return asked
+
+
+@kernel
+def put(asked: int, tables: ndarray, what: int, out: ndarray, k: int, j: int, value: float) -> None:
+    """Write a quantity of ball j of case k, if it is asked for."""
+    if asked & 1 << what:
+        out[tables[what], k, j] = value
+
+
+@kernel
+def read_contact(
+    case: recarray, ball: recarray, side: float, friction: float, ellipse: tuple[float, ...], asked: int,
+    tables: ndarray, out: ndarray, k: int, j: int,
+) -> None:  # fmt: skip
+    """What is asked for of one contact, SI; side: INNER_SIDE or OUTER_SIDE; ellipse: of `ellipse_at`.
 
     A ball at rest that touches neither raceway has no determined position, and so no angle.
     """
-    si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
-    is_moment = what == GYROSCOPIC_MOMENT or what == REQUIRED_FRICTION or what == SLIPS
-    if is_moment and not is_rolled(ball):
-        return 0.0
-    if what >= CENTRIFUGAL_FORCE:
-        return read_motion(case, work, ball, what)
-    n1, n2, delta = (si, ci, ball.inner_approach) if side < 0 else (so, co, ball.outer_approach)
+    n1, n2, delta = ball.outer_sine, ball.outer_cosine, ball.outer_approach
+    if side < 0:
+        n1, n2, delta = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
-    free = load == 0.0 and not is_moving(case)
-    if what == LOAD:
-        return load
-    if free and (what == ANGLE or what == APPROACH):
-        return nan
-    if what == ANGLE:
-        return atan2(n1, n2)
-    if what == APPROACH:
-        return delta
-    if what == REQUIRED_FRICTION:
-        at_inner, at_outer = friction_asked(case, work, ball)
-        friction = at_inner if side < 0 else at_outer
-        if friction == 0.0:
-            return 0.0
-        return friction / load if load > 0.0 else nan
-    if load <= 0.0:
-        return 0.0
-    size = load ** (1.0 / 3.0)
-    if what == SEMI_MAJOR_AXIS:
-        return a * size
-    if what == SEMI_MINOR_AXIS:
-        return b * size
-    return 1.5 * size / (pi * a * b)
+    if load == 0.0 and not is_moving(case):
+        n1, n2, delta = nan, nan, nan
+    put(asked, tables, LOAD, out, k, j, load * case.force)
+    if asked & 1 << ANGLE:
+        out[tables[ANGLE], k, j] = atan2(n1, n2)
+    put(asked, tables, SINE, out, k, j, n1)
+    put(asked, tables, COSINE, out, k, j, n2)
+    put(asked, tables, APPROACH, out, k, j, delta * case.length)
+    if asked & 1 << REQUIRED_FRICTION:
+        needed = 0.0
+        if friction != 0.0:
+            needed = friction / load if load > 0.0 else nan
+        out[tables[REQUIRED_FRICTION], k, j] = needed
+    root = sqrt(delta) if load > 0.0 else 0.0
+    put(asked, tables, SEMI_MAJOR_AXIS, out, k, j, ellipse[0] * root * case.length)
+    put(asked, tables, SEMI_MINOR_AXIS, out, k, j, ellipse[1] * root * case.length)
+    put(asked, tables, MAX_PRESSURE, out, k, j, ellipse[2] * root * case.force / (case.length * case.length))
 
 
 @kernel
@@ -85,23 +109,38 @@ def hertz_cosine(case: recarray, ball: recarray, side: float) -> float:
 
 
 @kernel
-def read_motion(case: recarray, work: recarray, ball: recarray, what: int) -> float:
-    """Inertia loads and speeds of one ball."""
-    if what == CENTRIFUGAL_FORCE:
-        return inertia_of(case, work, ball)[0]
-    if what == GYROSCOPIC_MOMENT:
-        return inertia_of(case, work, ball)[1]
-    if what == SLIPS:
-        return 1.0 if slips(case, work, ball) else 0.0
+def read_motion(
+    case: recarray, work: recarray, ball: recarray, asked: int, tables: ndarray, out: ndarray, k: int, j: int
+) -> None:
+    """What is asked for of a ball's inertia loads and speeds, SI."""
+    if asked & INERTIA:
+        fc, mg = inertia_of(case, work, ball)
+        put(asked, tables, CENTRIFUGAL_FORCE, out, k, j, fc * case.force)
+        put(asked, tables, GYROSCOPIC_MOMENT, out, k, j, mg * (case.force * case.length) if is_rolled(ball) else 0.0)
+    if asked & 1 << SLIPS:
+        out[tables[SLIPS], k, j] = 1.0 if is_rolled(ball) and slips(case, work, ball) else 0.0
+    if not asked & SPEEDS:
+        return
     radius, _, si, ci, axis = axis_where_it_is(case, work, ball)
-    if what == ATTITUDE_ANGLE:
-        return atan2(axis[0], axis[1])
+    p, q = axis[0], axis[1]
     g = 0.5 / radius
     terms = rolling_terms(g, si, ci, ball.outer_sine, ball.outer_cosine, axis)
-    if what == ORBITAL_SPEED:
-        return orbital_speed(terms, case.inner_speed, case.outer_speed)[0]
-    length = (axis[0] * axis[0] + axis[1] * axis[1]) ** 0.5
-    return rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)[0] * length
+    put(
+        asked,
+        tables,
+        ORBITAL_SPEED,
+        out,
+        k,
+        j,
+        orbital_speed(terms, case.inner_speed, case.outer_speed)[0] * case.speed,
+    )
+    rotation = rotation_per_axis_length(terms, g, case.inner_speed, case.outer_speed)[0] * case.speed
+    put(asked, tables, AXIAL_ROTATION, out, k, j, rotation * q)
+    put(asked, tables, RADIAL_ROTATION, out, k, j, rotation * p)
+    if asked & 1 << ROTATION_SPEED:
+        out[tables[ROTATION_SPEED], k, j] = rotation * sqrt(p * p + q * q)
+    if asked & 1 << ATTITUDE_ANGLE:
+        out[tables[ATTITUDE_ANGLE], k, j] = atan2(p, q)
 
 
 @kernel
@@ -122,32 +161,65 @@ def read_cases(
     results: ndarray,
     positions: ndarray,
     controls: ndarray,
-    side: float,
-    what: int,
+    tables: ndarray,
     out: ndarray,
+    begin: int,
 ) -> None:
-    """Fill out (case, ball) with a quantity in the case's units; NaN for cases not solved and for missing balls."""
+    """Fill out (table, case, ball), SI, from case `begin` on, with what is asked for.
+
+    NaN stands for cases not solved and for missing balls.
+
+    tables: of each quantity, at the inner raceway, at the outer one and of the ball, the table that it goes to, or
+    NOT_ASKED.
+    """
     work = workspaces[0]
-    is_ellipse = SEMI_MAJOR_AXIS <= what <= MAX_PRESSURE
-    a, b, form, coefficient, pitch, cosine = nan, nan, -1, nan, nan, nan
+    inner, outer = (nan, nan, nan, nan, nan, nan, nan), (nan, nan, nan, nan, nan, nan, nan)
+    at_inner, at_outer, of_ball = asked_of(tables[AT_INNER]), asked_of(tables[AT_OUTER]), asked_of(tables[OF_BALL])
     for k in range(cases.size):
         case = cases[k]
+        if results[k].status != CONVERGED:
+            out[:, begin + k] = nan
+            continue
         set_azimuths(case, work, balls)
         set_full_scale(case, work)
-        f = case.inner_coefficient if side < 0 else case.outer_coefficient
-        for j in range(positions.shape[1]):
-            if results[k].status != CONVERGED or j >= case.ball_count:
-                out[k, j] = nan
-                continue
+        out[:, begin + k, case.ball_count :] = nan
+        for j in range(case.ball_count):
             ball = balls[j]
             restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
-            if is_ellipse:
-                at = hertz_cosine(case, ball, side)
-                # An exact ellipse takes longer than all the rest; most often it is the same for all balls and cases.
-                if at != cosine or f != coefficient or case.pitch_diameter != pitch or case.form != form:
-                    cosine, coefficient, pitch, form = at, f, case.pitch_diameter, case.form
-                    a, b, _, _ = raceway_ellipse(case, side, cosine)
-            out[k, j] = read_ball(case, work, ball, side, what, a, b)
+            fi, fo = 0.0, 0.0
+            if (at_inner | at_outer) & 1 << REQUIRED_FRICTION and is_rolled(ball):
+                fi, fo = friction_asked(case, work, ball)
+            if at_inner & ELLIPSE:
+                inner = ellipse_at(case, ball, INNER_SIDE, inner)
+            if at_outer & ELLIPSE:
+                outer = ellipse_at(case, ball, OUTER_SIDE, outer)
+            if at_inner:
+                read_contact(case, ball, INNER_SIDE, fi, inner, at_inner, tables[AT_INNER], out, begin + k, j)
+            if at_outer:
+                read_contact(case, ball, OUTER_SIDE, fo, outer, at_outer, tables[AT_OUTER], out, begin + k, j)
+            if of_ball:
+                read_motion(case, work, ball, of_ball, tables[OF_BALL], out, begin + k, j)
+
+
+@kernel
+def ellipse_at(
+    case: recarray, ball: recarray, side: float, last: tuple[float, ...]
+) -> tuple[float, float, float, float, float, float, float]:
+    """(a, b and p0 over the approach's square root; what they rest on) of a contact.
+
+    Q = K delta^1.5, so that a = (a/Q^(1/3)) K^(1/3) delta^0.5, b likewise, and p0 = 1.5 Q/(pi a b).
+
+    An exact ellipse takes longer than all the rest; most often it is the same for all balls and cases, as the last.
+    """
+    a, b, pressure, form, cosine, f, pitch = last
+    at = hertz_cosine(case, ball, side)
+    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
+    if form != case.form or cosine != at or f != coefficient or pitch != case.pitch_diameter:
+        a, b, stiffness, _ = raceway_ellipse(case, side, at)
+        size = stiffness ** (1.0 / 3.0)
+        a, b = a * size, b * size
+        pressure = 1.5 * stiffness / (pi * a * b)
+    return a, b, pressure, float(case.form), at, coefficient, case.pitch_diameter
 
 
 @kernel

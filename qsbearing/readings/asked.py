@@ -8,10 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from qsbearing.readings import (
+    ball_motion,
+    contact_friction,
+    film_thickness,
+    pass_frequencies,
+    rating_life,
+    shoulder_overrun,
+    subsurface_stress,
+)
 from qsbearing.readings.ball_motion import kinematics, ring_speeds
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import friction, friction_errors
@@ -41,6 +51,12 @@ class Reading(NamedTuple):
 
     errors: Callable[[Scene | None, Arguments, OilState | None], Errors]
     take: Callable[[Solution, Arguments, OilState | None], Any]
+    needs: tuple[tuple[str, ...], tuple[str, ...]] = (), ()
+    """Arrays of contacts and of balls that it takes from the solution."""
+
+
+def _no_errors(scene: Scene | None, arguments: Arguments, oil: OilState | None) -> Errors:
+    return []
 
 
 def _life_errors(scene: Scene | None, arguments: Arguments, oil: OilState | None) -> Errors:
@@ -88,24 +104,31 @@ def _estimates(solution: Solution, arguments: Arguments, oil: OilState | None) -
 
 
 READINGS: dict[str, Reading] = {
-    "life": Reading(_life_errors, _life),
+    "life": Reading(_life_errors, _life, rating_life.NEEDS),
     "static_safety": Reading(
         lambda scene, arguments, oil: static_safety_errors(**arguments),
         lambda solution, arguments, oil: static_safety(solution, **arguments),
+        (("max_pressure",), ()),
     ),
-    "kinematics": Reading(lambda scene, arguments, oil: [], lambda solution, arguments, oil: kinematics(solution)),
-    "frequencies": Reading(lambda scene, arguments, oil: [], lambda solution, arguments, oil: frequencies(solution)),
-    "film": Reading(_film_errors, lambda solution, arguments, oil: film(solution, oil, **arguments)),  # type: ignore[arg-type]
+    "kinematics": Reading(_no_errors, lambda solution, arguments, oil: kinematics(solution), ball_motion.NEEDS),
+    "frequencies": Reading(_no_errors, lambda solution, arguments, oil: frequencies(solution), pass_frequencies.NEEDS),
+    "film": Reading(
+        _film_errors,
+        lambda solution, arguments, oil: film(solution, oil, **arguments),  # type: ignore[arg-type]
+        film_thickness.NEEDS,
+    ),
     "friction": Reading(
         lambda scene, arguments, oil: friction_errors(**arguments),
         lambda solution, arguments, oil: friction(solution, **arguments),
+        contact_friction.NEEDS,
     ),
     "friction_estimate": Reading(_estimate_errors, _estimates),
     "overrun": Reading(
         lambda scene, arguments, oil: overrun_errors(None if scene is None else scene.operating_bearing, **arguments),
         lambda solution, arguments, oil: overrun(solution, **arguments),
+        shoulder_overrun.NEEDS,
     ),
-    "stress": Reading(lambda scene, arguments, oil: [], lambda solution, arguments, oil: stress(solution)),
+    "stress": Reading(_no_errors, lambda solution, arguments, oil: stress(solution), subsurface_stress.NEEDS),
 }
 """Every reading, in the order in which they are shown."""
 
@@ -142,6 +165,8 @@ def take_asked(solution: Solution) -> dict[str, Any]:
     if errors:
         raise SceneError(errors)
     oil, _ = _oil(asked)
+    needs = [each.needs for name, each in READINGS.items() if name in asked]
+    solution.read_at_once(*(dict.fromkeys(chain.from_iterable(each)) for each in zip(*needs, strict=True)))
     return {name: each.take(solution, asked[name], oil) for name, each in READINGS.items() if name in asked}
 
 

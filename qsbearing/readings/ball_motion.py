@@ -22,14 +22,24 @@ Range: as raceway control, which supplies beta; no skidding.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import nan
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.compiled import entry, kernel
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
+
+AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
+"""Arrays of the balls that their motion in the contacts follows from."""
+
+NEEDS = ("load", "sine", "cosine", "semi_major_axis", "max_pressure"), AXIS
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -66,9 +76,30 @@ class BallMotion:
 
 def kinematics(solution: Solution) -> BallMotion:
     """Rolling, spin and sliding in every contact."""
-    orbit = orbital_speed(solution)
-    inner, outer = (_raceway(solution, orbit, *side) for side in ((INNER, solution.inner), (OUTER, solution.outer)))
-    return BallMotion(orbit, inner, outer, control_remarks(solution))
+    solution.read_at_once(*NEEDS)
+    motion = motion_arrays(solution)
+    radius = of_cases(solution, 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter)[0]
+    inner, outer = (
+        RacewayMotion(*filled(solution, 6, _fill, motion, side, radius, *contact_arrays(contacts)))
+        for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
+    )
+    return BallMotion(orbital_speed(solution), inner, outer, control_remarks(solution))
+
+
+def contact_arrays(contacts: RacewayContacts) -> list[NDArray]:
+    """(load, sine, cosine, semi-major axis, pressure) of a raceway's contacts, as passes take them."""
+    shape = contacts.semi_major_axis, contacts.max_pressure
+    return of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
+
+
+def motion_arrays(solution: Solution) -> tuple[Any, ...]:
+    """What passes take to find the motion in a contact: `contact_motion` knows it."""
+    inner, outer = ring_speeds(solution)
+    numbers = of_cases(solution, gamma(solution)[..., 0], inner[..., 0], outer[..., 0])
+    cosines = of_balls(solution.inner.cosine, solution.outer.sine, solution.outer.cosine)
+    of_axis = solution.orbital_speed, solution.axial_rotation, solution.radial_rotation
+    axis = [np.empty((0, 0)) if each is None else of_balls(each)[0] for each in of_axis]
+    return solution.orbital_speed is not None, *numbers, *cosines, *axis
 
 
 def control_remarks(solution: Solution) -> Remarks:
@@ -88,7 +119,7 @@ def orbital_speed(solution: Solution) -> NDArray:
     """omega_m of each ball's centre [rad/s]; shape (*cases, ball)."""
     if solution.orbital_speed is not None:
         return solution.orbital_speed
-    cosine = gamma(solution) * np.cos(solution.inner.angle)
+    cosine = gamma(solution) * solution.inner.cosine
     return orbit_at_equal_angles(cosine, *ring_speeds(solution))
 
 
@@ -100,35 +131,58 @@ def gamma(solution: Solution) -> NDArray:
 
 def orbit_at_equal_angles(gamma_cosine: NDArray, inner_speed: NDArray, outer_speed: NDArray) -> NDArray:
     """omega_m = [omega_i (1 - g cos a) + omega_o (1 + g cos a)]/2, where both contact angles are a [rad/s]."""
-    return np.asarray(0.5 * (inner_speed * (1.0 - gamma_cosine) + outer_speed * (1.0 + gamma_cosine)))
+    return 0.5 * (inner_speed * (1.0 - gamma_cosine) + outer_speed * (1.0 + gamma_cosine))
 
 
-def _raceway(solution: Solution, orbit: NDArray, side: float, contacts: RacewayContacts) -> RacewayMotion:
-    inner_speed, outer_speed = ring_speeds(solution)
-    ring = (inner_speed if side < 0 else outer_speed) - orbit
-    touches = np.where(contacts.load > 0.0, 1.0, np.nan)
-    g = _gamma_of_orbit(solution, outer_speed - orbit)
-    radius = 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter[..., None]
-    entrainment = np.abs(ring) * radius * (1.0 / g + side * np.cos(contacts.angle)) * touches
-    roll = side * ring / g * touches
-    beta, rotation = solution.attitude_angle, solution.rotation_speed
-    if beta is None or rotation is None:
-        spin = (outer_speed - inner_speed) * np.sin(contacts.angle) * (1.0 if side < 0 else 0.0) * touches
-    else:
-        spin = (rotation * np.sin(contacts.angle - beta) - ring * np.sin(contacts.angle)) * touches
-    with np.errstate(invalid="ignore", divide="ignore"):
-        ratio = np.abs(spin / roll)
-    sliding = np.abs(spin) * contacts.semi_major_axis
-    return RacewayMotion(entrainment, roll, spin, ratio, sliding, 0.5 * contacts.max_pressure * sliding)
+_orbit_at_equal_angles = kernel(orbit_at_equal_angles)
 
 
-def _gamma_of_orbit(solution: Solution, outer_ring: NDArray) -> NDArray:
-    """g of each ball: D/dm, or D over its own orbit's diameter, as the absence of slip outside tells it."""
-    nominal = gamma(solution)
-    beta, rotation = solution.attitude_angle, solution.rotation_speed
-    if beta is None or rotation is None:
-        return nominal
-    angle = solution.outer.angle
-    roll = rotation * np.cos(angle - beta) - outer_ring * np.cos(angle)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(roll != 0.0, outer_ring / roll, nominal)
+@kernel
+def ball_orbit(motion: tuple[Any, ...], k: int, j: int) -> float:
+    """omega_m of ball j of case k [rad/s]."""
+    has_axis, gamma, inner_speed, outer_speed, inner_cosine, _, _, orbit, _, _ = motion
+    if has_axis:
+        return float(orbit[k, j])
+    return float(_orbit_at_equal_angles(gamma[k] * inner_cosine[k, j], inner_speed[k], outer_speed[k]))
+
+
+@kernel
+def contact_motion(
+    motion: tuple[Any, ...], side: float, sine: float, cosine: float, k: int, j: int
+) -> tuple[float, float, float]:
+    """(entrainment speed over the ball's radius, rolling speed, spin) in the contact of ball j of case k.
+
+    g is D/dm or, of a ball on an orbit of its own, D over its diameter, as the absence of slip outside tells it.
+    """
+    has_axis, gamma, inner_speed, outer_speed, _, outer_sine, outer_cosine, _, axial, radial = motion
+    g, inner, outer = gamma[k], inner_speed[k], outer_speed[k]
+    centre = ball_orbit(motion, k, j)
+    ring = (inner if side < 0 else outer) - centre
+    if not has_axis:
+        return abs(ring) * (1.0 / g + side * cosine), side * ring / g, (outer - inner) * sine if side < 0 else 0.0
+    along, across = axial[k, j], radial[k, j]
+    roll = (along - (outer - centre)) * outer_cosine[k, j] + across * outer_sine[k, j]
+    inverse = roll / (outer - centre) if roll != 0.0 else 1.0 / g
+    return abs(ring) * (inverse + side * cosine), side * ring * inverse, (along - ring) * sine - across * cosine
+
+
+@entry
+def _fill(
+    motion: tuple[Any, ...], side: float, radius: NDArray, load: NDArray, sine: NDArray, cosine: NDArray,
+    semi_major_axis: NDArray, max_pressure: NDArray, begin: int, stop: int, out: NDArray,
+) -> None:  # fmt: skip
+    """The tables of a `RacewayMotion`."""
+    for k in range(begin, stop):
+        for j in range(load.shape[1]):
+            if not load[k, j] > 0.0:
+                for i in range(6):
+                    out[i, k, j] = nan
+                continue
+            pace, roll, spin = contact_motion(motion, side, sine[k, j], cosine[k, j], k, j)
+            sliding = abs(spin) * semi_major_axis[k, j]
+            out[0, k, j] = pace * radius[k]
+            out[1, k, j] = roll
+            out[2, k, j] = spin
+            out[3, k, j] = abs(spin / roll)
+            out[4, k, j] = sliding
+            out[5, k, j] = 0.5 * max_pressure[k, j] * sliding

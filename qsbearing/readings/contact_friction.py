@@ -9,18 +9,36 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ellipe
 
+from qsbearing.compiled import entry
+from qsbearing.contact.elliptic import second_kind
 from qsbearing.raceway_contacts import RacewayContacts
-from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics, ring_speeds
+from qsbearing.readings.ball_motion import (
+    AXIS,
+    contact_motion,
+    control_remarks,
+    motion_arrays,
+    orbital_speed,
+    ring_speeds,
+)
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.readings.ellipse_sliding import deformed_radius, tabulated_sliding_speed
+from qsbearing.readings.ellipse_sliding import (
+    deformed_radius,
+    place_of_ellipse,
+    sliding_table,
+    tabulated_sliding_speed,
+)
+from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
+
+NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -84,15 +102,15 @@ def friction(
         "fluid_density": fluid_density,
     }
     raise_if_any(friction_errors(**arguments))
-    motion = kinematics(solution)
+    solution.read_at_once(*NEEDS)
     inner, outer = (
-        _raceway(solution, contacts, moving, side, friction_coefficient, hysteresis_loss)
-        for side, contacts, moving in ((INNER, solution.inner, motion.inner), (OUTER, solution.outer, motion.outer))
+        _raceway(solution, contacts, side, friction_coefficient, hysteresis_loss)
+        for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
     )
     drag_power = None
     total = (inner.power + outer.power).sum(axis=-1)
     if drag_coefficient is not None and fluid_density is not None:
-        drag_power = _drag(solution, motion, np.asarray(drag_coefficient), np.asarray(fluid_density))
+        drag_power = _drag(solution, np.asarray(drag_coefficient), np.asarray(fluid_density))
         total = total + np.nansum(drag_power, axis=-1)
     total = np.where(np.asarray(solution.converged), total, np.nan)
     of_inner, of_outer = ring_speeds(solution)
@@ -105,7 +123,7 @@ def friction(
         drag_power,
         total,
         torque,
-        motion.warnings + remarks(_found(solution, friction_coefficient), total.shape),
+        control_remarks(solution) + remarks(_found(solution, friction_coefficient), total.shape),
     )
 
 
@@ -131,42 +149,60 @@ def friction_errors(
 
 
 def _raceway(
-    solution: Solution,
-    contacts: RacewayContacts,
-    moving: RacewayMotion,
-    side: float,
-    mu: ArrayLike,
-    loss: ArrayLike | None,
+    solution: Solution, contacts: RacewayContacts, side: float, mu: ArrayLike, loss: ArrayLike | None
 ) -> RacewayFriction:
     numbers = BearingNumbers(solution.scene.operating_bearing)
     groove = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    R = deformed_radius(numbers.ball_diameter, groove)[..., None]
-    a, b = contacts.semi_major_axis, contacts.semi_minor_axis
-    with np.errstate(invalid="ignore", divide="ignore"):
-        ratio = b / a
-    mean = tabulated_sliding_speed(moving.rolling_speed * a**2 / (2.0 * R), moving.spin_speed * a, ratio)
-    force = np.asarray(mu, float)[..., None] * contacts.load
-    sliding = np.nan_to_num(force * mean, nan=0.0)
-    moment = np.nan_to_num(0.375 * force * a * ellipe(1.0 - ratio**2), nan=0.0)
-    hysteresis = None
-    if loss is not None:
-        share = 3.0 / 16.0 * np.asarray(loss, float)[..., None]
-        hysteresis = np.nan_to_num(share * contacts.load * b * np.abs(moving.rolling_speed), nan=0.0)
-    return RacewayFriction(sliding, moment, hysteresis)
+    R = deformed_radius(numbers.ball_diameter, groove)
+    given = of_cases(solution, R, mu, 0.0 if loss is None else loss)
+    shape = contacts.semi_major_axis, contacts.semi_minor_axis
+    arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
+    tables = 2 if loss is None else 3
+    found = filled(solution, tables, _fill, sliding_table(), motion_arrays(solution), side, *given, *arrays)
+    return RacewayFriction(found[0], found[1], None if loss is None else found[2])
 
 
-def _drag(solution: Solution, motion: BallMotion, coefficient: NDArray, density: NDArray) -> NDArray:
+@entry
+def _fill(
+    table: NDArray, motion: tuple[Any, ...], side: float, radius: NDArray, mu: NDArray, loss: NDArray, load: NDArray,
+    sine: NDArray, cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray,
+    begin: int, stop: int, out: NDArray,
+) -> None:  # fmt: skip
+    """The tables of a `RacewayFriction`, hysteresis where they are three."""
+    ratio_before, E, place, interval = 0.0, 0.0, 0.0, 0
+    for k in range(begin, stop):
+        for j in range(load.shape[1]):
+            Q = load[k, j]
+            if not Q > 0.0:
+                for i in range(out.shape[0]):
+                    out[i, k, j] = 0.0
+                continue
+            a, b = semi_major_axis[k, j], semi_minor_axis[k, j]
+            ratio = b / a
+            if abs(ratio - ratio_before) > SAME_SHAPE * ratio:
+                ratio_before, E = ratio, second_kind(ratio)
+                place, interval = place_of_ellipse(ratio)
+            _, roll, spin = contact_motion(motion, side, sine[k, j], cosine[k, j], k, j)
+            force = mu[k] * Q
+            mean = tabulated_sliding_speed(table, roll * a * a / (2.0 * radius[k]), spin * a, place, interval)
+            out[0, k, j] = force * mean
+            out[1, k, j] = 0.375 * force * a * E
+            if out.shape[0] > 2:
+                out[2, k, j] = 3.0 / 16.0 * loss[k] * Q * b * abs(roll)
+
+
+def _drag(solution: Solution, coefficient: NDArray, density: NDArray) -> NDArray:
     numbers = BearingNumbers(solution.scene.operating_bearing)
-    speed = np.abs(motion.orbital_speed) * 0.5 * numbers.pitch_diameter[..., None]
+    speed = np.abs(orbital_speed(solution)) * 0.5 * numbers.pitch_diameter[..., None]
     disc = 0.25 * pi * numbers.ball_diameter[..., None] ** 2
-    return np.asarray(0.5 * coefficient[..., None] * density[..., None] * disc * speed**3)
+    return np.asarray(0.5 * coefficient[..., None] * density[..., None] * disc * (speed * speed * speed))
 
 
-def _found(solution: Solution, mu: ArrayLike) -> list[tuple[NDArray, str]]:
+def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, str]]:
     found = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
-            slips = (np.nan_to_num(side.required_friction) > np.asarray(mu, float)[..., None]).any(axis=-1)
+            slips = (side.required_friction > np.asarray(mu, float)[..., None]).any(axis=-1)
             more = f"the gyroscopic moment asks more friction of an {name} contact than the coefficient given"
             found.append((slips, f"{more}: that ball slips, which is not counted"))
     return found

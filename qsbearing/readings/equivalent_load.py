@@ -57,10 +57,12 @@ def factors(angle: NDArray, relative_load: NDArray) -> tuple[NDArray, NDArray, N
     degrees = np.where(angle <= GREATEST_ANGLE * (1.0 + 1e-9), angle / deg, np.nan)
     found = [np.zeros(np.broadcast_shapes(degrees.shape, relative_load.shape)) for _ in range(3)]
     for i, node in enumerate(_ANGLES):
+        part = np.interp(degrees, _ANGLES, np.eye(_ANGLES.size)[i])  # one at its node, zero at all others
+        if not part.any():
+            continue
         at_node: tuple[ArrayLike, ...] = _STEEP.get(node, ())
         if node in _LIGHT:
             e, Y, X = _LIGHT[node]
             at_node = np.interp(relative_load, _LOADS, e), np.interp(relative_load, _LOADS, Y), X
-        part = np.interp(degrees, _ANGLES, np.eye(_ANGLES.size)[i])  # one at its node, zero at all others
         found = [total + part * np.asarray(value) for total, value in zip(found, at_node, strict=True)]
     return found[0], found[1], found[2]

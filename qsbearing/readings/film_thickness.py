@@ -17,14 +17,18 @@ factor (General Catalogue), which was made for friction and is not applied to th
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import exp, log, nan
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.compiled import entry, kernel
 from qsbearing.raceway_contacts import RacewayContacts
-from qsbearing.readings.ball_motion import gamma, kinematics, ring_speeds
+from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.lubricant import OilState
+from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
 from qsbearing.units import mm, rpm
@@ -35,6 +39,10 @@ MIXED = 1.0
 
 WARM_INLET = 0.9
 """SKF's inlet shear heating factor below which the isothermal film is doubtful (chosen: 10 %)."""
+
+
+NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis"), AXIS
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -80,14 +88,11 @@ def film(
     raise_if_any(film_errors(oil, ball_roughness=ball_roughness, raceway_roughness=raceway_roughness))
     rough = None
     if ball_roughness is not None and raceway_roughness is not None:
-        rough = np.hypot(np.asarray(ball_roughness, float), np.asarray(raceway_roughness, float))[..., None]
-    motion = kinematics(solution)
+        rough = np.hypot(np.asarray(ball_roughness, float), np.asarray(raceway_roughness, float))
+    solution.read_at_once(*NEEDS)
     inner, outer = (
-        _raceway(solution, contacts, speed, oil, side, rough)
-        for side, contacts, speed in (
-            (INNER, solution.inner, motion.inner.entrainment_speed),
-            (OUTER, solution.outer, motion.outer.entrainment_speed),
-        )
+        _raceway(solution, contacts, oil, side, rough)
+        for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
     )
     factor = None if oil.kinematic_viscosity is None else _inlet_shear_heating(solution, oil.kinematic_viscosity)
     return Film(inner, outer, factor, remarks(_found(oil, inner, outer, factor), solution.shape))
@@ -109,14 +114,57 @@ def film_errors(
     return errors
 
 
-def minimum_thickness(U: NDArray, G: NDArray, W: NDArray, k: NDArray) -> NDArray:
-    """h/Rx at the thinnest place of the film."""
-    return np.asarray(3.63 * U**0.68 * G**0.49 * W**-0.073 * (1.0 - np.exp(-0.68 * k)))
+@kernel
+def minimum_thickness(ln_U: float, ln_G: float, ln_W: float, shape: float) -> float:
+    """h/Rx at the thinnest place of the film, by the logarithms of U, G and W."""
+    return 3.63 * exp(0.68 * ln_U + 0.49 * ln_G - 0.073 * ln_W) * shape
 
 
-def central_thickness(U: NDArray, G: NDArray, W: NDArray, k: NDArray) -> NDArray:
-    """h/Rx at the centre of the film."""
-    return np.asarray(2.69 * U**0.67 * G**0.53 * W**-0.067 * (1.0 - 0.61 * np.exp(-0.73 * k)))
+@kernel
+def minimum_shape(k: float) -> float:
+    """1 - e^(-0.68 k): the minimum film's part that the ellipse makes."""
+    return 1.0 - exp(-0.68 * k)
+
+
+@kernel
+def central_thickness(ln_U: float, ln_G: float, ln_W: float, shape: float) -> float:
+    """h/Rx at the centre of the film, likewise."""
+    return 2.69 * exp(0.67 * ln_U + 0.53 * ln_G - 0.067 * ln_W) * shape
+
+
+@kernel
+def central_shape(k: float) -> float:
+    """1 - 0.61 e^(-0.73 k): the central film's."""
+    return 1.0 - 0.61 * exp(-0.73 * k)
+
+
+@entry
+def _fill(
+    motion: tuple[Any, ...], side: float, gamma: NDArray, numbers: tuple[NDArray, ...], load: NDArray, sine: NDArray,
+    cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray, begin: int, stop: int, out: NDArray,
+) -> None:  # fmt: skip
+    """Central and minimum thickness, and the latter over the roughness where the tables are three."""
+    diameter, modulus, eta, xi, roughness = numbers
+    k_before, least, central = 0.0, 0.0, 0.0
+    for k in range(begin, stop):
+        radius, E = 0.5 * diameter[k], modulus[k]
+        ln_G, per_load = log(xi[k] * E), eta[k] / E
+        for j in range(load.shape[1]):
+            if not load[k, j] > 0.0:
+                for i in range(out.shape[0]):
+                    out[i, k, j] = nan
+                continue
+            ratio = semi_major_axis[k, j] / semi_minor_axis[k, j]
+            if abs(ratio - k_before) > SAME_SHAPE * ratio:
+                k_before, least, central = ratio, minimum_shape(ratio), central_shape(ratio)
+            pace, _, _ = contact_motion(motion, side, sine[k, j], cosine[k, j], k, j)
+            Rx = radius * (1.0 + side * gamma[k] * cosine[k, j])
+            ln_U, ln_W = log(per_load * pace * radius / Rx), log(load[k, j] / (E * Rx * Rx))
+            thinnest = Rx * minimum_thickness(ln_U, ln_G, ln_W, least)
+            out[0, k, j] = Rx * central_thickness(ln_U, ln_G, ln_W, central)
+            out[1, k, j] = thinnest
+            if out.shape[0] > 2:
+                out[2, k, j] = thinnest / roughness[k]
 
 
 def inlet_shear_heating(speed: ArrayLike, pitch_diameter: ArrayLike, kinematic_viscosity: ArrayLike) -> NDArray:
@@ -133,26 +181,22 @@ def _inlet_shear_heating(solution: Solution, kinematic_viscosity: ArrayLike) -> 
 
 
 def _raceway(
-    solution: Solution, contacts: RacewayContacts, speed: NDArray, oil: OilState, side: float, rough: NDArray | None
+    solution: Solution, contacts: RacewayContacts, oil: OilState, side: float, rough: NDArray | None
 ) -> RacewayFilm:
     numbers = BearingNumbers(solution.scene.operating_bearing)
-    modulus = numbers.modulus()[..., None]
-    eta = np.asarray(oil.dynamic_viscosity, float)[..., None]
-    xi = np.asarray(oil.pressure_viscosity, float)[..., None]
-    Rx = 0.5 * numbers.ball_diameter[..., None] * (1.0 + side * gamma(solution) * np.cos(contacts.angle))
-    touches = contacts.load > 0.0
-    load = np.where(touches, contacts.load, np.nan)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        k = contacts.semi_major_axis / contacts.semi_minor_axis
-    dimensionless = eta * speed / (modulus * Rx), xi * modulus, load / (modulus * Rx**2), k
-    thinnest = Rx * minimum_thickness(*dimensionless)
-    return RacewayFilm(Rx * central_thickness(*dimensionless), thinnest, None if rough is None else thinnest / rough)
+    g, *given = of_cases(
+        solution, gamma(solution)[..., 0], numbers.ball_diameter, numbers.modulus(), oil.dynamic_viscosity,
+        oil.pressure_viscosity, nan if rough is None else rough,
+    )  # fmt: skip
+    shape = contacts.semi_major_axis, contacts.semi_minor_axis
+    arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
+    tables = 2 if rough is None else 3
+    found = filled(solution, tables, _fill, motion_arrays(solution), side, g, tuple(given), *arrays)
+    return RacewayFilm(found[0], found[1], None if rough is None else found[2])
 
 
-def _found(
-    oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None
-) -> list[tuple[NDArray | bool, str]]:
-    found: list[tuple[NDArray | bool, str]] = []
+def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, str]]:
+    found: list[tuple[Any, str]] = []
     if oil.is_estimated:
         rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
         found.append((True, f"{rough}, which is 15 % of the film"))
@@ -161,6 +205,6 @@ def _found(
         found.append((factor < WARM_INLET, f"{hot}: the true film is thinner than this isothermal one"))
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.film_parameter is not None:
-            thin = (np.nan_to_num(raceway.film_parameter, nan=np.inf) < MIXED).any(axis=-1)
+            thin = np.asarray(raceway.film_parameter < MIXED).any(axis=-1)
             found.append((thin, f"a film parameter is below 1: much of that {name} contact is touched by asperities"))
     return found

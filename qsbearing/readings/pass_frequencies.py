@@ -12,14 +12,27 @@ Range: no skidding. A cage under light load runs some tenths of a per cent slowe
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import inf, nan, pi
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.readings.ball_motion import gamma, orbit_at_equal_angles, orbital_speed, ring_speeds
+from qsbearing.compiled import entry
+from qsbearing.readings.ball_motion import (
+    AXIS,
+    ball_orbit,
+    gamma,
+    motion_arrays,
+    orbit_at_equal_angles,
+    ring_speeds,
+)
 from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.passes import filled_cases, of_balls
 from qsbearing.solution import Solution
+
+NEEDS = ("load", "sine", "cosine"), AXIS
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -52,39 +65,45 @@ def frequencies(solution: Solution) -> Frequencies:
     """Frequencies of every case from the solved contact angles, and the textbook's."""
     numbers = BearingNumbers(solution.scene.bearing)
     inner, outer = ring_speeds(solution)
-    g = gamma(solution)
-    orbit = orbital_speed(solution)
-    carries = (solution.inner.load > 0.0) & (solution.outer.load > 0.0)
-    rolled = g * np.cos(np.where(carries, solution.outer.angle, 0.0))
-    solved = _set(numbers.ball_count, g, inner, outer, np.where(carries, orbit, np.nan), rolled, solution.shape)
-    cosine = g * np.cos(numbers.nominal_angle[..., None])
-    nominal_orbit = orbit_at_equal_angles(cosine, inner, outer)
-    nominal = _set(numbers.ball_count, g, inner, outer, nominal_orbit, cosine, solution.shape)
-    high, low = (np.where(carries, orbit, sign * np.inf) for sign in (-1.0, 1.0))
-    with np.errstate(invalid="ignore", divide="ignore"):
-        spread = (high.max(axis=-1) - low.min(axis=-1)) / np.abs(2.0 * pi * solved.cage)
-    return Frequencies(solved, nominal, np.where(np.isfinite(spread), spread, np.nan))
+    g = gamma(solution)[..., 0]
+    solution.read_at_once(*NEEDS)
+    loads = of_balls(solution.inner.load, solution.outer.load)
+    orbit, rolled, spread = filled_cases(solution, 3, _add_orbits, motion_arrays(solution), *loads)
+    solved = _set(numbers.ball_count, inner[..., 0], outer[..., 0], orbit, rolled, solution.shape)
+    cosine = g * np.cos(numbers.nominal_angle)
+    nominal_orbit = orbit_at_equal_angles(cosine, inner[..., 0], outer[..., 0])
+    rolled = np.abs(outer[..., 0] - nominal_orbit) * (1.0 + cosine) / g
+    nominal = _set(numbers.ball_count, inner[..., 0], outer[..., 0], nominal_orbit, rolled, solution.shape)
+    return Frequencies(solved, nominal, spread)
 
 
 def _set(
-    count: NDArray,
-    g: NDArray,
-    inner: NDArray,
-    outer: NDArray,
-    orbit: NDArray,
-    gamma_cosine: NDArray,
-    shape: tuple[int, ...],
+    count: NDArray, inner: NDArray, outer: NDArray, orbit: NDArray, spin: NDArray, shape: tuple[int, ...]
 ) -> FrequencySet:
-    """The four frequencies of orbits (*cases, ball), means over the balls that have one."""
-    cage = _mean(orbit)
-    spin = _mean(np.abs(outer - orbit) * (1.0 + gamma_cosine) / g)
-    turns = [cage, count * np.abs(inner[..., 0] - cage), count * np.abs(cage - outer[..., 0]), spin]
+    """The four frequencies of an orbital speed and of the balls' rolling on the outer raceway."""
+    turns = [orbit, count * np.abs(inner - orbit), count * np.abs(orbit - outer), spin]
     return FrequencySet(*(np.broadcast_to(value / (2.0 * pi), shape) for value in turns))
 
 
-def _mean(values: NDArray) -> NDArray:
-    """Mean over the balls that have a number; NaN where none has."""
-    exists = np.isfinite(values)
-    count = exists.sum(axis=-1)
-    total = np.where(exists, values, 0.0).sum(axis=-1)
-    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+@entry
+def _add_orbits(
+    motion: tuple[Any, ...], inner_load: NDArray, outer_load: NDArray, begin: int, stop: int, out: NDArray
+) -> None:
+    """Mean orbital speed, mean rolling and the orbits' spread, of the balls that touch both raceways."""
+    _, gamma, _, outer_speed, _, _, outer_cosine, _, _, _ = motion
+    for k in range(begin, stop):
+        number, orbits, turns, fastest, slowest = 0, 0.0, 0.0, -inf, inf
+        for j in range(inner_load.shape[1]):
+            if not (inner_load[k, j] > 0.0 and outer_load[k, j] > 0.0):
+                continue
+            number += 1
+            orbit = ball_orbit(motion, k, j)
+            orbits += orbit
+            turns += abs(outer_speed[k] - orbit) * (1.0 + gamma[k] * outer_cosine[k, j]) / gamma[k]
+            fastest, slowest = max(fastest, orbit), min(slowest, orbit)
+        if number == 0:
+            out[0, k], out[1, k], out[2, k] = nan, nan, nan
+            continue
+        mean = orbits / number
+        out[0, k], out[1, k] = mean, turns / number
+        out[2, k] = (fastest - slowest) / abs(mean) if mean != 0.0 else nan

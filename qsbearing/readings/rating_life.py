@@ -12,6 +12,7 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.compiled import entry
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
@@ -31,6 +32,7 @@ from qsbearing.readings.life_factors import (
     life_modification_factor,
     reliability_factor,
 )
+from qsbearing.readings.passes import filled_cases, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
@@ -45,6 +47,10 @@ one that stands tires where it is loaded most."""
 
 PLASTIC_PRESSURE = 4200e6
 """Rating lives assume elastic contacts; beyond the static limit they mean nothing [Pa]."""
+
+
+NEEDS = ("load", "max_pressure"), ()
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -143,6 +149,7 @@ def life(
     else:
         inner_rating = contact_load_rating(bearing, solution.inner.angle, INNER, rating_factor)
         outer_rating = contact_load_rating(bearing, solution.outer.angle, OUTER, rating_factor)
+    solution.read_at_once(*NEEDS)
     inner_turns, outer_turns = _turning(solution)
     inner = _damage(solution, solution.inner.load, inner_rating, inner_turns)
     outer = _damage(solution, solution.outer.load, outer_rating, outer_turns)
@@ -185,15 +192,31 @@ def _turning(solution: Solution) -> tuple[NDArray, NDArray]:
 
 
 def _damage(solution: Solution, load: NDArray, rating: NDArray, turns: NDArray) -> NDArray:
-    """(Qe/Qc)^(10/3) of a raceway: unloaded balls count among the Z; NaN where a case is not solved."""
-    numbers = BearingNumbers(solution.scene.bearing)
-    exists = np.isfinite(solution.azimuth)
-    relative = np.where(exists & (load != 0.0), load / rating, 0.0)
-    means = [
-        ((relative**power).sum(axis=-1) / numbers.ball_count) ** (STATIONARY / power)
-        for power in (ROTATING, STATIONARY)
-    ]
-    return np.where(turns, *means)
+    """(Qe/Qc)^(10/3) of a raceway: unloaded balls count among the Z; NaN where a case is not solved.
+
+    Args:
+        rating: shape (*cases, 1) or (*cases, ball).
+    """
+    ratings = of_balls(np.broadcast_to(rating, (*solution.shape, rating.shape[-1])))[0]
+    turning, count = of_cases(solution, turns, BearingNumbers(solution.scene.bearing).ball_count)
+    return np.asarray(filled_cases(solution, 1, _add_damage, turning, count, of_balls(load)[0], ratings)[0])
+
+
+@entry
+def _add_damage(
+    turns: NDArray, count: NDArray, load: NDArray, rating: NDArray, begin: int, stop: int, out: NDArray
+) -> None:
+    """The mean of (Q/Qc)^p over a raceway's contacts, to the power STATIONARY/p."""
+    for k in range(begin, stop):
+        total = 0.0
+        for j in range(int(count[k])):
+            Q = load[k, j]
+            if Q == 0.0:
+                continue
+            relative = Q / rating[k, j if rating.shape[1] > 1 else 0]
+            total += relative * relative * relative if turns[k] else relative**STATIONARY
+        mean = total / count[k]
+        out[0, k] = mean ** (STATIONARY / ROTATING) if turns[k] else mean
 
 
 def _found(

@@ -11,16 +11,22 @@ Range: ellipses as of an endless groove; beyond the limit the pressure at the ed
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import copysign, cos, nan, sin
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.compiled import entry
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.solution import Solution
 from qsbearing.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any
+
+NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +88,7 @@ def overrun(
             continue
         contacts = solution.inner if side < 0 else solution.outer
         raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
-        cut = (np.nan_to_num(raceway.edge_distance, nan=np.inf) < 0.0).any(axis=-1)
+        cut = (raceway.edge_distance < 0.0).any(axis=-1)
         said.append((cut, f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"))
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
@@ -145,10 +151,34 @@ def _raceway(
     numbers = BearingNumbers(bearing)
     r = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
     edge, far = (np.arccos(1.0 - groove_depth(bearing, diameter, side) / r) for diameter in (shoulder, other))
-    angle = np.where(contacts.load > 0.0, contacts.angle, np.nan)
-    nearer = np.minimum(edge[..., None] - angle, far[..., None] + angle)
-    limit = r[..., None] * np.sin(np.clip(nearer, -0.5 * np.pi, 0.5 * np.pi))
-    with np.errstate(invalid="ignore", divide="ignore"):
-        load = contacts.load * (np.maximum(limit, 0.0) / contacts.semi_major_axis) ** 3
-    distance = limit - np.where(np.isnan(angle), np.nan, contacts.semi_major_axis)
+    solution.read_at_once(*NEEDS)
+    arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, contacts.semi_major_axis)
+    distance, load = filled(solution, 2, _fill, *of_cases(solution, r, edge, far), *arrays)
     return RacewayOverrun(np.broadcast_to(edge, solution.shape), distance, load)
+
+
+@entry
+def _fill(
+    radius: NDArray, edge: NDArray, far: NDArray, load: NDArray, sine: NDArray, cosine: NDArray,
+    semi_major_axis: NDArray, begin: int, stop: int, out: NDArray,
+) -> None:  # fmt: skip
+    """Distance of each ellipse from its nearer edge, and the load that closes it."""
+    for k in range(begin, stop):
+        r, middle = radius[k], 0.5 * (edge[k] - far[k])
+        edge_s, edge_c, far_s, far_c = sin(edge[k]), cos(edge[k]), sin(far[k]), cos(far[k])
+        middle_s, middle_c = sin(middle), cos(middle)
+        for j in range(load.shape[1]):
+            Q = load[k, j]
+            if not Q > 0.0:
+                out[0, k, j], out[1, k, j] = nan, nan
+                continue
+            s, c, a = sine[k, j], cosine[k, j], semi_major_axis[k, j]
+            # Sine and cosine of the angle to the nearer edge; more than a right angle away is as far as can be.
+            if s * middle_c >= c * middle_s:
+                to_s, to_c = edge_s * c - edge_c * s, edge_c * c + edge_s * s
+            else:
+                to_s, to_c = far_s * c + far_c * s, far_c * c - far_s * s
+            limit = r * (to_s if to_c >= 0.0 else copysign(1.0, to_s))
+            out[0, k, j] = limit - a
+            relative = max(limit, 0.0) / a
+            out[1, k, j] = Q * relative * relative * relative

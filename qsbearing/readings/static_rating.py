@@ -10,11 +10,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from math import inf, nan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.compiled import entry
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
+from qsbearing.readings.passes import filled_cases, of_balls
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.solution import Solution
@@ -170,8 +173,17 @@ _rating = static_load_rating  # where an argument has the function's name
 
 def largest_pressure(solution: Solution) -> NDArray:
     """The highest contact pressure of each case [Pa]; NaN where a case is not solved."""
-    sides = (
-        np.where(np.isnan(side.max_pressure), -np.inf, side.max_pressure) for side in (solution.inner, solution.outer)
-    )
-    highest = np.maximum(*sides).max(axis=-1)
-    return np.where(np.isfinite(highest), highest, np.nan)
+    solution.read_at_once(("max_pressure",))
+    pressures = of_balls(solution.inner.max_pressure, solution.outer.max_pressure)
+    return np.asarray(filled_cases(solution, 1, _find_largest, *pressures)[0])
+
+
+@entry
+def _find_largest(inner: NDArray, outer: NDArray, begin: int, stop: int, out: NDArray) -> None:
+    for k in range(begin, stop):
+        largest = -inf
+        for j in range(inner.shape[1]):
+            for pressure in (inner[k, j], outer[k, j]):
+                if pressure > largest:  # not so where there is no ball
+                    largest = pressure
+        out[0, k] = nan if largest == -inf else largest

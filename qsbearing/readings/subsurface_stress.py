@@ -16,15 +16,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from math import log, nan, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.compiled import entry, formula
 from qsbearing.contact.hertz import subsurface_shear
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
 from qsbearing.units import mm
@@ -37,6 +39,10 @@ SLENDEREST = 1e-3
 
 NOTICEABLE = 1e-4
 """A dent of this part of the ball's diameter is where ISO 76 sets the static limit."""
+
+
+NEEDS = ("load", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
+"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -66,11 +72,12 @@ class Stress:
 
 def stress(solution: Solution) -> Stress:
     """Shear stresses and dents of every contact."""
+    solution.read_at_once(*NEEDS)
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))
     numbers = BearingNumbers(solution.scene.operating_bearing)
     found = []
     for name, raceway in (("inner", inner), ("outer", outer)):
-        deep = np.nan_to_num(raceway.dent) > NOTICEABLE * numbers.ball_diameter[..., None]
+        deep = raceway.dent > NOTICEABLE * numbers.ball_diameter[..., None]
         found.append((deep.any(axis=-1), f"an {name} contact dents by more than {NOTICEABLE:g} of the ball's diameter"))
     ceramic = "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields"
     found.append((numbers.is_hybrid, ceramic))
@@ -78,56 +85,80 @@ def stress(solution: Solution) -> Stress:
 
 
 def _raceway(solution: Solution, contacts: RacewayContacts, side: float) -> RacewayStress:
-    numbers = BearingNumbers(solution.scene.operating_bearing)
-    loaded = contacts.load > 0.0
-    p0, b = (np.where(loaded, each, np.nan) for each in (contacts.max_pressure, contacts.semi_minor_axis))
-    ratio = b / np.where(loaded, contacts.semi_major_axis, np.nan)
-    shear, depth = _max_shear(ratio, np.asarray(solution.scene.operating_bearing.ring_material.poisson_ratio, float))
-    t = _orthogonal_parameter(ratio)
-    root = np.sqrt(2.0 * t - 1.0)
-    D = numbers.ball_diameter[..., None]
-    rolling = 2.0 / (D * (1.0 + side * gamma(solution) * np.cos(contacts.angle)))
-    f = numbers.groove_coefficient(side)[..., None]
-    transverse = (2.0 * f - 1.0) / (f * D)
-    dent = 1.3e-7 * contacts.load**2 / (D / mm) * (rolling * mm) * (transverse * mm) * mm
-    return RacewayStress(
-        p0 * shear,
-        b * depth,
-        p0 * root / (2.0 * t * (t + 1.0)),
-        b / ((t + 1.0) * root),
-        np.where(loaded, dent, np.nan),
-    )
+    bearing = solution.scene.operating_bearing
+    numbers = BearingNumbers(bearing)
+    poisson = np.asarray(bearing.ring_material.poisson_ratio, float)
+    kinds, which = np.unique(poisson, return_inverse=True)
+    tables = np.stack([shear_table(float(value)) for value in kinds])
+    f = numbers.groove_coefficient(side)
+    given = of_cases(solution, gamma(solution)[..., 0], numbers.ball_diameter, f, which.reshape(poisson.shape))
+    shape = contacts.semi_major_axis, contacts.semi_minor_axis
+    arrays = of_balls(contacts.load, contacts.cosine, *shape, contacts.max_pressure)
+    return RacewayStress(*filled(solution, 5, _fill, tables, side, *given, *arrays))
 
 
-def _orthogonal_parameter(ratio: NDArray) -> NDArray:
-    """t of (t^2 - 1)(2 t - 1) = (b/a)^2: Newton's method from the slender side."""
-    square = ratio**2
+@entry
+def _fill(
+    shears: NDArray, side: float, gamma: NDArray, diameter: NDArray, groove: NDArray, kind: NDArray, load: NDArray,
+    cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray, max_pressure: NDArray,
+    begin: int, stop: int, out: NDArray,
+) -> None:  # fmt: skip
+    """The tables of a `RacewayStress`."""
+    ratio_before, kind_before = 0.0, -1
+    shear, depth, orthogonal, orthogonal_depth = 0.0, 0.0, 0.0, 0.0
+    for k in range(begin, stop):
+        D, f = diameter[k] / mm, groove[k]
+        transverse = (2.0 * f - 1.0) / (f * D)
+        table = int(kind[k])
+        for j in range(load.shape[1]):
+            Q = load[k, j]
+            if not Q > 0.0:
+                for i in range(5):
+                    out[i, k, j] = nan
+                continue
+            p0, b = max_pressure[k, j], semi_minor_axis[k, j]
+            ratio = b / semi_major_axis[k, j]
+            if table != kind_before or abs(ratio - ratio_before) > SAME_SHAPE * ratio:
+                ratio_before, kind_before = ratio, table
+                shear, depth = max_shear(shears, table, ratio)
+                orthogonal, orthogonal_depth = orthogonal_shear(ratio)
+            rolling = 2.0 / (D * (1.0 + side * gamma[k] * cosine[k, j]))
+            out[0, k, j] = p0 * shear
+            out[1, k, j] = b * depth
+            out[2, k, j] = p0 * orthogonal
+            out[3, k, j] = b * orthogonal_depth
+            out[4, k, j] = 1.3e-7 * Q * Q / D * rolling * transverse * mm
+
+
+@formula
+def orthogonal_shear(ratio: float) -> tuple[float, float]:
+    """(tau0/p0, z0/b) of an ellipse b/a; t of (t^2 - 1)(2 t - 1) = (b/a)^2 by Newton's method from the slender side."""
+    square = ratio * ratio
     t = 1.0 + 0.28 * square
     for _ in range(6):
         t = t - ((t * t - 1.0) * (2.0 * t - 1.0) - square) / (6.0 * t * t - 2.0 * t - 2.0)
-    return np.asarray(t)
+    root = sqrt(2.0 * t - 1.0)
+    return root / (2.0 * t * (t + 1.0)), 1.0 / ((t + 1.0) * root)
 
 
-def _max_shear(ratio: NDArray, poisson_ratio: NDArray) -> tuple[NDArray, NDArray]:
+@formula
+def max_shear(shears: NDArray, kind: int, ratio: float) -> tuple[float, float]:
     """Largest shear over p0, and its depth over b."""
-    shear, depth = np.full(ratio.shape, np.nan), np.full(ratio.shape, np.nan)
-    spread = np.broadcast_to(poisson_ratio[..., None], ratio.shape)
-    for value in np.unique(poisson_ratio):
-        of_stress, of_depth = _shear_table(float(value))
-        where = spread == value
-        x = np.log(np.maximum(ratio[where], SLENDEREST))
-        shear[where], depth[where] = of_stress(x), of_depth(x)
-    return shear, depth
+    step = -log(SLENDEREST) / (TABLE - 1)
+    place = log(max(ratio, SLENDEREST)) - log(SLENDEREST)
+    i = min(int(place / step), TABLE - 2)
+    x = place - i * step
+    c = shears[kind]
+    shear = ((c[0, 0, i] * x + c[0, 1, i]) * x + c[0, 2, i]) * x + c[0, 3, i]
+    return shear, ((c[1, 0, i] * x + c[1, 1, i]) * x + c[1, 2, i]) * x + c[1, 3, i]
 
 
 @cache
-def _shear_table(poisson_ratio: float) -> tuple[Any, Any]:
-    """Largest shear over p0 and its depth over b, as splines of ln(b/a)."""
+def shear_table(poisson_ratio: float) -> NDArray:
+    """Largest shear over p0 and its depth over b, as cubic splines of ln(b/a); shape (2, power falling, interval)."""
     from scipy.interpolate import CubicSpline
 
     places = np.linspace(np.log(SLENDEREST), 0.0, TABLE)
     found = [subsurface_shear(float(np.exp(-x)), poisson_ratio) for x in places]
-    return (
-        CubicSpline(places, [each.stress for each in found]),
-        CubicSpline(places, [each.depth for each in found]),
-    )
+    values = [[each.stress for each in found], [each.depth for each in found]]
+    return np.stack([CubicSpline(places, each).c for each in values])

@@ -19,7 +19,8 @@ from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, row_matrix
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.sets.set_solution import Outcome, SetSolution
 from qsbearing.solution import Solution
-from qsbearing.solver import CHUNK, TOLERANCE, in_threads, thread_count
+from qsbearing.solver import TOLERANCE
+from qsbearing.threads import in_threads, thread_count
 
 STRAIGHT = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
 """A shaft that is neither moved sideways nor tilted."""
@@ -53,11 +54,8 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     mounted = [np.broadcast_to(side.converged, problem.shape).reshape(-1) for side in sides.values()]
     carried = np.logical_and.reduce(mounted) if mounted else np.ones(problem.count, bool)
 
-    def solve_stretch(begin: int) -> None:
-        problem.solve(begin, min(begin + CHUNK, problem.count), carried)
-
-    in_threads(solve_stretch, problem.count, min(workers, -(-problem.count // CHUNK)))
-    rows = [problem.row_solution(number) for number in range(len(of.rows))]
+    in_threads(lambda part: problem.solve(part.start, part.stop, carried), problem.count, workers)
+    rows = [problem.row_solution(number, workers) for number in range(len(of.rows))]
 
     def unloaded(at_speed: bool) -> SetSolution:
         return solve_set(without_load(of, offsets, at_speed), threads=threads, tolerance=tolerance)
@@ -201,11 +199,11 @@ class _Problem:
             results["status"][failed & (results["status"] != NO_EQUILIBRIUM)] = NOT_CONVERGED
             found.put(np.arange(begin, stop), row.found)
 
-    def row_solution(self, number: int) -> Solution:
+    def row_solution(self, number: int, threads: int) -> Solution:
         """A row at the displacement found, with all its results."""
         moved = np.einsum("kij,kj->ki", self.matrices[number], self.outcome.q)
         moved[:, 0] += self.offsets[number]
         names = [channel.displacement for channel in CHANNELS]
         given = {name: moved[:, i].reshape(self.shape)[()] for i, name in enumerate(names)}
         maker = CaseMaker(self.of.row_scene(number, Operation(**self._turning, **given)))
-        return Solution(maker, None, *self.found[number], seconds=0.0)
+        return Solution(maker, None, *self.found[number], seconds=0.0, threads=threads)

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from typing import TYPE_CHECKING
 
-from qsbearing.solver import thread_count
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check
 from qsbearing.studies.store import Store, open_results
 from qsbearing.studies.study import Study
+from qsbearing.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray

@@ -33,6 +33,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -200,12 +201,11 @@ def is_at_rest(group: Group, index: int) -> bool:
 def as_left(solution: qs.Solution) -> qs.Solution:
     """The solution with every case counting as converged: its arrays then show where the solver left off."""
     left = copy.copy(solution)
-    for name in [name for name in vars(left) if not name.startswith("_") and name not in ("scene", "shape", "seconds")]:
+    for name in [name for name in vars(left) if isinstance(getattr(type(left), name, None), cached_property)]:
         del left.__dict__[name]  # what was read off the cases before
+    left._known = {}
     left._results = solution._results.copy()
     left._results["status"] = 0
-    left.inner = type(solution.inner)(left, solution.inner._side)
-    left.outer = type(solution.outer)(left, solution.outer._side)
     return left
 
 

@@ -18,7 +18,7 @@ from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.ball_inertia import inertia
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.messages import warnings
-from qsbearing.solver import thread_count
+from qsbearing.threads import thread_count
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
     B218,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -25,9 +27,22 @@ def test_films_grow_as_the_formulas_say() -> None:
 
 
 def test_round_contacts() -> None:
-    """The part of the shape, which long ellipses hide: k = 1, all else 1."""
-    assert film_thickness.minimum_thickness(1.0, 1.0, 1.0, 1.0) == pytest.approx(3.63 * (1 - np.exp(-0.68)))  # type: ignore[arg-type]
-    assert film_thickness.central_thickness(1.0, 1.0, 1.0, 1.0) == pytest.approx(2.69 * (1 - 0.61 * np.exp(-0.73)))  # type: ignore[arg-type]
+    """The part of the shape, which long ellipses hide, of grooves twice as wide as the ball."""
+    flat = replace(
+        B218, inner_groove_radius=22.225e-3, outer_groove_radius=22.225e-3, free_contact_angle=0.0, kind="deep_groove"
+    )
+    solution = solved(resting(flat, axial_displacement=0.0, radial_load_y=100.0, speed=10.0, **UPRIGHT))
+    found = qs.readings.film(solution, THIN).outer
+    k = solution.outer.semi_major_axis[0] / solution.outer.semi_minor_axis[0]
+    assert k < 1.8
+    g, D, E = 22.225 / 125.26, 22.225e-3, float(B218.effective_modulus)
+    Rx = 0.5 * D * (1 + g)
+    u = qs.readings.kinematics(solution).outer.entrainment_speed[0]
+    U, G, W = 0.02 * u / (E * Rx), 2e-8 * E, solution.outer.load[0] / (E * Rx**2)
+    least = 3.63 * U**0.68 * G**0.49 * W**-0.073 * (1 - np.exp(-0.68 * k))
+    central = 2.69 * U**0.67 * G**0.53 * W**-0.067 * (1 - 0.61 * np.exp(-0.73 * k))
+    assert found.minimum_thickness[0] == pytest.approx(Rx * least, rel=1e-12)
+    assert found.central_thickness[0] == pytest.approx(Rx * central, rel=1e-12)
 
 
 def test_load_hardly_thins_the_film() -> None:

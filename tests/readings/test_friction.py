@@ -11,8 +11,8 @@ from scipy.special import ellipe
 
 import qsbearing as qs
 from qsbearing.readings import friction_estimate
-from qsbearing.readings.ellipse_sliding import deformed_radius, mean_sliding_speed, tabulated_sliding_speed
-from tests.qsbearing.scenes import B218, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
+from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed, sliding_table
+from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
 
 ONE, NONE = np.ones(1), np.zeros(1)
 
@@ -68,12 +68,33 @@ def test_the_table_is_the_integral() -> None:
     rng = np.random.default_rng(5)
     share = np.concatenate([[0.0, 1.0, 0.5], rng.uniform(0.0, 1.0, 400)])
     ratio = np.concatenate([[1.0, 1.0, 0.002], np.exp(rng.uniform(np.log(0.002), 0.0, 400))])
-    sign = np.where(rng.uniform(size=403) < 0.5, -1.0, 1.0)
-    exact, _ = mean_sliding_speed(3.0 * (1.0 - share), 3.0 * sign * share, ratio, 12)
-    assert tabulated_sliding_speed(3.0 * (1.0 - share), 3.0 * sign * share, ratio) == pytest.approx(exact, rel=6e-5)
-    nothing = tabulated_sliding_speed(np.array([0.0, np.nan]), np.zeros(2), np.array([0.1, 0.1]))
-    assert nothing[0] == 0.0
-    assert np.isnan(nothing[1])
+    exact, _ = mean_sliding_speed(1.0 - share, share, ratio, 12)
+    step = np.log(1 / SLENDEREST) / (PLACES[1] - 1)
+    interval = np.minimum((np.log(ratio / SLENDEREST) / step).astype(int), PLACES[1] - 2)
+    i = np.minimum((share * (PLACES[0] - 1)).astype(int), PLACES[0] - 2)
+    x, y = share * (PLACES[0] - 1) - i, np.log(ratio / SLENDEREST) / step - interval
+    c = sliding_table()[interval, i]
+    powers = np.arange(3, -1, -1)
+    found = np.einsum("npq,np,nq->n", c, x[:, None] ** powers, y[:, None] ** powers)
+    assert found == pytest.approx(exact, rel=6e-5)
+
+
+def test_a_bearing_s_sliding_is_the_integral() -> None:
+    """What the pass makes of the table, against the integral of each contact's own rolling and spin, of either sign."""
+    speeds = {"speed": np.array([900.0, -900.0, 0.0]), "outer_speed": np.array([0.0, 300.0, 700.0])}
+    five = {"axial_load": 9e3, "radial_load_y": 4e3, "radial_load_z": 1e3, "moment_y": 20.0, "moment_z": -40.0}
+    for angle in qs.HertzAngle:
+        scene = qs.Scene(B218, qs.Operation(**speeds, **five), BOTH, qs.RacewayControl.OUTER, hertz_angle=angle)  # type: ignore[arg-type]
+        solution = solved(scene)
+        found, motion = qs.readings.friction(solution, 0.05), qs.readings.kinematics(solution)
+        R = deformed_radius(np.array(22.225e-3), np.array(11.6281e-3))
+        for raceway, contacts, moving in (
+            (found.inner, solution.inner, motion.inner),
+            (found.outer, solution.outer, motion.outer),
+        ):
+            a, b = contacts.semi_major_axis, contacts.semi_minor_axis
+            exact, _ = mean_sliding_speed(moving.rolling_speed * a**2 / (2 * R), moving.spin_speed * a, b / a)
+            assert raceway.sliding_power == pytest.approx(0.05 * contacts.load * exact, rel=1e-4)
 
 
 def test_contacts_without_load_have_no_number() -> None:

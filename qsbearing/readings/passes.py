@@ -1,0 +1,51 @@
+"""What the compiled passes over all contacts take and fill: plain arrays over flattened cases.
+
+A reading has some twenty numbers of each contact. Array expressions would write and read again several temporary
+arrays for each of them, which takes as long as the solve; a pass works a contact out in one go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.solution import Solution
+from qsbearing.threads import in_threads
+
+SAME_SHAPE = 1e-13
+"""Ellipses of one raceway are alike but for the rounding of their axes, unless Hertz's angle is each ball's own: what
+rests on b/a alone is worked out anew only where it differs by more."""
+
+
+def of_cases(solution: Solution, *values: ArrayLike) -> list[NDArray]:
+    """Numbers that broadcast to the case axes, one for each flattened case."""
+    spread = (np.broadcast_to(np.asarray(value, float), solution.shape) for value in values)
+    return [np.ascontiguousarray(each).reshape(-1) for each in spread]
+
+
+def of_balls(*arrays: NDArray) -> list[NDArray]:
+    """Arrays over cases and balls, cases flattened."""
+    return [array.reshape(-1, array.shape[-1]) for array in arrays]
+
+
+def filled(solution: Solution, tables: int, entry: Callable[..., None], *given: Any) -> NDArray:
+    """So many tables (*cases, ball), which a pass fills in threads; it is called with begin, stop and the tables last.
+
+    Returns:
+        Shape (table, *cases, ball).
+    """
+    balls = solution.azimuth.shape[-1]
+    out = np.empty((tables, prod(solution.shape), balls))
+    in_threads(lambda part: entry(*given, part.start, part.stop, out), out.shape[1], solution.threads)
+    return out.reshape(tables, *solution.shape, balls)
+
+
+def filled_cases(solution: Solution, tables: int, entry: Callable[..., None], *given: Any) -> NDArray:
+    """Likewise of tables over cases alone; shape (table, *cases)."""
+    out = np.empty((tables, prod(solution.shape)))
+    in_threads(lambda part: entry(*given, part.start, part.stop, out), out.shape[1], solution.threads)
+    return out.reshape(tables, *solution.shape)
