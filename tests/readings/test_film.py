@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.readings import Lubricant, OilState, film_thickness, lubricant
+from qsbearing.readings import Lubricant, OilState, lubricant
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, UPRIGHT, resting, solved, turning
 
 THIN = OilState(0.02, 2e-8)
