@@ -33,8 +33,8 @@ _ORDER = (
     half_loaded_ring,
     boresi_contacts,
     skf_examples,
-    iso_16281_seven_balls,
     hamrock_209_film,
+    iso_16281_seven_balls,
 )
 """Measurements, then catalogues, standards and textbooks, then other programs."""
 
