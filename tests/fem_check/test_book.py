@@ -150,10 +150,15 @@ def inner_share(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def pitch_diameter(monkeypatch: pytest.MonkeyPatch) -> None:
     """Frequencies with a pitch diameter 0.1 % too small."""
-    right = pass_frequencies.gamma
-    monkeypatch.setattr(pass_frequencies, "gamma", lambda solution: 1.001 * right(solution))
-    orbit = pass_frequencies.orbital_speed
-    monkeypatch.setattr(pass_frequencies, "orbital_speed", lambda solution: 0.9998 * orbit(solution))
+    nominal, solved = pass_frequencies.gamma, pass_frequencies.motion_arrays
+
+    def smaller(solution: Any) -> Any:
+        has_axis, gamma, *rest = solved(solution)
+        *others, orbit, axial, radial = rest
+        return has_axis, 1.001 * gamma, *others, 0.9998 * orbit, axial, radial
+
+    monkeypatch.setattr(pass_frequencies, "gamma", lambda solution: 1.001 * nominal(solution))
+    monkeypatch.setattr(pass_frequencies, "motion_arrays", smaller)
 
 
 def fitted_ellipse(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -169,10 +174,10 @@ def equivalent_load(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rating_life, "equivalent_load", lambda *given: 1.005 * right(*given))
 
 
-def film_exponent(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The minimum film with the central film's exponent of speed."""
-    right = film_thickness.minimum_thickness
-    monkeypatch.setattr(film_thickness, "minimum_thickness", lambda U, *rest: right(U, *rest) * U**-0.01)
+def rolling_radius(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Films on a ball 1 % too small."""
+    right = film_thickness.of_cases
+    monkeypatch.setattr(film_thickness, "of_cases", lambda solution, g, D, *rest: right(solution, g, 0.99 * D, *rest))
 
 
 PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
@@ -190,7 +195,7 @@ PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("boresi_contacts", fitted_ellipse),
     ("skf_examples", equivalent_load),
     ("iso_16281_seven_balls", softer),
-    ("hamrock_209_film", film_exponent),
+    ("hamrock_209_film", rolling_radius),
 ]
 
 
