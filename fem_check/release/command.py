@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, NoReturn
 import click
 
 if TYPE_CHECKING:
+    from fem_check.release.journal import Journal
     from fem_check.release.previous import Previous
-    from fem_check.release.steps import Place, Step
+    from fem_check.release.steps import Step
 
 OUT = "release_results"
 FAILED, BAD_INPUT = 1, 2
@@ -26,11 +27,19 @@ FAILED, BAD_INPUT = 1, 2
     help="Records to compare with: a folder or a tag; those in the repository unless named.",
 )
 @click.option("--resume", is_flag=True, help="Go on with an interrupted gate of the same commit and level.")
+@click.option("--again", "repeated", metavar="STEP", multiple=True, help="As --resume, but run this step again.")
 @click.option("--dry-run", is_flag=True, help="Say what would be done and how long it takes, and do nothing.")
 @click.option("--keep", is_flag=True, help="After a pass, make its records those in the repository.")
 @click.option("--json", "as_json", is_flag=True, help="The verdicts on stdout, and nothing else.")
 def release(
-    level: str, out: Path, previous: str | None, resume: bool, dry_run: bool, keep: bool, as_json: bool
+    level: str,
+    out: Path,
+    previous: str | None,
+    resume: bool,
+    repeated: tuple[str, ...],
+    dry_run: bool,
+    keep: bool,
+    as_json: bool,
 ) -> None:
     """Run everything that must hold before a release.
 
@@ -39,7 +48,7 @@ def release(
     try:
         from fem_check.agreement import Level
         from fem_check.records_store import RecordError
-        from fem_check.release import keeping, tree
+        from fem_check.release import journal, keeping, tree
         from fem_check.release import previous as previous_records
         from fem_check.release.steps import Place, all_steps
     except ImportError as problem:
@@ -49,8 +58,14 @@ def release(
         place = Place(root, Level(level), out.resolve(), tree.head(root))
         keeping.check_out(place)
         steps = all_steps(place.level)
+        unknown = set(repeated) - {step.name for step in steps}
+        if unknown:
+            _refuse(
+                f"--again: no step {', '.join(sorted(unknown))}; there are {', '.join(step.name for step in steps)}"
+            )
+        kept = journal.resumed(place, steps, repeated) if resume or repeated else journal.Journal(place, {})
         with previous_records.opened(root, previous) as before:
-            passes = session(place, steps, before, resume=resume, dry_run=dry_run, keep=keep, as_json=as_json)
+            passes = session(steps, kept, before, dry_run=dry_run, keep=keep, as_json=as_json)
     except (tree.TreeError, RecordError) as problem:
         _refuse(str(problem))
     except OSError as problem:
@@ -61,11 +76,10 @@ def release(
 
 
 def session(
-    place: Place,
     steps: list[Step],
+    kept: Journal,
     before: Previous,
     *,
-    resume: bool = False,
     dry_run: bool = False,
     keep: bool = False,
     as_json: bool = False,
@@ -74,10 +88,10 @@ def session(
 
     Nothing is run where the tree is dirty or the previous records are not as they were kept: it would be for nothing.
     """
-    from fem_check.release import display, gate, journal, keeping
+    from fem_check.release import display, gate, keeping
 
     console = display.console(as_json)
-    kept = journal.resumed(place, steps) if resume else journal.Journal(place, {})
+    place = kept.place
     seconds = {step.name: gate.expected(step, place, before) for step in steps}
     console.print(display.plan(steps, seconds, set(kept.steps), before.label))
     found = [gate.clean_tree(place), gate.previous_release(steps, place, before)]

@@ -44,11 +44,11 @@ def expected(step: Step, place: Place, before: Previous) -> float | None:
     journal = before.read(path_of(Path(), place.level).as_posix())
     if journal and step.name in journal["steps"]:
         return float(journal["steps"][step.name]["seconds"])
-    for name in step.records:
-        record = before.read(name, step.in_repository)
-        if record and "seconds" in record:
-            return float(record["seconds"])
-    return None
+    names = [name for pattern in step.records for name in before.names(pattern) or [pattern]]
+    records = [before.read(name, step.in_repository) or {} for name in names]
+    if not records or any("seconds" not in record for record in records):
+        return None
+    return sum(float(record["seconds"]) for record in records)
 
 
 def run(steps: list[Step], journal: Journal, progress: Callable[[Step], Progress]) -> Iterator[tuple[Step, str | None]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
@@ -65,10 +66,13 @@ def path_of(out: Path, level: Level) -> Path:
     return out / "gate" / level / "steps.json"
 
 
-def resumed(place: Place, steps: list[Step]) -> Journal:
+def resumed(place: Place, steps: list[Step], without: Iterable[str] = ()) -> Journal:
     """The journal of an interrupted gate: the steps that have made their records.
 
     Steps of another commit count for nothing, and those that ended with an error are run again.
+
+    Args:
+        without: steps that are to be run again, too.
     """
     path = path_of(place.out, place.level)
     if not path.is_file():
@@ -80,5 +84,5 @@ def resumed(place: Place, steps: list[Step]) -> Journal:
         done = {name: Done(**entry) for name, entry in kept["steps"].items()}
     except (ValueError, KeyError, TypeError):  # cut off or damaged: as if there were none
         return Journal(place, {})
-    known = {step.name for step in steps}
+    known = {step.name for step in steps} - set(without)
     return Journal(place, {name: each for name, each in done.items() if name in known and each.error is None})

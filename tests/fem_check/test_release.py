@@ -345,6 +345,10 @@ def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
     stop.clear()
     assert release(place / "new", "--resume").exit_code == 0
     assert ran == [*CHECKS, CHECKS[1]]
+    assert release(place / "new", "--again", CHECKS[0]).exit_code == 0
+    assert ran == [*CHECKS, CHECKS[1], CHECKS[0]]
+    del ran[3:]
+    assert "no step patch" in release(place / "new", "--again", "patch").stderr
     # Another commit: nothing of what was done counts for it.
     (place / "repository" / "later.py").write_text("")
     commit(place / "repository")
