@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -63,8 +64,9 @@ def release(
             _refuse(
                 f"--again: no step {', '.join(sorted(unknown))}; there are {', '.join(step.name for step in steps)}"
             )
-        kept = journal.resumed(place, steps, repeated) if resume or repeated else journal.Journal(place, {})
         with previous_records.opened(root, previous) as before:
+            place = replace(place, previous=before.folder)
+            kept = journal.resumed(place, steps, repeated) if resume or repeated else journal.Journal(place, {})
             passes = session(steps, kept, before, dry_run=dry_run, keep=keep, as_json=as_json)
     except (tree.TreeError, RecordError) as problem:
         _refuse(str(problem))

@@ -21,6 +21,9 @@ SCENES = {Level.QUICK: {"wild": 4_000, "realistic": 10_000}, Level.RELEASE: {"wi
 """Of the campaigns."""
 SEED = 1
 
+REPORTS = (".html", ".pdf")
+"""Pages that the report must consist of."""
+
 BOOK_DIGITS = 10
 """To which the book's records are rounded."""
 
@@ -37,6 +40,8 @@ class Place:
     level: Level
     out: Path
     commit: str
+    previous: Path | None = None
+    """Folder of the previous release's records."""
 
     @property
     def gate(self) -> Path:
@@ -162,15 +167,17 @@ def _report() -> Step:
     def run(place: Place, progress: Progress) -> None:
         for path in _reports(place.out):
             path.unlink()
-        _python(place, "report", "fem_check", "report", "--out", str(place.out))
-        if not any(path.stat().st_size for path in _reports(place.out)):
-            raise StepError(f"fem-check report left no page in {place.out}")
+        previous = ["--previous", str(place.previous)] if place.previous else []
+        _python(place, "report", "fem_check", "report", "--out", str(place.out), *previous)
+        missing = set(REPORTS) - {path.suffix for path in _reports(place.out) if path.stat().st_size}
+        if missing:
+            raise StepError(f"fem-check report left no {' and no '.join(sorted(missing))} in {place.out}")
 
     return Step("reports", "fem-check report", run)
 
 
 def _reports(folder: Path) -> list[Path]:
-    return [path for path in folder.glob("*") if path.suffix in (".md", ".html", ".pdf")]
+    return [path for path in folder.glob("*") if path.suffix in REPORTS]
 
 
 def _python(place: Place, log: str, module: str, *arguments: str, accept: int = 0) -> None:
