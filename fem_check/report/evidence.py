@@ -16,6 +16,9 @@ REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
 """Where an installed package has the records that stand elsewhere in the repository."""
 
+GATE = ("steps.json", "hard_cases/table.json", "campaign/*/summary.json")
+"""What the release gate leaves in its folder that the report shows."""
+
 NOT_RECORDED = "commit, date and machine not recorded"
 
 
@@ -72,8 +75,8 @@ class Evidence:
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
-    gate: list[Kept] = field(default_factory=list)
-    """Of the last release run: its steps."""
+    gate: Kept | None = None
+    """The steps of the last release run."""
 
     def all(self) -> Iterator[Kept]:
         """Every record."""
@@ -81,7 +84,7 @@ class Evidence:
         yield from self.book.values()
         yield from self.campaigns
         others = (self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost)
-        yield from (each for each in (*others, self.auto_accuracy, self.scipy, *self.gate) if each is not None)
+        yield from (each for each in (*others, self.auto_accuracy, self.scipy, self.gate) if each is not None)
 
 
 def read(records: Path = records_store.FOLDER) -> Evidence:
@@ -99,7 +102,7 @@ def read(records: Path = records_store.FOLDER) -> Evidence:
         for name, each in entries.items()
     }
     gate = _gate(records, label)
-    campaigns = [gate[name] for name in ("campaign-wild", "campaign-realistic") if name in gate]
+    campaigns = [kept for name, kept in gate.items() if name.startswith("campaign/")]
     return Evidence(
         records,
         checks,
@@ -108,7 +111,7 @@ def read(records: Path = records_store.FOLDER) -> Evidence:
         _elsewhere("tests/reference/table.json", "python -m tests.reference.table"),
         _elsewhere("tests/relations.json", "python -m tests.relations"),
         _elsewhere("tests/reference/errata.json", "python -m tests.reference.errata"),
-        gate.get("hard_cases") or _elsewhere("tests/hard_cases/table.json", "python -m tests.hard_cases.table"),
+        gate.get("hard_cases/table") or _elsewhere("tests/hard_cases/table.json", "python -m tests.hard_cases.table"),
         campaigns or _campaigns(),
         _elsewhere(
             "qsbearing/studies/cost/records/b218_combined.json",
@@ -116,7 +119,7 @@ def read(records: Path = records_store.FOLDER) -> Evidence:
         ),
         _elsewhere("tests/benchmarks/auto_accuracy.json", "python -m tests.benchmarks.auto_accuracy"),
         _elsewhere("tests/benchmarks/record.json", "python -m tests.benchmarks.record"),
-        [gate["steps"]] if "steps" in gate else [],
+        gate.get("steps"),
     )
 
 
@@ -183,8 +186,14 @@ def _book(records: Path) -> dict[str, Kept]:
 def _gate(records: Path, label: str) -> dict[str, Kept]:
     """What the last release run left in the folder, of its finest level."""
     for level in ("release", "quick"):
-        paths = sorted((records / "gate" / level).glob("*.json"))
+        folder = records / "gate" / level
+        paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
+        names = [path.relative_to(folder).as_posix() for path in paths]
         if paths:
-            command = f"fem-check release --level {level}"
-            return {path.stem: Kept(f"{label}/gate/{level}/{path.name}", _load(path), command) for path in paths}
+            return {
+                name.removesuffix(".json"): Kept(
+                    f"{label}/gate/{level}/{name}", _load(path), f"python -m fem_check release --level {level}"
+                )
+                for name, path in zip(names, paths, strict=True)
+            }
     return {}

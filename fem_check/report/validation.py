@@ -18,6 +18,7 @@ from fem_check.report.sections import (
     limits,
     mathematics,
     previous,
+    release,
     robustness,
 )
 from qsbearing.documents.model import Badge, Block, Cell, Document, Facts, Md, Remark
@@ -45,6 +46,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             costs.section(evidence),
             errata.section(evidence),
             limits.section(evidence),
+            release.section(evidence),
             previous.section(evidence, before),
             every_row.section(evidence),
             every_row.commands(evidence),

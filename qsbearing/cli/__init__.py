@@ -22,6 +22,7 @@ from qsbearing.cli.guide import guide
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
+from qsbearing.cli.report import report
 from qsbearing.cli.run import run
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
@@ -58,7 +59,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, plot, stiffness, figures, cost, init, catalogue, guide):
+for command in (run, explain, sweep, plot, stiffness, figures, cost, init, catalogue, report, guide):
     cli.add_command(command)
 
 

@@ -36,17 +36,7 @@ def result(solution: Solution) -> Group:
     found = record(solution)
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
-        rows, count = distinct(found["balls"]), len(found["balls"])
-        tables = [
-            _ring(solution, found),
-            *_expansion(solution, found),
-            stiffness_table(found),
-            stiffness_matrix_table(found),
-        ]
-        tables += [contacts_table(rows, count), _ellipses(rows, count)]
-        if solution.scene.ball_effects:
-            tables.append(_motion(rows, count, found))
-        parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
+        parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
         if solution.scene.readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
             from qsbearing.readings.asked import take_asked
@@ -55,6 +45,18 @@ def result(solution: Solution) -> Group:
     for sentence in found["warnings"]:
         parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
     return Group(*parts)
+
+
+def tables(solution: Solution) -> Group:
+    """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
+    return Group(*_tables(solution, record(solution)))
+
+
+def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    rows, count = distinct(found["balls"]), len(found["balls"])
+    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(found)]
+    tables += [stiffness_matrix_table(found), contacts_table(rows, count), _ellipses(rows, count)]
+    return [*tables, _motion(rows, count, found)] if solution.scene.ball_effects else tables
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,8 @@ SETS_ARE_READ_BY = "Of a set of rows on one shaft, which `qsbearing run` and `qs
 AUTO = "auto"
 """In place of the table of effects: they are chosen to a tolerance."""
 DEFAULT_TOLERANCE = 0.01
+MODIFIED = ", modified"
+"""After the name of a catalogue entry of which a scene changes some number."""
 AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
@@ -169,7 +171,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     entry = catalogue.find(good["name"]) if "name" in good else None
     from_entry: dict[str, Any] = {}
     if entry is not None:
-        label = f"{entry.name}, modified" if set(good) - {"name"} else entry.name
+        label = f"{entry.name}{MODIFIED}" if set(good) - {"name"} else entry.name
         either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
         replaced = set(good) | unusable | (either if either & set(table) else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}

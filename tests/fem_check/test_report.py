@@ -202,3 +202,23 @@ def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) ->
             browser.open(path, width=width)
             assert browser.value("document.documentElement.scrollWidth") <= width
         assert browser.complaints == []
+
+
+def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
+    """The layout that the release gate leaves: its own campaigns and hard cases go before those of the repository."""
+    gate = records / "gate" / "quick"
+    (gate / "campaign" / "wild").mkdir(parents=True)
+    (gate / "hard_cases").mkdir()
+    kept = evidence.read(records)
+    campaign = kept.campaigns[0].data | {"count": 4321}
+    (gate / "campaign" / "wild" / "summary.json").write_text(json.dumps(campaign))
+    assert kept.hard_cases is not None
+    (gate / "hard_cases" / "table.json").write_text(json.dumps(kept.hard_cases.data))
+    steps = {"check patch_test": {"seconds": 1.5, "error": None}, "benchmarks": {"seconds": 2.0, "error": "no time"}}
+    (gate / "steps.json").write_text(json.dumps({"commit": "c" * 40, "level": "quick", "steps": steps}))
+    found = dataclasses.replace(evidence.read(records), book={}, cost=None, model_cost=None)
+    page = Page.of(html(validation.document(found)))
+    assert page.faults == []
+    assert "4,321" in page.text
+    assert "gate/quick/hard_cases/table.json" in page.text
+    assert ["benchmarks", "2.0", "no time", "error"] in [row for table in page.tables for row in table]

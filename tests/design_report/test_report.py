@@ -1,0 +1,160 @@
+"""The design report: its numbers are the solution's, both forms sound, errors and outcomes as of any command."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from tests.documents.browser import Browser, installed
+from tests.documents.page import Page
+
+SCENE = """
+[bearing]
+name = "7210C"
+ball_count = 14
+
+[operation]
+speed_rpm = 12000
+radial_load_y_N = 900
+tilt_z_mrad = 0
+tilt_y_mrad = 0
+
+[preload]
+rigid_N = 800
+
+[effects]
+ball = ["centrifugal_force", "gyroscopic_moment"]
+raceway_control = "outer"
+
+[readings]
+frequencies = true
+
+[readings.life]
+reliability = 0.95
+
+[readings.lubricant]
+iso_viscosity_grade = 32
+oil_temperature_C = 45
+
+[readings.film]
+ball_roughness_um = 0.02
+raceway_roughness_um = 0.1
+"""
+
+
+def call(*arguments: str) -> Result:
+    return CliRunner().invoke(cli, ["report", *arguments])
+
+
+@pytest.fixture(scope="module")
+def spindle(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("report")
+    (folder / "Spindle.toml").write_text(SCENE)
+    result = call(str(folder / "Spindle.toml"), "--out", str(folder / "out"))
+    assert result.exit_code == 0, result.output
+    return folder
+
+
+def page_of(folder: Path, name: str) -> Page:
+    return Page.of((folder / f"{name}_report.html").read_text(encoding="utf-8"))
+
+
+def test_both_forms_are_written_and_sound(spindle: Path) -> None:
+    assert sorted(path.name for path in (spindle / "out").iterdir()) == ["spindle_report.html", "spindle_report.pdf"]
+    assert (spindle / "out" / "spindle_report.pdf").read_bytes().startswith(b"%PDF")
+    assert page_of(spindle / "out", "spindle").faults == []
+
+
+def test_the_numbers_are_those_of_the_solution(spindle: Path) -> None:
+    tables = page_of(spindle / "out", "spindle").tables
+    solution = qs.solve(qs.load_scene(spindle / "Spindle.toml"))
+    ring = next(table for table in tables if table[0][1:2] == ["displacement"])
+    assert float(ring[1][3]) == pytest.approx(solution.load[0], rel=1e-5)
+    assert float(ring[2][1]) == pytest.approx(solution.displacement[1] / qs.um, rel=1e-5)
+    contacts = next(table for table in tables if table[0][2:3] == ["angle i\ndeg"])
+    assert float(contacts[1][4]) == pytest.approx(solution.inner.load[0], rel=1e-5)
+    assert float(contacts[1][2]) == pytest.approx(solution.inner.angle[0] / qs.deg, rel=1e-5)
+
+
+def test_the_input_says_where_its_numbers_are_from(spindle: Path) -> None:
+    """A number of the scene's own does not get the catalogue's source; units are those of the file."""
+    rows = {row[0]: row[1:] for row in next(t for t in page_of(spindle / "out", "spindle").tables if "from" in t[0])}
+    assert rows["ball_count"] == ["14", "balls", "scene"]
+    assert rows["ball_diameter_mm"][0] == "12.7"
+    assert "S 6210 C" in rows["ball_diameter_mm"][2]
+    assert rows["diametral_clearance_mm"][2] == "follows from the free contact angle"
+    assert rows["rigid_N"][:2] == ["800", "N"]
+    assert rows["lubricant.oil_temperature_C"][:2] == ["45", "C"]
+
+
+def test_a_material_of_the_scene_is_not_the_catalogue_s(tmp_path: Path) -> None:
+    table = "[bearing.ball_material]\nelastic_modulus_GPa = 315\npoisson_ratio = 0.26\ndensity_kg_m3 = 3200\n"
+    text = f'[bearing]\nname = "B218"\n{table}[operation]\naxial_load_N = 1000\n'
+    (tmp_path / "hybrid.toml").write_text(text)
+    assert call(str(tmp_path / "hybrid.toml"), "--out", str(tmp_path)).exit_code == 0
+    rows = {row[0]: row[1:] for row in next(t for t in page_of(tmp_path, "hybrid").tables if "from" in t[0])}
+    assert rows["ball_material.elastic_modulus_GPa"] == ["315", "GPa", "scene"]
+    assert rows["ring_material.elastic_modulus_GPa"][2] != "scene"
+    assert "No curve over the speed" in page_of(tmp_path, "hybrid").text
+
+
+def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, tmp_path: Path) -> None:
+    asked = page_of(spindle / "out", "spindle")
+    titles = [text.removesuffix(" #") for _, text in asked.headings]
+    assert titles == [
+        "7210C, modified", "Input", "Assumptions and effects", "Results", "Pictures", "Readings",
+        "Around the operating point", "Warnings", "Evidence that applies",
+    ]  # fmt: skip
+    assert "basic reference rating life" in asked.text
+    assert "Ball-pass frequencies" in asked.text
+    assert "iso_viscosity_grade = 32" in asked.text
+    assert "good to some 30 %" in asked.text.split("Warnings #")[-1]
+    assert call("b218", "--out", str(tmp_path)).exit_code == 0
+    plain = page_of(tmp_path, "b218")
+    assert "Readings" not in [text.removesuffix(" #") for _, text in plain.headings]
+    assert "Ball-pass frequencies" not in plain.text
+
+
+def test_effects_chosen_by_tolerance_are_said(tmp_path: Path) -> None:
+    asked = 'effects = "auto"\ntolerance = 0.02\n'
+    text = f'{asked}[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 500\naxial_load_N = 9000\n'
+    (tmp_path / "slow.toml").write_text(text)
+    assert call(str(tmp_path / "slow.toml"), "--out", str(tmp_path)).exit_code == 0
+    assert re.search(
+        r"Tolerance 0\.02: left out, with the error expected: .*centrifugal", page_of(tmp_path, "slow").text
+    )
+
+
+def test_no_equilibrium_writes_nothing(tmp_path: Path) -> None:
+    (tmp_path / "pulled.toml").write_text('[bearing]\nname = "B218"\n[operation]\naxial_load_N = -1000\n')
+    result = call(str(tmp_path / "pulled.toml"), "--out", str(tmp_path / "out"))
+    assert result.exit_code == 1
+    assert "No equilibrium" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_bad_input_and_a_missing_extra_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert call("no_such_bearing", "--out", str(tmp_path / "a")).exit_code == 2
+    (tmp_path / "file").write_text("")
+    assert "cannot be a folder" in call("b218", "--out", str(tmp_path / "file")).stderr
+    real = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "typst" else real(name))
+    result = call("b218", "--out", str(tmp_path / "b"))
+    assert result.exit_code == 2
+    assert "report needs typst: pip install 'qsbearing[report]'" in result.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file"]
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
+    with Browser() as browser:
+        for width in (360, 1280):
+            browser.open(spindle / "out" / "spindle_report.html", width=width)
+            assert browser.value("document.documentElement.scrollWidth") <= width
+        assert browser.complaints == []
