@@ -103,21 +103,21 @@ def table_of_indices(indices: Dataset) -> Group:
     shown = Table(box=None, padding=(0, 2, 0, 0))
     for head in ("result", "key"):
         shown.add_column(head, min_width=max(len(str(name)) for name in indices[head].values))
-    for head in ("first order", "", "total", ""):
+    for head in ("first order", "total"):
         shown.add_column(head, justify="right")
     for name in indices["result"].values:
         of_result = indices.sel(result=name)
         total = of_result["total"].values
         if not np.isfinite(total).any():
-            shown.add_row(str(name), _WITHOUT_INDICES, "", "", "", "")
+            shown.add_row(str(name), _WITHOUT_INDICES)
             continue
         order = [int(i) for i in np.argsort(-total) if total[i] >= LEAST_INDEX]
         for place, i in enumerate(order):
             pairs = ((of_result[each].values[i], of_result[f"{each}_error"].values[i]) for each in INDICES)
-            cells = (text for value, error in pairs for text in (f"{value:.2f}", f"± {error:.2f}"))
+            cells = (f"{value:.2f} ± {error:.2f}" for value, error in pairs)
             shown.add_row(str(name) if place == 0 else "", str(indices["key"].values[i]), *cells)
         if len(order) < total.size:
-            shown.add_row("", f"{total.size - len(order)} keys below {LEAST_INDEX:g}", "", "", "", "")
+            shown.add_row("", f"{total.size - len(order)} keys below {LEAST_INDEX:g}")
     said = f"{indices.attrs['points']:,} points, {indices.attrs['base_samples']:,} base samples; ±: 95 % confidence"
     if indices.attrs["unsolved"]:
         said += f"\n{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
