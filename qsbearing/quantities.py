@@ -103,6 +103,27 @@ def _unloaded(solution: Solution) -> NDArray:
     return np.where(solution.converged, lost, np.nan)
 
 
+LEVEL = 1e-6
+"""Relative difference of two balls' approaches below which neither is the less loaded one (chosen: far above what the
+solver leaves, far below what matters)."""
+
+
+def _least_loaded(solution: Solution) -> NDArray:
+    """Azimuth of the ball that is first to leave the inner raceway, or farthest from it [deg]; of several the first.
+
+    NaN where no ball is less loaded than the others, where not solved, and at rest where a ball touches no raceway.
+    """
+    approach = solution.inner.approach
+    present = ~np.isnan(solution.azimuth)
+    known = (np.isfinite(approach) | ~present).all(axis=-1)
+    least = np.where(present & known[..., None], approach, np.inf).min(axis=-1)
+    most = np.where(present & known[..., None], approach, -np.inf).max(axis=-1)
+    margin = LEVEL * np.maximum(np.abs(least), np.abs(most))
+    ball = (approach <= (least + margin)[..., None]).argmax(axis=-1)
+    azimuth = np.take_along_axis(solution.azimuth, ball[..., None], -1)[..., 0]
+    return np.where(known & (most - least > margin), azimuth / deg, np.nan)
+
+
 def _control(solution: Solution) -> NDArray | None:
     if solution.raceway_control is None:
         return None
@@ -121,6 +142,7 @@ def _all() -> dict[str, Quantity]:
     found += [_of_geometry(key, own, size) for key, own, size in GEOMETRY]
     found += [_of_ring(side, key, own, size) for side in ("inner", "outer") for key, own, size in RING_STATE]
     found.append(Quantity("balls_off_inner", "balls", False, _unloaded))
+    found.append(Quantity("least_loaded_azimuth", "deg", False, _least_loaded))
     found.append(Quantity("azimuth", "deg", True, lambda solution: solution.azimuth / deg))
     return {each.name: each for each in found}
 

@@ -49,7 +49,7 @@ def _make(folder: Path) -> None:
         (folder / f"{figure.name}.toml").write_bytes(study)
         print_text(f"{folder / figure.name}.png  {figure.title}\n")
         for number, each in enumerate(judged):
-            where = f": {each.where}" if each.where and len(each.where) < LONGEST else ""
+            where = f": {_in_short(each.where)}" if each.where else ""
             name = figure.name if number == 0 else ""
             table.add_row(name, each.statement.sentence, each.statement.source, f"{each.verdict}{where}")
     print_text("\n")
@@ -57,4 +57,11 @@ def _make(folder: Path) -> None:
 
 
 LONGEST = 200
-"""Characters of a range that are shown; maps have one for each of their rows."""
+"""Characters of ranges that are shown whole; maps have one for each of their rows, of which three are shown."""
+
+
+def _in_short(where: str) -> str:
+    if len(where) <= LONGEST:
+        return where
+    rows = where.split("; ")
+    return "; ... ".join(rows[place] for place in (0, len(rows) // 2, -1))

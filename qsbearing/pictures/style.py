@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.ball_messages import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Place, Solution
@@ -28,6 +29,9 @@ STYLE: dict[str, dict[str, Any]] = {
 }
 _MARKER_SIZE = {"inner": 4.0, "outer": 7.0}
 GREY = "0.35"
+
+SLIP = (FRICTION_IN_DOUBT, FRICTION_BEYOND)
+"""Coefficients of friction of lubricated contacts: between them, gyroscopic slip begins."""
 
 
 def figure_of_size(width: float, height: float) -> Figure:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -10,13 +11,17 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.pictures.study import Kind, PictureError, picture, select
+from qsbearing.pictures.study.contours import contour_lines
+from qsbearing.pictures.study.maps import extended_below_zero
+from qsbearing.pictures.style import figure_of_size
 from qsbearing.rank_correlation import rank_correlation
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
 pytest.importorskip("xarray")
-matplotlib = pytest.importorskip("matplotlib")
+QuadContourSet = pytest.importorskip("matplotlib.contour").QuadContourSet
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402 - only where matplotlib is there
 
 VARIED = {
@@ -78,6 +83,81 @@ def test_a_band_spans_all_balls_and_the_line_is_the_most_loaded(results: dict) -
     (band,) = axes.collections
     heights = band.get_paths()[0].vertices[:, 1]
     assert heights.min() == pytest.approx(float(load.min()))
+
+
+FIELDS = {
+    "saddle": lambda x, y: (x - 0.4) * (y - 0.6),
+    "hill": lambda x, y: np.exp(-8 * ((x - 0.1) ** 2 + (y - 0.9) ** 2)),
+    "valley": lambda x, y: np.hypot(3 * (x - y), 0.3 * y),
+    "corner": lambda x, y: (x + 0.02) / (y + 0.05),
+}
+
+
+@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("said", ["%.4g", "a long label"])
+def test_labels_of_contours_stay_within_the_panel_and_apart(name: str, said: str) -> None:
+    figure = figure_of_size(4.2, 3.5)
+    axes = figure.subplots()
+    x, y = np.linspace(0.0, 15000.0, 61), np.linspace(0.0, 8.0, 41)
+    z = FIELDS[name](*np.meshgrid(x / 15000.0, y / 8.0))
+    levels = np.quantile(z, np.linspace(0.05, 0.95, 12))
+    contour_lines(axes, x, y, z, levels, said if "%" in said else dict.fromkeys(levels, said))
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    frame = axes.get_window_extent()
+    boxes = [text.get_window_extent(canvas.get_renderer()) for text in axes.texts]
+    assert len(boxes) >= 3
+    for box in boxes:
+        assert frame.x0 <= box.x0 < box.x1 <= frame.x1
+        assert frame.y0 <= box.y0 < box.y1 <= frame.y1
+    middles = np.array([(box.x0 + box.x1, box.y0 + box.y1) for box in boxes]) / 2.0
+    gaps = np.hypot(*(middles[:, None] - middles[None, :]).T) + 1e9 * np.eye(len(boxes))
+    assert gaps.min() > 0.1 * frame.height
+
+
+def test_the_onset_of_slip_is_drawn_where_it_is(results: dict) -> None:
+    (axes,) = picture(results["map"], y=["outer_required_friction"]).axes
+    assert any(text.get_text() == "0.06: slip begins" for text in axes.texts)
+    lines = axes.collections[1]
+    assert isinstance(lines, QuadContourSet)
+    widths = dict(zip(lines.levels, lines.get_linewidth(), strict=True))
+    assert [level for level, width in widths.items() if width == max(widths.values())] == [0.06]
+    speed, load = np.concatenate(lines.allsegs[list(lines.levels).index(0.06)]).T
+    for at in (0, speed.size // 2):
+        scene = dataclasses.replace(
+            qs.load_scene("b218"), operation=qs.Operation(speed=speed[at] * qs.rpm, axial_load=load[at])
+        )
+        # Between the points of a coarse grid: a fortieth is what straight lines between them are off.
+        assert qs.solve(scene).outer.required_friction[0] == pytest.approx(0.06, rel=1 / 40)
+
+
+def test_a_line_is_drawn_where_the_first_ball_unloads() -> None:
+    vary = {"speed_rpm": "2000:12000:9", "radial_load_y_N": "0:16000:33"}
+    document = document_of("b218")[0]
+    document["operation"] = {"axial_load_N": 8000.0, "tilt_z_mrad": 0, "tilt_y_mrad": 0}
+    found = sweep(Study.of(document, vary))
+    (axes,) = picture(found, x="speed_rpm", y=["balls_off_inner"]).axes
+    assert any(text.get_text() == "first ball unloads" for text in axes.texts)
+    (line,) = (each for each in axes.collections if isinstance(each, QuadContourSet))
+    speed, load = np.concatenate(line.allsegs[0]).T
+    order = np.argsort(speed)
+    for given in (3000.0, 9500.0):  # between the points of the grid
+        radial = np.linspace(0.9, 1.1, 401) * np.interp(given, speed[order], load[order])
+        document["operation"] |= {"speed_rpm": given, "radial_load_y_N": 0.0}
+        scene = scene_of(document, "")
+        many = dataclasses.replace(scene, operation=dataclasses.replace(scene.operation, radial_load_y=radial))
+        first = radial[np.argmax((qs.solve(many).inner.load == 0.0).any(axis=-1))]
+        assert np.interp(given, speed[order], load[order]) == pytest.approx(first, rel=0.01)
+
+
+def test_numbers_that_end_at_zero_are_continued_straight() -> None:
+    x, y = np.meshgrid(np.arange(12.0), np.arange(9.0))
+    plane = 7.35 - 0.9 * x - 0.4 * y
+    found = extended_below_zero(np.maximum(plane, 0.0))
+    np.testing.assert_array_equal(found[plane > 0.0], plane[plane > 0.0])
+    assert (found[plane <= 0.0] < 0.0).all()
+    beside = (plane <= 0.0) & (np.roll(plane, 1, 1) > 0.0) & (x >= 2)
+    np.testing.assert_allclose(found[beside], plane[beside], atol=1e-12)
 
 
 def test_where_nothing_is_solved_the_reason_stands(results: dict) -> None:

@@ -304,3 +304,21 @@ def test_effects_that_a_tolerance_chooses_are_the_same_at_every_point() -> None:
     assert "centrifugal_force" in results
     slow = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"speed_rpm": [100, 101]}))
     assert "centrifugal_force" not in slow
+
+
+def test_the_least_loaded_ball_is_named() -> None:
+    """Opposite a radial load; on the other side under a moment of the other sign; none under an axial load alone."""
+    document = copy.deepcopy(COMBINED)
+    found = sweep(Study.of(document, {"moment_y_Nm": [-150, 0, 150]}))["least_loaded_azimuth"]
+    assert found.attrs["units"] == "deg"
+    low, middle, high = found.values.tolist()
+    assert middle == pytest.approx(180.0)
+    assert 180.0 < high < 270.0
+    assert low == pytest.approx(360.0 - high)
+    axial = copy.deepcopy(B218)
+    assert np.isnan(sweep(Study.of(axial, {"speed_rpm": [0, 9000]}))["least_loaded_azimuth"]).all()
+    results = sweep(Study.of(document, {"radial_load_y_N": "0:16000:17"}))
+    load, azimuth = results["inner_load"].values, results["azimuth"].values
+    for point in range(1, 17):
+        at = np.flatnonzero(np.isclose(azimuth[point], results["least_loaded_azimuth"].values[point]))
+        assert load[point, at] == load[point].min()

@@ -18,6 +18,7 @@ _NAMES = {
     "max_pressure": "greatest contact pressure",
     "required_friction": "friction that Mg requires",
     "balls_off_inner": "balls off the inner raceway",
+    "least_loaded_azimuth": "azimuth of the least loaded ball",
     "speed": "speed of the inner ring",
     "free_contact_angle": "free contact angle",
     "groove_radius_coefficient": "groove radius coefficient $f$",

@@ -11,6 +11,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from qsbearing.io.read_toml import read_toml
+from qsbearing.pictures.style import SLIP
 from qsbearing.studies.chunk import IMPOSSIBLE
 from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Judged, Statement, both, falls, judge, rises
 from qsbearing.studies.study import Study
@@ -44,6 +45,13 @@ class PaperFigure:
         return Study.of(read_toml(files("qsbearing.studies.paper") / f"{self.name}.toml"))  # type: ignore[arg-type]
 
 
+NO_BALL_LEAVES = Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0)
+NO_SLIP = Statement(
+    f"The friction that Mg requires stays below {SLIP[0]:g}, where gyroscopic slip begins in lubricated contacts",
+    HERE,
+    lambda results: results["outer_required_friction"].max("ball") < SLIP[0],
+)
+
 FIGURES = (
     PaperFigure(
         "figure_19_4",
@@ -71,7 +79,7 @@ FIGURES = (
         statements=(
             Statement("The ball under the radial load carries more with it", HERE, rises("inner_load", RADIAL)),
             Statement("Its inner contact angle falls with the radial load", HERE, falls("inner_angle", RADIAL)),
-            Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0),
+            NO_BALL_LEAVES,
         ),
     ),
     PaperFigure(
@@ -103,23 +111,30 @@ FIGURES = (
     ),
     PaperFigure(
         "map_axial_load",
-        "Beyond the paper: pressure, friction and stiffness over speed and axial load",
+        "Beyond the paper: pressure, friction and stiffness over speed and axial load; where gyroscopic slip begins",
         ("inner_max_pressure", "outer_max_pressure", "outer_required_friction", "ring_effective_stiffness_axial"),
-        statements=(
-            Statement(
-                "The friction that Mg requires stays below 0.06, where gyroscopic slip begins in lubricated contacts",
-                HERE,
-                lambda results: results["outer_required_friction"].isel(ball=0) < 0.06,
-            ),
-        ),
+        statements=(NO_SLIP,),
     ),
     PaperFigure(
         "map_radial_load",
         "Beyond the paper: balls that leave the inner raceway, over speed and radial load",
         ("balls_off_inner", "outer_required_friction", "inner_max_pressure", "outer_max_pressure"),
         x=SPEED,
+        statements=(NO_BALL_LEAVES, NO_SLIP),
+    ),
+    PaperFigure(
+        "map_moment",
+        "Beyond the paper: which ball leaves the inner raceway first, over speed and moment",
+        ("least_loaded_azimuth", "balls_off_inner", "outer_required_friction", "inner_max_pressure"),
+        x=SPEED,
         statements=(
-            Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0),
+            NO_BALL_LEAVES,
+            Statement(
+                "The ball opposite the radial load carries least",
+                HERE,
+                lambda results: abs(results["least_loaded_azimuth"] - 180.0) < 1e-6,
+            ),
+            NO_SLIP,
         ),
     ),
 )
