@@ -91,10 +91,13 @@ def previous_release(steps: list[Step], place: Place, before: Previous) -> Verdi
     made = {name for step in steps for pattern in step.records for name in (*before.names(pattern), pattern)}
     kept = [*before.names(f"{place.level}/*.json"), *before.names("book/*.json")]
     reasons += [f"{name} is on record, and no step makes it any more" for name in kept if name not in made]
-    without = [name for name in kept if not (before.read(name) or {}).get("provenance")]
+    origins = [(before.read(name) or {}).get("provenance") for name in kept]
+    commits = {str(made["commit"])[:12] for made in origins if made}
     said = f"{before.label}, as they were kept"
-    if without:
-        said += f"; {len(without)} of {len(kept)} do not say where they come from ({NOT_RECORDED}): values only"
+    if commits:
+        said += f"; made from {', '.join(sorted(commits))}"
+    if None in origins:
+        said += f"; {origins.count(None)} of {len(kept)} do not say from what ({NOT_RECORDED}): values only"
     return Verdict("previous release", reasons, said, "git log -- fem_check/records")
 
 
