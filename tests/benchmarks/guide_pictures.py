@@ -23,6 +23,7 @@ from qsbearing.pictures.study import picture
 from qsbearing.studies.cost import figures
 from tests.benchmarks.coordinate_drawing import coordinate_drawing
 from tests.guide.pages import run_page
+from tests.rotordynamics import spindle
 
 GUIDE = Path(qs.__file__).parent / "guide"
 
@@ -93,6 +94,7 @@ def main() -> None:
         (GUIDE / name).write_text(svg(figure), encoding="utf-8")
     (GUIDE / "b218_speed.svg").write_text(svg(against_speed()), encoding="utf-8")
     (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
+    (GUIDE / "spindle.svg").write_text(svg(spindle.picture(spindle.read())), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 

@@ -14,6 +14,7 @@ from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
 from tests.benchmarks.record import RECORD
+from tests.rotordynamics import spindle
 
 GUIDE = Path(qs.__file__).parent / "guide"
 CAMPAIGNS = Path(__file__).parents[1] / "campaign" / "records"
@@ -212,6 +213,27 @@ def hard_cases() -> str:
     )
 
 
+def critical_speeds() -> str:
+    """Of the guide's spindle, against preload."""
+    rows = [
+        [preload, *(f"{found[kind]:,.0f}" for kind in spindle.KINDS)]
+        for preload, found in spindle.read()["critical_speed_rpm"].items()
+    ]
+    headings = ["preload, N", *(f"stiffness {name}, rpm" for name in spindle.KINDS.values())]
+    return markdown(headings, rows)
+
+
+def tilts() -> str:
+    """The same, by what stands for tilts."""
+    found = spindle.read()["tilt_rpm"]
+    whole = next(iter(found.values()))
+    rows = [
+        [name, f"{rpm:,.0f}", f"{100.0 * (rpm / whole - 1.0):+.1f}" if rpm != whole else ""]
+        for name, rpm in found.items()
+    ]
+    return markdown(["`tilt`", "rpm", "difference, %"], rows)
+
+
 PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},
     "timing.md": {"timing": timing, "alternatives": alternatives},
@@ -221,6 +243,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "sector": sector,
         "finite elements": finite_elements,
     },
+    "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
     "hard_cases.md": {"campaigns": campaigns, "hard cases": hard_cases},
 }
 """Pages of the guide, and the tables of each."""
