@@ -462,7 +462,7 @@ class Solution:
         """
         from qsbearing.rotordynamics import ross_bearing
 
-        return ross_bearing.of_solution(self, n, index, **arguments)
+        return ross_bearing.of_solution(self, self.scene.operation.speed, n, index, **arguments)
 
 
 def place_of(index: Index, shape: Place) -> Place:

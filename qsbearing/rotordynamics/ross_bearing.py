@@ -6,15 +6,18 @@ With tilts included, its assembly is given an element that holds all five coordi
 
 from __future__ import annotations
 
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.rotordynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
+from qsbearing.status import Status
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
 
 if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
     from qsbearing.solution import Solution
 
 
@@ -129,16 +132,17 @@ def _stiffness_errors(matrix: NDArray, tilt: Tilt) -> list[ErrorDetail]:
     return []
 
 
-def of_solution(solution: Solution, n: int, index: Any = None, **arguments: Any) -> Any:
-    """`to_ross` with the stiffness and the speed of a solution's cases.
+def of_solution(solution: Solution | SetSolution, speed: ArrayLike, n: int, index: Any = None, **arguments: Any) -> Any:
+    """`to_ross` with the stiffness of a solution's cases.
 
     Args:
+        speed: of the shaft, broadcasting to the case axes [rad/s].
         index: which cases, as numpy's arrays take it, such as (0, slice(None)); None: all.
 
     Raises:
-        SceneError: as `to_ross`; and cases that are not solved, each kind with its reason.
+        SceneError: as `to_ross`; and cases that are not solved, with status and reason.
     """
-    number = np.arange(solution._maker.count).reshape(solution.shape)
+    number = np.arange(prod(solution.shape)).reshape(solution.shape)
     errors = []
     try:
         chosen = number if index is None else number[index]
@@ -149,23 +153,24 @@ def of_solution(solution: Solution, n: int, index: Any = None, **arguments: Any)
         problem = f"leaves {np.ndim(chosen)} axes of cases, {np.shape(chosen)}"
         cause = "One axis is wanted, that of speed; such as index = (0, slice(None)) for the first of the other axis"
         errors.append(ErrorDetail("index", problem, index, cause=cause))
-    errors += _unsolved(solution, np.atleast_1d(chosen))
+    errors += _unsolved(solution, np.ravel(chosen))
     raise_if_any(errors)
-    speed = np.broadcast_to(np.asarray(solution.scene.operation.speed, float), solution.shape).ravel()
-    return to_ross(solution.stiffness.reshape(-1, 5, 5)[chosen], speed[chosen], n, **arguments)
+    speeds = np.broadcast_to(np.asarray(speed, float), solution.shape).ravel()
+    return to_ross(solution.stiffness.reshape(-1, 5, 5)[chosen], speeds[chosen], n, **arguments)
 
 
-def _unsolved(solution: Solution, chosen: NDArray) -> list[ErrorDetail]:
-    status, reason = (np.ravel(np.asarray(each, str)) for each in (solution.status, solution.reason))
+def _unsolved(solution: Solution | SetSolution, chosen: NDArray) -> list[ErrorDetail]:
+    """How cases ended that are not solved: one error for each way."""
+    status = np.ravel(np.asarray(solution.status, str))
+    reason = np.ravel(np.asarray(getattr(solution, "reason", np.full(solution.shape, "")), str))
+    how = np.array([f"{one} ({why})" if why else one for one, why in zip(status[chosen], reason[chosen], strict=True)])
     errors = []
-    for kind in dict.fromkeys(zip(status[chosen.ravel()], reason[chosen.ravel()], strict=True)):
-        if kind[0] == "converged":
-            continue
-        cases = chosen[(status[chosen] == kind[0]) & (reason[chosen] == kind[1])]
-        place = "" if not solution.shape else solution._case_name(int(cases[0]))
-        problem = f"{cases.size} of {chosen.size} cases: {kind[0]}{f' ({kind[1]})' if kind[1] else ''}"
-        said = f"qs.message(solution{f', {place}' if place else ''}) says why"
-        errors.append(
-            ErrorDetail("status", problem, cause=f"{said}. Only solved cases have a stiffness; leave the others out")
-        )
+    for kind in dict.fromkeys(how[status[chosen] != Status.CONVERGED]):
+        cases = chosen[how == kind]
+        place = tuple(map(int, np.unravel_index(cases[0], solution.shape)))
+        where = str(place if len(place) > 1 else place[0]) if place else ""
+        of_set = hasattr(solution, "message")
+        call = f"solution.message({where})" if of_set else f"qs.message({', '.join(filter(None, ('solution', where)))})"
+        cause = f"{call} says why. Only solved cases have a stiffness; leave the others out"
+        errors.append(ErrorDetail("status", f"{cases.size} of {chosen.size} cases: {kind}", cause=cause))
     return errors

@@ -280,5 +280,19 @@ class SetSolution:
         `compliance` is."""
         return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
 
+    def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
+        """One bearing element of ROSS for the whole set, at the node of its reference position; needs the `ross` extra.
+
+        As `Solution.to_ross`; for an element per row, at a node each: `rows[i].to_ross(n, mirrored=...)`, mirrored
+        where the row carries in -x.
+
+        Raises:
+            SceneError: every error of the arguments; cases that are not solved.
+            ImportError: ROSS is not installed.
+        """
+        from qsbearing.rotordynamics import ross_bearing
+
+        return ross_bearing.of_solution(self, self.set.operation.speed, n, index, **arguments)
+
     def _spread(self, other: SetSolution) -> NDArray:
         return np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))

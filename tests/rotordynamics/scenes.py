@@ -35,6 +35,21 @@ def deep_groove_bearing(sense: float) -> qs.Solution:
     return solved(qs.Scene(DEEP_GROOVE, operation, ball_effects=BOTH, raceway_control=OUTER))
 
 
+def pair(speed: ArrayLike, axial_load: float) -> qs.SetSolution:
+    """A pair in an O arrangement under loads in all channels; groove centres of the inner rings 0.1 m apart.
+
+    Positions of rows are those of the balls, tilts of a row turn about its ring's groove centres.
+    """
+    outside = 0.05 + (SPINDLE.inner_groove_radius - 0.5 * SPINDLE.ball_diameter) * np.sin(SPINDLE.free_contact_angle)
+    operation = qs.Operation(
+        speed=speed, axial_load=axial_load, radial_load_y=600.0, radial_load_z=-250.0, moment_y=8.0, moment_z=3.0
+    )
+    rows = qs.Row(SPINDLE, position=-outside), qs.Row(SPINDLE, position=outside, carries="-x")
+    return qs.solve_set(
+        qs.BearingSet(rows, operation, qs.Preload(rigid=1200.0), ball_effects=BOTH, raceway_control=OUTER)
+    )
+
+
 def solved(scene: qs.Scene) -> qs.Solution:
     """A solution that is there."""
     solution = qs.solve(scene)

@@ -73,6 +73,15 @@ def test_cases_that_are_not_solved_are_named_with_their_reason() -> None:
     assert "give it one axis, that of speed" in errors(along_load.to_ross, 0)["speed"]
 
 
+def test_a_set_that_is_not_solved_says_so() -> None:
+    bearing = qs.load_scene("7210c").bearing
+    rows = qs.Row(bearing), qs.Row(bearing, position=0.02)
+    solution = qs.solve_set(qs.BearingSet(rows, qs.Operation(speed=SPEEDS, axial_load=-500.0)))
+    said = errors(solution.to_ross, 0)["status"]
+    assert "3 of 3 cases: no_equilibrium. solution.message(0) says why" in said
+    assert "row" in solution.message(0)
+
+
 def test_where_ross_is_missing_it_is_said_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "ross", None)
     with pytest.raises(ImportError, match=r"pip install 'qsbearing\[ross\]'"):

@@ -14,7 +14,7 @@ import qsbearing as qs
 from qsbearing.rotordynamics import in_rotor_axes
 from tests.rotordynamics.rigid_rotor import MIRROR, cylinder, eigenvalues
 from tests.rotordynamics.rotor_program import load
-from tests.rotordynamics.scenes import spindle_bearing
+from tests.rotordynamics.scenes import pair, spindle_bearing
 
 ross = load()
 
@@ -85,6 +85,21 @@ def test_its_own_element_holds_what_is_left_of_translations(tilt: str) -> None:
     assert_found(expected(SPEEDS[4], kept, kept), rotor(*made), SPEEDS[4])
 
 
+def test_a_set_is_its_rows_at_their_places() -> None:
+    """One element for a pair at its middle, and one element per row: the same rotor."""
+    solution = pair(SPEEDS, 800.0)
+    assert np.all(solution.converged)
+    one = rotor(solution.to_ross(4, tag="set"))
+    front, rear = solution.rows
+    two = rotor(front.to_ross(3, tag="front"), rear.to_ross(5, tag="rear", mirrored=True))
+    assert_found(np.linalg.eigvals(two.A(SPEEDS[3]))[lowest(two, SPEEDS[3])], one, SPEEDS[3])
+
+
+def lowest(rotor: Any, speed: float) -> NDArray:
+    """Which eigenvalues are those of a rigid body: ten, after the two of the free rotation."""
+    return np.argsort(np.abs(np.linalg.eigvals(rotor.A(speed))))[2:12]
+
+
 def test_ross_has_no_tilt_stiffness_of_its_own() -> None:
     """Why there is an element of ours, and what a version with one would be noticed by."""
     assert ross.__version__ == "2.3.0"
@@ -127,13 +142,14 @@ def test_damping_is_nothing_unless_it_is_given_and_acts_on_translations() -> Non
 
 
 def test_what_ross_does_with_a_rotor_goes_with_the_element(tmp_path: Path) -> None:
-    """Copies, added nodes, a Campbell diagram, static deflection; files are refused, not halved."""
+    """Copies, added nodes, unbalance response, static deflection; files are refused, not halved."""
     solution = spindle_bearing(SPEEDS)
     made = rotor(*(solution.to_ross(node, tag=str(node), cxx=100.0) for node in (FRONT, REAR)))
-    slowest = np.sort(np.abs(np.linalg.eigvals(made.A(SPEEDS[2]))))
+    wanted = np.linalg.eigvals(made.A(SPEEDS[2]))[lowest(made, SPEEDS[2])]
     for other in (made.add_nodes([0.375]), copy.deepcopy(made)):
-        assert np.sort(np.abs(np.linalg.eigvals(other.A(SPEEDS[2]))))[2:12] == pytest.approx(slowest[2:12], rel=1e-6)
-    assert made.run_campbell(SPEEDS[1:3], frequencies=4).wd.shape == (2, 4)
+        assert_found(wanted, other, SPEEDS[2])
+    response = made.run_unbalance_response(0, unbalance_magnitude=1e-6, unbalance_phase=0.0, frequency=SPEEDS[1:3])
+    assert np.isfinite(response.forced_resp).all()
     assert len(made.run_static().deformation) == ELEMENTS + 1
     with pytest.raises(NotImplementedError, match="hold no tilt stiffness"):
         made.save(tmp_path / "rotor.toml")
