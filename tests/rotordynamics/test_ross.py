@@ -122,6 +122,7 @@ def test_stiffness_is_met_at_every_speed_given_and_goes_smoothly_between() -> No
     for number, speed in enumerate(0.5 * (SPEEDS[1:] + SPEEDS[:-1])):
         wanted = np.diag(in_rotor_axes(between.stiffness[number]))
         assert np.diag(whole.K(speed)) == pytest.approx(wanted, rel=0.02)  # cubics over 3000 rpm each
+        assert whole.K(speed)[:2, :2] == pytest.approx(plain.K(speed)[:2, :2], rel=1e-7, abs=10.0)  # as ROSS does it
 
 
 def test_a_single_case_is_the_same_at_every_speed() -> None:
