@@ -10,7 +10,13 @@ from qsbearing.readings.asked import take_asked
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
-from qsbearing.readings.dynamic_rating import Capacity, Rating, dynamic_load_rating, element_load_ratings
+from qsbearing.readings.dynamic_rating import (
+    Capacity,
+    Rating,
+    axial_load_rating,
+    dynamic_load_rating,
+    element_load_ratings,
+)
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.film_thickness import Film, RacewayFilm, film
 from qsbearing.readings.friction_estimate import (
@@ -31,6 +37,7 @@ from qsbearing.readings.shown import reading_columns
 from qsbearing.readings.static_rating import (
     FatigueLimit,
     StaticSafety,
+    axial_static_load_rating,
     fatigue_load_limit,
     static_load_rating,
     static_safety,
@@ -62,6 +69,8 @@ __all__ = [
     "SpectrumLife",
     "StaticSafety",
     "Stress",
+    "axial_load_rating",
+    "axial_static_load_rating",
     "contamination_factor",
     "dynamic_load_rating",
     "element_load_ratings",

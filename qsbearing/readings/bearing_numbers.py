@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.contact.hertz import effective_modulus, point_contact
 from qsbearing.scene.bearing import BallBearing, BearingKind
+from qsbearing.units import deg
 
 INNER, OUTER = -1.0, 1.0
 """The sign of gamma in the formulas of a raceway: 1 - gamma inside, 1 + gamma outside."""
@@ -32,6 +33,11 @@ class BearingNumbers:
         if self.bearing.kind is BearingKind.DEEP_GROOVE:
             return np.zeros(())
         return np.asarray(self.bearing.free_contact_angle, float)
+
+    @cached_property
+    def is_thrust(self) -> NDArray:
+        """Whether the rating standards count it among thrust bearings: a nominal contact angle above 45 degrees."""
+        return np.asarray(self.nominal_angle > 45.0 * deg * (1.0 + 1e-9))
 
     @cached_property
     def nominal_gamma(self) -> NDArray:

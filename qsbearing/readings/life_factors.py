@@ -76,7 +76,7 @@ def life_modification_factor(
         viscosity_ratio: kappa; above 4 taken as 4, NaN below 0.1.
         contamination_factor: eC, 0 to 1.
         fatigue_load_limit: Cu [N].
-        equivalent_load: P [N].
+        equivalent_load: P [N]; of thrust bearings 3 P, as the standard puts a third in their formula.
 
     Returns:
         At most 50, which is also the value where the bracket is no longer positive (a load below the fatigue limit).

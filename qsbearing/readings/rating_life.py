@@ -18,6 +18,7 @@ from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
     OUTER_GROOVE_COVERED,
     RATING_FACTOR,
+    THRUST_GROOVE_COVERED,
     Capacity,
     Rating,
     contact_load_rating,
@@ -58,7 +59,7 @@ class Life:
     """Lives of each case; arrays of shape (*cases), revolutions of one ring against the other. NaN where not solved."""
 
     dynamic_load_rating: NDArray
-    """C [N]."""
+    """C [N]; of a thrust bearing (nominal angle above 45 degrees) its axial rating, and the loads below are axial."""
     basic_reference_rating_life: NDArray
     """L10r, from the solved ball loads, 90 % survive [rev]; infinite where no ball is loaded."""
     inner_life: NDArray
@@ -165,7 +166,8 @@ def life(
             else fatigue_load_limit
         )
         limit = np.broadcast_to(np.asarray(Cu, float), shape)
-        factor = life_modification_factor(viscosity_ratio, contamination_factor, limit, reference)
+        counts = np.where(BearingNumbers(bearing).is_thrust, 3.0, 1.0) * reference
+        factor = life_modification_factor(viscosity_ratio, contamination_factor, limit, counts)
         modified = a1 * factor * system
     load = solution.load
     P = equivalent_load(bearing, np.hypot(load[..., 1], load[..., 2]), load[..., 0])
@@ -175,7 +177,9 @@ def life(
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     found = _found(solution, rating, dynamic_load_rating is None and capacity is Capacity.ISO_16281, viscosity_ratio)
-    uncovered = "ISO 281 tabulates P for contact angles up to 45 degrees: no basic rating life"
+    uncovered = (
+        "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"
+    )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
@@ -225,7 +229,11 @@ def _found(
     """Where the lives leave the range of their sources."""
     numbers = BearingNumbers(solution.scene.bearing)
     inner_f, outer_f = numbers.groove_coefficient(INNER), numbers.groove_coefficient(OUTER)
-    wide = (inner_f > INNER_GROOVE_COVERED + 1e-9) | (outer_f > OUTER_GROOVE_COVERED + 1e-9)
+    inner_most, outer_most = (
+        np.where(numbers.is_thrust, THRUST_GROOVE_COVERED, most)
+        for most in (INNER_GROOVE_COVERED, OUTER_GROOVE_COVERED)
+    )
+    wide = (inner_f > inner_most + 1e-9) | (outer_f > outer_most + 1e-9)
     found = [
         (
             numbers.is_hybrid,
@@ -238,12 +246,11 @@ def _found(
         ),
     ]
     if from_geometry and rating is Rating.ISO_281:
-        found.append((wide, "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside: a wider one "
-                      'bears less (rating = "lundberg_palmgren" knows the grooves)'))  # fmt: skip
+        covered = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
+        found.append((wide, f'{covered}: a wider one bears less (rating = "lundberg_palmgren" knows the grooves)'))
         gamma = numbers.nominal_gamma
-        found.append(
-            ((gamma < 0.01) | (gamma > 0.40), "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40")
-        )
+        outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
+        found.append((outside, "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)
         found.append((kappa < LEAST_RATIO, f"aISO is not defined below kappa = {LEAST_RATIO:g}"))

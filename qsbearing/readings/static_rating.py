@@ -46,6 +46,9 @@ SIMPLE_DIVISOR = 22.0
 _ANGLE = np.array([5.0, 10.0, 15.0, 20.0, 25.0, 26.0, 30.0, 35.0, 36.0, 40.0, 45.0]) * deg
 _Y0 = np.array([0.52, 0.50, 0.46, 0.42, 0.38, 0.37, 0.33, 0.29, 0.29, 0.26, 0.22])
 # fmt: on
+MOST_RADIAL = 0.67
+"""Fr tan(alpha)/Fa of thrust bearings up to which P0a is still satisfactory; up to 0.44 it is on the safe side."""
+
 _X0_ANGULAR, _X0_DEEP_GROOVE, _Y0_DEEP_GROOVE = 0.5, 0.6, 0.5
 
 
@@ -72,11 +75,25 @@ def _weaker_contact(bearing: BallBearing, pressure: float) -> NDArray:
 def static_load_rating(bearing: BallBearing) -> NDArray:
     """C0 = Z cos(alpha) Q(4200 MPa)/5, the basic static radial load rating of one row [N].
 
-    Q is the smaller of the two raceways' loads; ISO 76 writes f0 Z D^2 cos(alpha), f0 = Q/(5 D^2).
+    Q is the smaller of the two raceways' loads; ISO 76 writes f0 Z D^2 cos(alpha), f0 = Q/(5 D^2). Above a nominal
+    contact angle of 45 degrees the axial one, C0a = Z sin(alpha) Q = f0 Z D^2 sin(alpha), f0 = Q/D^2.
     """
     numbers = BearingNumbers(bearing)
-    largest = _weaker_contact(bearing, STATIC_PRESSURE)
-    return np.asarray(numbers.ball_count * np.cos(numbers.nominal_angle) * largest / RADIAL_SHARE)
+    largest, angle = numbers.ball_count * _weaker_contact(bearing, STATIC_PRESSURE), numbers.nominal_angle
+    return np.asarray(np.where(numbers.is_thrust, np.sin(angle), np.cos(angle) / RADIAL_SHARE) * largest)
+
+
+def axial_static_load_rating(bearing: BallBearing, static_load_rating: ArrayLike) -> NDArray:
+    """0.7 C0/Y0, the axial load that the static rating of an angular-contact bearing stands for under thrust [N].
+
+    ISO 76:2006, A.5: 40 degrees, Y0 = 0.26. For nominal angles up to 45 degrees; NaN above, where the rating is axial.
+
+    Args:
+        static_load_rating: C0, its radial rating [N].
+    """
+    numbers = BearingNumbers(bearing)
+    axial = 0.7 * np.asarray(static_load_rating, float) / _axial_factor(bearing)
+    return np.asarray(np.where(numbers.is_thrust, np.nan, axial))
 
 
 def fatigue_load_limit(
@@ -85,7 +102,7 @@ def fatigue_load_limit(
     """Cu, the load of one row below which its steel does not tire [N]; ISO 281:2007, annex B.
 
     0.2288 Z Qu cos(alpha), Qu the smaller load at which a contact reaches 1500 MPa; or C0/22. Either is multiplied by
-    (100 mm/dm)^0.5 above a pitch diameter of 100 mm.
+    (100 mm/dm)^0.5 above a pitch diameter of 100 mm. Thrust bearings: Z Qu sin(alpha), an axial load.
 
     Args:
         static_rating: C0 [N] where it does not follow from the geometry.
@@ -95,18 +112,34 @@ def fatigue_load_limit(
         limit = (static_load_rating(bearing) if static_rating is None else np.asarray(static_rating)) / SIMPLE_DIVISOR
     else:
         weakest = _weaker_contact(bearing, FATIGUE_PRESSURE)
-        limit = HALF_LOADED * numbers.ball_count * weakest * np.cos(numbers.nominal_angle)
+        angle = numbers.nominal_angle
+        share = np.where(numbers.is_thrust, np.sin(angle), HALF_LOADED * np.cos(angle))
+        limit = numbers.ball_count * weakest * share
     return np.asarray(limit * np.minimum(SMALL_PITCH / numbers.pitch_diameter, 1.0) ** 0.5)
 
 
 def static_equivalent_load(bearing: BallBearing, radial_load: ArrayLike, axial_load: ArrayLike) -> NDArray:
-    """P0 = max(X0 Fr + Y0 Fa, Fr) of a single row [N]; ISO 76, table 2, linear between its angles."""
+    """P0 = max(X0 Fr + Y0 Fa, Fr) of a single row [N]; ISO 76, table 2, linear between its angles.
+
+    Thrust bearings: P0a = 2.3 Fr tan(alpha) + Fa, an axial load; for Fr/Fa up to 0.44 cot(alpha), NaN above 0.67
+    cot(alpha). These three numbers were not compared with a source.
+    """
     radial, axial = np.asarray(radial_load, float), np.abs(np.asarray(axial_load, float))
+    numbers = BearingNumbers(bearing)
+    X0 = _X0_DEEP_GROOVE if bearing.kind is BearingKind.DEEP_GROOVE else _X0_ANGULAR
+    P0 = np.maximum(X0 * radial + _axial_factor(bearing) * axial, radial)
+    if not numbers.is_thrust.any():
+        return np.asarray(P0)
+    steepness = np.tan(numbers.nominal_angle)
+    thrust = np.where(radial * steepness <= MOST_RADIAL * axial, 2.3 * radial * steepness + axial, np.nan)
+    return np.asarray(np.where(numbers.is_thrust, thrust, P0))
+
+
+def _axial_factor(bearing: BallBearing) -> NDArray:
+    """Y0."""
     if bearing.kind is BearingKind.DEEP_GROOVE:
-        both = _X0_DEEP_GROOVE * radial + _Y0_DEEP_GROOVE * axial
-    else:
-        both = _X0_ANGULAR * radial + np.interp(BearingNumbers(bearing).nominal_angle, _ANGLE, _Y0) * axial
-    return np.asarray(np.maximum(both, radial))
+        return np.asarray(_Y0_DEEP_GROOVE)
+    return np.asarray(np.interp(BearingNumbers(bearing).nominal_angle, _ANGLE, _Y0))
 
 
 @dataclass(frozen=True)
@@ -153,6 +186,10 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
         (
             moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny),
             "the ring carries a moment, which P0 of ISO 76 does not know; contact_safety does",
+        ),
+        (
+            np.isnan(equivalent) & np.isfinite(radial),
+            "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one: no static safety",
         ),
         (
             BearingNumbers(bearing).is_hybrid,

@@ -84,10 +84,45 @@ def test_equivalent_load_by_angle() -> None:
     angles = np.linspace(0.0, 45.0, 91)
     thrust = P(bearing(15, 10, 80, angles), 0.0, 2000.0)
     assert (np.diff(thrust) <= 1e-9).all()  # the steeper the contact, the lighter a thrust
-    steep = bearing(15, 10, 80, 50.0)
-    assert np.isnan(P(steep, 1000, 1000))
-    warned = qs.readings.life(solved(resting(steep, axial_load=1e3)))
-    assert any("45 degrees" in sentence for sentence in warned.warnings)
+
+
+def test_equivalent_load_of_thrust_bearings() -> None:
+    """X and e of ISO 281, table 5, to its two digits; less thrust than e Fr does not suit a single row."""
+    P = qs.readings.equivalent_load
+    for angle, e, X in ((50, 1.49, 0.73), (60, 2.17, 0.92), (70, 3.43, 1.28), (80, 7.09, 2.43)):
+        steep = bearing(15, 10, 80, float(angle))
+        assert P(steep, 100.0, 1000.0) == pytest.approx(X * 100 + 1000, abs=0.51)
+        assert P(steep, 1000.0, (e + 0.006) * 1000) > 0.0
+        assert np.isnan(P(steep, 1000.0, (e - 0.006) * 1000))
+    both = P(bearing(15, 10, 80, np.array([40.0, 60.0])), 0.0, 1000.0)
+    assert both == pytest.approx([570.0, 1000.0])
+    loaded = {"axial_load": 1e3, "radial_load_y": 900.0, **UPRIGHT}
+    warned = qs.readings.life(solved(resting(bearing(15, 10, 80, 50.0), **loaded)))
+    assert any("no L10" in sentence for sentence in warned.warnings)
+    assert warned.basic_reference_rating_life > 0.0
+
+
+@pytest.mark.parametrize("angle", [46.0, 60.0, 80.0])
+def test_a_thrust_bearing_lives_as_its_rating_says(angle: float) -> None:
+    """Where no load opens the angle, the reference life is (Ca/Fa)^3, whatever the raceways' shares."""
+    thrust = bearing(20, 10, 80, angle, 0.53, 0.54)
+    found = qs.readings.life(solved(resting(thrust, axial_load=1e-3)))
+    by_rating = MREV * (found.dynamic_load_rating / 1e-3) ** 3
+    assert found.basic_reference_rating_life == pytest.approx(by_rating, rel=1e-4)  # the angle opens by 1e-5
+    assert found.basic_rating_life == pytest.approx(by_rating)
+    assert found.equivalent_load == 1e-3
+    by_contact = qs.readings.life(solved(resting(thrust, axial_load=1e-3)), capacity="lundberg_palmgren")  # type: ignore[arg-type]
+    # 1.72 in the rating's formula stands for 1.39 + 1/3 of the raceways' own.
+    assert by_contact.basic_reference_rating_life == pytest.approx(by_rating, rel=1e-3)
+
+
+def test_modified_life_of_thrust_bearings() -> None:
+    """aISO is taken at a third of eC Cu/P."""
+    flat, steep = (solved(resting(bearing(20, 10, 80, angle), axial_load=5e3)) for angle in (44.0, 46.0))
+    for solution, share in ((flat, 1.0), (steep, 3.0)):
+        found = qs.readings.life(solution, viscosity_ratio=1.5, contamination_factor=0.4, fatigue_load_limit=500.0)
+        P = share * found.reference_load
+        assert found.life_modification_factor == qs.readings.life_modification_factor(1.5, 0.4, 500.0, P)
 
 
 def test_modified_life_is_asked_for_or_absent() -> None:

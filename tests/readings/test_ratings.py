@@ -113,3 +113,54 @@ def test_numbers_of_a_deep_groove_bearing() -> None:
     assert numbers.nominal_gamma == pytest.approx(0.2)
     assert b.ball_material is ISO_STEEL
     assert not numbers.is_hybrid
+
+
+# ------------------------------------------------------------------------------------------------------ thrust bearings
+
+
+def test_dynamic_ratings_of_thrust_bearings_as_printed() -> None:
+    """ISO 281, C.5: fc 85.1 at 45 degrees and gamma 0.16; 60 degrees, D 7.5, Z 27, D/dm 0.091: Ca = 28 663 N.
+
+    The latter's fc, 61.12, is read at gamma 0.046 between the table's values for 0.04 and 0.05, of three digits each;
+    gamma is 0.0455.
+    """
+    D = 7.5
+    steep = bearing(8, D, D / 0.16 * np.cos(45.001 * qs.deg), 45.001)
+    size = np.cos(45 * qs.deg) ** 0.7 * 8 ** (2 / 3) * D**1.8
+    assert qs.readings.dynamic_load_rating(steep, "iso_281", 1.0) / size == pytest.approx(85.1, abs=0.05)
+    size = np.cos(60 * qs.deg) ** 0.7 * np.tan(60 * qs.deg) * 27 ** (2 / 3) * D**1.8
+    table = [
+        qs.readings.dynamic_load_rating(bearing(27, D, D / gamma * np.cos(60 * qs.deg), 60), "iso_281", 1.0) / size
+        for gamma in (0.04, 0.05)
+    ]
+    assert np.interp(0.046, [0.04, 0.05], table) == pytest.approx(61.12, abs=0.05)
+    assert pytest.approx(28663, abs=1.0) == 1.3 * 61.12 * size
+    example = bearing(27, D, D / 0.091, 60)
+    assert qs.readings.dynamic_load_rating(example, "iso_281") == pytest.approx(28663, rel=0.003)
+
+
+def test_axial_ratings_of_a_radial_bearing_as_printed() -> None:
+    """ISO 281, C.5: 40 degrees, C = 18 651 N: Caa = 23 493 N. ISO 76, A.5: C0 = 18 731 N: 50 430 N."""
+    forty = bearing(27, 7.5, 7.5 / 0.091, 40)
+    assert qs.readings.axial_load_rating(forty, 18651.0) == pytest.approx(23493, abs=1.0)
+    assert qs.readings.axial_static_load_rating(forty, 18731.0) == pytest.approx(50430, abs=1.0)
+    steep = bearing(27, 7.5, 7.5 / 0.091, 60)
+    assert np.isnan(qs.readings.axial_load_rating(steep, 18651.0))
+    assert np.isnan(qs.readings.axial_static_load_rating(steep, 18731.0))
+
+
+def test_static_rating_of_a_thrust_bearing_as_printed() -> None:
+    """ISO 76, A.5: 60 degrees, D 7.5, Z 27, D/dm 0.091: C0a = 76 049 N with f0 = 57.82 at gamma 0.046."""
+    found = qs.readings.static_load_rating(bearing(27, 7.5, 7.5 / 0.091, 60, 0.54, 0.54))
+    assert found == pytest.approx(76049, rel=(0.05 + 0.05) / 57.82)  # rounding of gamma and of the table
+    P0 = static_equivalent_load(bearing(27, 7.5, 82, 60), np.array([0.0, 100.0, 500.0]), 1000.0)
+    assert P0[:2] == pytest.approx([1000.0, 1000 + 2.3 * 100 * np.tan(60 * qs.deg)])
+    assert np.isnan(P0[2])
+
+
+def test_fatigue_limit_of_a_thrust_bearing() -> None:
+    """By Hertz C0a (1500/4200)^3 = C0a/21.95: here the simple estimate, C0a/22, is the same."""
+    steep = bearing(20, 10, 80, 60, 0.54, 0.54)
+    hertz, simple = (qs.readings.fatigue_load_limit(steep, by) for by in qs.readings.static_rating.FatigueLimit)
+    assert hertz == pytest.approx(qs.readings.static_load_rating(steep) * (1500 / 4200) ** 3)
+    assert hertz / simple == pytest.approx(1.0, abs=0.003)
