@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from qsbearing.chooser.choose import solve
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.effects import (
+        BallDiameterDeviations,
         BallExpansion,
         CentrifugalForce,
         GyroscopicMoment,
@@ -60,7 +61,10 @@ if TYPE_CHECKING:
 _HOMES = {
     "chooser.choose": ("solve",),
     "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
-    "effects": ("BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares", "RingExpansion", "RingState"),
+    "effects": (
+        "BallDiameterDeviations", "BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares",
+        "RingExpansion", "RingState",
+    ),
     "effects.hertz_angle": ("HertzAngle",),
     "effects.orbit_radius": ("OrbitRadius",),
     "effects.raceway_control": ("RacewayControl",),
@@ -92,14 +96,14 @@ _HOMES = {
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
-    "SILICON_NITRIDE", "STEEL", "BallBearing", "BallExpansion", "BearingKind", "BearingSet", "CentrifugalForce",
-    "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa", "Material",
-    "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
-    "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
-    "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3", "load_scene", "load_set",
-    "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad", "readings", "rpm",
-    "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life",
-    "to_ross", "um", "warnings", "zero_celsius",
+    "SILICON_NITRIDE", "STEEL", "BallBearing", "BallDiameterDeviations", "BallExpansion", "BearingKind", "BearingSet",
+    "CentrifugalForce", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa",
+    "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload",
+    "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError",
+    "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3",
+    "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad",
+    "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear",
+    "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

@@ -55,6 +55,7 @@ BALL = (
     ("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm),
     ("orbital_speed_rpm", "orbital_speed", rpm),
     ("rotation_speed_rpm", "rotation_speed", rpm),
+    ("ball_diameter_deviation_um", "ball_diameter_deviation", um),
 )
 """Keys, names of the arrays of a solution, and the size of each key's unit in SI."""
 
@@ -125,7 +126,7 @@ def columns(solution: Solution) -> dict[str, NDArray]:
 
 def _expansion(solution: Solution) -> dict[str, Any]:
     """The operating geometry and the state of the rings; nothing without ring effects."""
-    if not solution.scene.ring_effects:
+    if not solution.scene.is_reshaped:
         return {}
     bearing = solution.scene.operating_bearing
     out = {f"operating_{key}": np.asarray(getattr(bearing, name)) / size for key, name, size in GEOMETRY}
@@ -144,6 +145,8 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
         holders.append(("preload_", PRELOAD, scene.preload))
     holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
     for effect in scene.ring_effects:
+        if effect is scene.ball_diameter_deviations:
+            continue  # by ball: a column of its own
         holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))
         seats = [(side, getattr(effect, side, None)) for side in SEAT_MATERIALS]
         holders += [(f"{side}_", MATERIAL, material) for side, material in seats if material is not None]

@@ -15,7 +15,7 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.effects.tilt_lever import TiltLever
-from qsbearing.kernel.case import CASE
+from qsbearing.kernel.case import CASE, OWN_BALL
 from qsbearing.material import Material
 from qsbearing.scene.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.scene.operation import CHANNELS
@@ -32,6 +32,27 @@ def _groove_stiffness(
         outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], OUTER_SIDE)[0]
 
 
+@entry
+def _own_stiffness(form: int, cases: NDArray, own: NDArray) -> None:
+    """The same for balls of their own diameters, in the case's unit, where they are unequal."""
+    for k in range(cases.size):
+        case = cases[k]
+        if not case.unequal_balls:
+            continue
+        cosine = case.hertz_cosine
+        sine = np.sqrt(max(0.0, 1.0 - cosine * cosine))
+        for j in range(case.ball_count):
+            ball = own[k, j]
+            d, inner_f, outer_f = (
+                ball.diameter,
+                case.inner_coefficient / ball.diameter,
+                case.outer_coefficient / ball.diameter,
+            )
+            pitch = case.pitch_diameter
+            ball.inner_stiffness = stiffness_at_angle(form, d, pitch, inner_f, 1.0, sine, cosine, INNER_SIDE)[0]
+            ball.outer_stiffness = stiffness_at_angle(form, d, pitch, outer_f, 1.0, sine, cosine, OUTER_SIDE)[0]
+
+
 _CHANGED = (
     *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
     *("free_contact_angle", "radial_interference"),
@@ -43,6 +64,8 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     """Every number of a scene that may span cases, by its field's name; None where the scene does not give it."""
     values = vars(scene.bearing) | vars(scene.operation)
     for effect in scene.ring_effects:
+        if effect is scene.ball_diameter_deviations:
+            continue  # by ball, which is no case axis
         numbers = {name: value for name, value in vars(effect).items() if not isinstance(value, Material)}
         values |= {f"{effect.name}.{name}": value for name, value in numbers.items()}
     del values["kind"], values["name"]
@@ -85,9 +108,11 @@ class CaseMaker:
         self._values = case_arrays(scene) | (axial or {})
         self._values["axial_datum_shift"] = 0.0
         self._values["cold_ball_diameter"] = scene.bearing.ball_diameter
-        if scene.ring_effects:
+        if scene.is_reshaped:
             self._values |= {name: getattr(scene.operating_bearing, name) for name in _CHANGED}
             self._values["axial_datum_shift"] = scene.axial_datum_shift
+        deviations = scene.ball_diameter_deviations
+        self._deviations = None if deviations is None else deviations.array
         self._arrays = _varying(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""
@@ -97,12 +122,12 @@ class CaseMaker:
         """Length of the ball axis: the largest ball count."""
 
     def _common_shape(self) -> tuple[int, ...]:
-        if not self._arrays:
-            return ()
+        named = {name: array.shape for name, array in self._arrays.items()}
+        if self._deviations is not None:
+            named["ball_diameter_deviations"] = self._deviations.shape[:-1]
         try:
-            return np.broadcast_shapes(*(array.shape for array in self._arrays.values()))
+            return np.broadcast_shapes(*named.values())
         except ValueError:
-            named = {name: array.shape for name, array in self._arrays.items()}
             raise ValueError(f"the scene's array fields do not broadcast to common case axes: {named}") from None
 
     def _stretch(self, start: int, stop: int) -> dict[str, Any]:
@@ -185,10 +210,37 @@ class CaseMaker:
         cases["control"] = 0 if scene.raceway_control is None else CONTROL_CODES[scene.raceway_control]
         cases["shares"] = 0 if gyroscopic is None else SHARES_CODES[gyroscopic.moment_shares]
         cases["form"] = FORM_CODES[scene.hertz_form]
+        cases["unequal_balls"] = self.has_unequal_balls(start, stop)
         cases["length"] = diameter
         cases["force"] = force
         cases["speed"] = speed
         return cases
+
+    def has_unequal_balls(self, start: int, stop: int) -> NDArray | bool:
+        """Which of the flattened cases [start, stop) do; False where the scene names no unequal balls."""
+        return False if self._deviations is None else (self._deviations_of(start, stop) != 0.0).any(axis=-1)
+
+    def _deviations_of(self, start: int, stop: int) -> NDArray:
+        """Of the balls' diameters (case, ball) [m]."""
+        assert self._deviations is not None
+        array = np.broadcast_to(self._deviations, (*self.shape, self.ball_axis))
+        if not self.shape:
+            return array[None]
+        return array[np.unravel_index(np.arange(start, stop), self.shape)]
+
+    def own_balls(self, cases: NDArray, start: int = 0) -> NDArray:
+        """Records (case, ball) of the balls of these case records, the first of which is this flattened case.
+
+        Empty but for its first axis where the scene names no unequal balls.
+        """
+        own = np.empty((cases.size, 0 if self._deviations is None else self.ball_axis), OWN_BALL)
+        if self._deviations is not None:
+            stop = start + cases.size
+            nominal = np.asarray(self._stretch(start, stop)["cold_ball_diameter"], float)
+            # Balls that have grown by heat differ by as much more: the ratio to the bearing's diameter stays.
+            own["diameter"] = 1.0 + self._deviations_of(start, stop) / nominal[..., None]
+            _own_stiffness(FORM_CODES[self.scene.hertz_form], cases, own)
+        return own
 
     def _fill_stiffness(self, cases: NDArray, pitch: Any, inner_f: Any, outer_f: Any, cos_free: Any) -> None:
         cosine = 1.0 if self.scene.hertz_angle is HertzAngle.ZERO else cos_free

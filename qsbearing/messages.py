@@ -171,7 +171,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
     yield from _missing_warnings(solution, part)
-    if solution.scene.ring_effects:
+    if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield (

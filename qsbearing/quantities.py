@@ -69,7 +69,7 @@ def _of_channel(kind: str, number: int, key: str, size: float) -> Quantity:
 
 def _of_geometry(key: str, own: str, size: float) -> Quantity:
     def read(solution: Solution) -> NDArray | None:
-        if not solution.scene.ring_effects:
+        if not solution.scene.is_reshaped:
             return None
         return np.broadcast_to(getattr(solution.scene.operating_bearing, own) / size, solution.shape)
 

@@ -83,6 +83,7 @@ class Solution:
         self._maker = maker
         self._mounted = mounted
         self._cases = cases
+        self._own: NDArray | None = None
         self._results = results
         self._positions = positions
         self._controls = controls
@@ -170,11 +171,16 @@ class Solution:
     def _keep_records(self) -> None:
         if self._cases is None and self._maker.count <= KEPT:
             self._cases = self._maker.make()
+        if self._cases is not None and self._own is None:
+            self._own = self._maker.own_balls(self._cases)
 
-    def _given(self, part: slice, cases: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
+    def _given(
+        self, part: slice, cases: NDArray
+    ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
         """What the kernel reads of a stretch of cases."""
         memory = working_memory(self._maker.ball_axis)
-        return cases, *memory, self._results[part], self._positions[part], self._controls[part]
+        own = self._maker.own_balls(cases, part.start) if self._own is None else self._own[part]
+        return cases, *memory, self._results[part], self._positions[part], self._controls[part], own
 
     def read_at_once(self, contacts: Iterable[str] = (), balls: Iterable[str] = ()) -> None:
         """Read several arrays off in one pass, which takes less time than one after the other as they are asked for.
@@ -292,6 +298,12 @@ class Solution:
         index = np.arange(balls)
         azimuth = np.where(index < count, first + 2.0 * np.pi * index / count, np.nan)
         return np.broadcast_to(azimuth, (*self.shape, balls))
+
+    @property
+    def ball_diameter_deviation(self) -> NDArray | None:
+        """Of each ball, as the scene gives it; shape (*cases, ball) [m]; None where it names no unequal balls."""
+        given = self.scene.ball_diameter_deviations
+        return None if given is None else np.broadcast_to(given.array, (*self.shape, self._maker.ball_axis))
 
     @cached_property
     def centrifugal_force(self) -> NDArray | None:

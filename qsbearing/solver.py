@@ -55,8 +55,8 @@ def solve(
         if cases is not None:
             cases[part] = records
         results, positions, controls = (array[part] for array in found)
-        memory = working_memory(maker.ball_axis)
-        given = (records, *memory, tolerance, start is not None, results, positions, controls)
+        memory, own = working_memory(maker.ball_axis), maker.own_balls(records, part.start)
+        given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
         solve_cases(*given)
         if results["status"].max() == UNFINISHED:
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it

@@ -22,12 +22,14 @@ from qsbearing.effects.entry import QUANTITIES, Entry
 from qsbearing.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion import RingExpansion, RingState
+from qsbearing.effects.unequal_balls import BallDiameterDeviations
 
 _FILES = (
     "hertz_form",
     "tilt_lever",
     "ring_expansion",
     "ball_expansion",
+    "unequal_balls",
     "centrifugal_force",
     "gyroscopic_moment",
     "moment_shares",
@@ -40,7 +42,7 @@ _FILES = (
 EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.effects.{name}").ENTRY for name in _FILES)
 
 BallEffect = CentrifugalForce | GyroscopicMoment
-RingEffect = RingExpansion | BallExpansion
+RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations
 """The effects of this list that type checkers know."""
 
 
@@ -49,9 +51,15 @@ def types_in(slot: str) -> dict[str, type]:
     return {entry.name: entry.switch.effect_type for entry in EFFECTS if entry.switch.slot == slot}
 
 
+def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
+    """Those of these ring effects that a bearing has at rest and cold too."""
+    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations))
+
+
 __all__ = [
     "EFFECTS",
     "QUANTITIES",
+    "BallDiameterDeviations",
     "BallEffect",
     "BallExpansion",
     "CentrifugalForce",
@@ -62,5 +70,6 @@ __all__ = [
     "RingEffect",
     "RingExpansion",
     "RingState",
+    "as_made",
     "types_in",
 ]

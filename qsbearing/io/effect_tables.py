@@ -6,10 +6,12 @@ from dataclasses import MISSING, fields
 from math import nan
 from typing import Any
 
-from qsbearing.effects import BallExpansion, RingEffect, RingExpansion, types_in
+import numpy as np
+
+from qsbearing.effects import BallDiameterDeviations, BallExpansion, RingEffect, RingExpansion, types_in
 from qsbearing.io.file_errors import FileErrorDetail, translate
 from qsbearing.io.table_checks import Errors, checked, judged, material, si, table_model
-from qsbearing.scene.keys import EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, SEAT_MATERIALS
+from qsbearing.scene.keys import BALL_DEVIATIONS, EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, SEAT_MATERIALS
 from qsbearing.validation import SceneError
 
 _EFFECT_TABLES = {name: table_model(name, keys, {}) for name, keys in EFFECT_TABLES.items()}
@@ -44,6 +46,17 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
         errors += map(translate, judged(error))
         return None
     return effect if len(errors) == before else None
+
+
+def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:
+    """The effect that a list of deviations within [effects] names, in the file's unit; None without one."""
+    if given is None:
+        return None
+    try:
+        return BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float)))
+    except SceneError as error:
+        errors += map(translate, error.errors)
+        return None
 
 
 def find_unused_expansion(document: dict[str, Any], errors: Errors) -> None:

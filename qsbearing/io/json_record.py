@@ -103,7 +103,7 @@ def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
 def operating_geometry(solution: Solution, index: Place = ()) -> dict[str, float | None] | None:
     """The bearing as ring effects leave it; None where the scene names none."""
     scene = solution.scene
-    return _numbers(GEOMETRY, scene.operating_bearing, solution.shape, index) if scene.ring_effects else None
+    return _numbers(GEOMETRY, scene.operating_bearing, solution.shape, index) if scene.is_reshaped else None
 
 
 def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | None]] | None:

@@ -216,9 +216,13 @@ def digits(value: float | None, noise: float) -> str:
 
 def contacts_table(rows: list[Row], count: int) -> Table:
     """Angles, loads and pressures of the balls' contacts."""
-    heading = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
+    heading: tuple[str, ...] = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
     pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
-    return _per_ball("Contacts", heading, rows, count, [_contact_column(rows, *pair) for pair in pairs])
+    columns = [_contact_column(rows, *pair) for pair in pairs]
+    deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
+    if any(deviation is not None for deviation in deviations):
+        heading, columns = ("D - D0\num", *heading), [_column(deviations, 4), *columns]
+    return _per_ball("Contacts", heading, rows, count, columns)
 
 
 def _ellipses(rows: list[Row], count: int) -> Table:

@@ -9,18 +9,29 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.effects import BallEffect, GyroscopicMoment, MomentShares, types_in
+from qsbearing.effects import BallEffect, GyroscopicMoment, MomentShares, RingEffect, types_in
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.io import catalogue
-from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
+from qsbearing.io.effect_tables import ball_deviations, find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.read_toml import read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
-from qsbearing.io.table_checks import Errors, checked, choice_fields, did_you_mean, judged, material, si, table_model
+from qsbearing.io.table_checks import (
+    Errors,
+    checked,
+    choice_fields,
+    did_you_mean,
+    judged,
+    material,
+    number_list,
+    si,
+    table_model,
+)
 from qsbearing.io.unknown_key import near, suggest
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
 from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.scene.keys import (
+    BALL_DEVIATIONS,
     BEARING,
     EFFECT_SECTIONS,
     EFFECT_TABLES,
@@ -55,7 +66,11 @@ tables print both to three or four digits)."""
 _BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
 _OPERATION = table_model("operation", OPERATION, {})
 _PRELOAD = table_model("preload", PRELOAD, {})
-_EFFECTS = table_model("effects", EFFECTS, {"ball": (list[str], [])} | choice_fields("moment_shares", *CHOICES))
+_EFFECTS = table_model(
+    "effects",
+    EFFECTS,
+    {"ball": (list[str], []), BALL_DEVIATIONS.name: number_list()} | choice_fields("moment_shares", *CHOICES),
+)
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -322,7 +337,8 @@ def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
                 problem = f"is given, but no gyroscopic moment is there to {verb}"
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
-    made_of_tables = [ring_effect(name, within[name], errors) for name in within]
+    made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors) for name in within]
+    made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
     return {"ball_effects": effects, "ring_effects": ring_effects} | {
         name: good[name] for name in CHOICES if name in good

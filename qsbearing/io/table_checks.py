@@ -15,7 +15,7 @@ from qsbearing.io.file_errors import FileErrorDetail
 from qsbearing.io.unknown_key import near, suggest
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BearingKind
-from qsbearing.scene.keys import MATERIAL, Key, find
+from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key, find
 from qsbearing.scene.scene import CHOICES
 from qsbearing.validation import ErrorDetail, SceneError
 
@@ -37,6 +37,11 @@ def table_model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> 
     fields: dict[str, Any] = {key.name: (number, None) for key in keys}
     config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
     return create_model(section, __config__=config, **fields | others)
+
+
+def number_list() -> Any:
+    """A field of `table_model` for a list of numbers."""
+    return Annotated[list[float] | None, WrapValidator(_or_array)], None
 
 
 def choice_fields(*names: str) -> dict[str, Any]:
@@ -80,6 +85,9 @@ def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail
     if name == "ball":
         cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'
         return FileErrorDetail(path, "is not a list of ball effects", value, cause=cause)
+    if name == BALL_DEVIATIONS.name:
+        cause = "Write a number for each ball, as in [0.5, -0.2, 0, ...]"
+        return FileErrorDetail(path, "is not a list of finite numbers", value, cause=cause)
     key = find(path)
     if key is None:
         return FileErrorDetail(path, "is not a word in quotation marks", value)

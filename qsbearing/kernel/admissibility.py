@@ -10,7 +10,7 @@ from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.effects.raceway_control import INNER, OUTER, outer_controls
 from qsbearing.kernel.ball_inertia import friction_asked, is_moving, is_rolled
 from qsbearing.kernel.newton import STALLED
-from qsbearing.kernel.raceway_stiffness import contact_loads, spin_constant
+from qsbearing.kernel.raceway_stiffness import contact_loads, hertz_cosine, spin_constant
 
 CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 
@@ -43,14 +43,15 @@ def is_unloaded(case: recarray) -> bool:
 @kernel
 def contradicted_controls(case: recarray, work: recarray, balls: ndarray) -> tuple[int, int]:
     """How many balls' controls contradict Jones's criterion, and how many of them could still be changed, and were."""
-    inner_constant = spin_constant(case, INNER_SIDE, case.hertz_cosine)
-    outer_constant = spin_constant(case, OUTER_SIDE, case.hertz_cosine)
+    inner_constant = spin_constant(case, 1.0, INNER_SIDE, case.hertz_cosine)
+    outer_constant = spin_constant(case, 1.0, OUTER_SIDE, case.hertz_cosine)
     wrong, changed = 0, 0
     for n in range(work.ball_count):
         ball = balls[n]
         si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
-        if case.actual_angle:
-            inner_constant, outer_constant = spin_constant(case, INNER_SIDE, ci), spin_constant(case, OUTER_SIDE, co)
+        if case.actual_angle or case.unequal_balls:
+            inner_constant = spin_constant(case, ball.diameter, INNER_SIDE, hertz_cosine(case, ball, INNER_SIDE))
+            outer_constant = spin_constant(case, ball.diameter, OUTER_SIDE, hertz_cosine(case, ball, OUTER_SIDE))
         qi, qo = contact_loads(case, ball)
         control = OUTER if outer_controls(qi, qo, inner_constant, outer_constant, ci * co + si * so) else INNER
         if control != ball.control:

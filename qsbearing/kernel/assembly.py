@@ -56,7 +56,7 @@ def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, flo
     inertial, contact = 0.0, 0.0
     for n in range(work.ball_count):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+        a1, a2 = inner_groove_centre(case, work.displacement, ball)
         fc, friction = 0.0, 0.0
         if work.at_rest:
             imbalance, load = resting_ball(case, ball, a1, a2)
@@ -101,7 +101,7 @@ def close_loops(case: recarray, work: recarray, balls: ndarray) -> None:
     """Close every ball's loop by its inner contact line."""
     for n in range(work.ball_count):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+        a1, a2 = inner_groove_centre(case, work.displacement, ball)
         close_loop(case, ball, work.at_rest, a1, a2)
 
 

@@ -31,7 +31,14 @@ from qsbearing.kernel.ball_inertia import (
 )
 from qsbearing.kernel.contact_line import contact_load, contact_tangent, inverse_of, line_displacement
 from qsbearing.kernel.inertia_slopes import axis_by_g, directional, inner_share_slope, weight_changes
-from qsbearing.kernel.loop_closure import ball_displacement, closure_residual, inner_closure
+from qsbearing.kernel.loop_closure import (
+    ball_displacement,
+    closure_residual,
+    inner_closure,
+    inner_length,
+    outer_length,
+    whole_length,
+)
 from qsbearing.kernel.raceway_stiffness import groove_stiffness, series_stiffness
 
 # A ball whose inner load is below this many centrifugal forces: its inertia says where it lies, not the ring. A choice:
@@ -52,22 +59,22 @@ def moving_ball(
         (imbalance, larger contact load, lighter one, Fc, |Mg|/D as far as it is carried); the imbalance includes the
         force that the residual of loop closure hides; a contact without load is no lighter one.
     """
-    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    li, lo, diameter = inner_length(case, ball), outer_length(case, ball), ball.diameter
     so, co, delta_o = ball.outer_sine, ball.outer_cosine, ball.outer_approach
     si, ci, delta_i = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     inverse_o, inverse_i = inverse_of(lo + delta_o), inverse_of(li + delta_i)
     u1, u2 = ball_displacement(case, ball)
     v1, v2 = line_displacement(li, case.sin_free, case.cos_free, si, ci, delta_i)
     closure1, closure2 = closure_residual(li + lo, a1, a2, u1 + v1, u2 + v2)
-    ki, ki_slope = groove_stiffness(case, INNER_SIDE, si, ci)
-    ko, ko_slope = groove_stiffness(case, OUTER_SIDE, so, co)
+    ki, ki_slope = groove_stiffness(case, ball, INNER_SIDE, si, ci)
+    ko, ko_slope = groove_stiffness(case, ball, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
     s_seen, c_seen, by_inner, by_outer, by_approach = rolling_line(case, ball)
     radius = orbit_radius(case, ball)
-    weight = control_weight(work, ball, radius, c_seen, co, qi, qo)
+    weight = control_weight(ball, radius, c_seen, co, qi, qo)
     axis = ball_axis(ball, weight, radius, s_seen, c_seen, so, co)
-    fc, fc_s, fc_o, mg, mg_s, mg_o = motion_loads(case, work, axis, radius, s_seen, c_seen, so, co)
+    fc, fc_s, fc_o, mg, mg_s, mg_o = motion_loads(case, work, axis, diameter, radius, s_seen, c_seen, so, co)
     fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
     mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
     share_i, share_o = friction_shares(case, ball.control, weight)
@@ -80,7 +87,9 @@ def moving_ball(
     fc_w, mg_w, w_di, w_do, w_r = 0.0, 0.0, 0.0, 0.0, 0.0
     if ball.control == MINIMUM_DISSIPATION:  # the axis, and the shares with it, follow the loads
         lines = (s_seen, c_seen, so, co)
-        fc_w, mg_w = directional(case, work, lines, axis, radius, s_seen - so, c_seen - co - 1.0 / radius, 0.0)
+        fc_w, mg_w = directional(
+            case, work, lines, axis, diameter, radius, s_seen - so, c_seen - co - diameter / radius, 0.0
+        )
         w_i, w_o, w_di, w_do, w_r = weight_changes(
             case, ball, weight, radius, lines, (by_inner, by_outer, by_approach), (qi, qi_slope, ki_slope),
             (qo, qo_slope, ko_slope),
@@ -141,8 +150,8 @@ def moving_ball(
         hx11, hx12, hx21, hx22 = hx11 + h1_d * so, hx12 + h1_d * co, hx21 + h2_d * so, hx22 + h2_d * co
         mx1, mx2 = mx1 + fi * ti_d * so, mx2 + fi * ti_d * co
     if case.displaced_orbit:  # by the radius, which X2 changes
-        dq = -axis_by_g(ball, weight) * 0.5 / (radius * radius)
-        fc_d, mg_d = directional(case, work, (s_seen, c_seen, so, co), axis, radius, 0.0, dq, 1.0)
+        dq = -axis_by_g(ball, weight) * 0.5 * diameter / (radius * radius)
+        fc_d, mg_d = directional(case, work, (s_seen, c_seen, so, co), axis, diameter, radius, 0.0, dq, 1.0)
         fc_d, mg_d = fc_d + fc_w * w_r, mg_d + mg_w * w_r
         ti_d, to_d = ti_m * mg_d + ti_w * w_r, to_m * mg_d + to_w * w_r
         h1_d, h2_d = -ti_d * ci, ti_d * si
@@ -186,11 +195,11 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[
 
     Fills its record; returns (the force that the residual of loop closure hides, its load).
     """
-    length = case.inner_coefficient + case.outer_coefficient - 1.0
+    length = whole_length(case, ball)
     n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     inverse = inverse_of(length + approach)
     closure1, closure2 = inner_closure(case, ball, length, a1, a2)
-    stiffness, slope = series_stiffness(case, n1, n2)
+    stiffness, slope = series_stiffness(case, ball, n1, n2)
     load, load_slope = contact_load(stiffness, approach)
     k11, k12, _, k22 = contact_tangent(load, load_slope, 0.0, n1, n2, inverse)
     turn = load * slope * inverse  # of the stiffness with the contact angle

@@ -9,8 +9,9 @@ from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
 from qsbearing.effects.orbit_radius import displaced_radius
 from qsbearing.effects.raceway_control import INNER, MINIMUM_DISSIPATION, inner_weight, rotation_axis, weighted_axis
-from qsbearing.kernel.case import BALL_INERTIA, BALL_MASS
+from qsbearing.kernel.ball_size import ball_inertia, ball_mass
 from qsbearing.kernel.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
+from qsbearing.kernel.loop_closure import inner_length, outer_length
 from qsbearing.kernel.raceway_stiffness import contact_loads
 
 # An approach, in ball diameters, that is none: the sum of the roundings of ring, grooves and both contact lines.
@@ -25,20 +26,28 @@ def is_moving(case: recarray) -> bool:
 
 @kernel
 def motion_loads(
-    case: recarray, work: recarray, axis: tuple[float, ...], radius: float, si: float, ci: float, so: float, co: float
+    case: recarray,
+    work: recarray,
+    axis: tuple[float, ...],
+    diameter: float,
+    radius: float,
+    si: float,
+    ci: float,
+    so: float,
+    co: float,
 ) -> tuple[float, float, float, float, float, float]:
-    """(Fc, Mg) of the effects that the case names, each with its derivatives by ai and ao, as rolling sees them."""
-    g = 0.5 / radius
+    """(Fc, Mg/D) of the effects that the case names, each with its derivatives by ai and ao, as rolling sees them."""
+    g = 0.5 * diameter / radius
     inner_speed, outer_speed = work.speed_factor * case.inner_speed, work.speed_factor * case.outer_speed
     terms = rolling_terms(g, si, ci, so, co, axis)
     orbit = orbital_speed(terms, inner_speed, outer_speed)
     fc, fc_i, fc_o = 0.0, 0.0, 0.0
     if case.centrifugal:
-        fc, fc_i, fc_o = centrifugal_force(BALL_MASS, 2.0 * radius, orbit)
+        fc, fc_i, fc_o = centrifugal_force(ball_mass(diameter), 2.0 * radius, orbit)
     mg, mg_i, mg_o = 0.0, 0.0, 0.0
     if case.gyroscopic:
         rotation = rotation_per_axis_length(terms, g, inner_speed, outer_speed)
-        mg, mg_i, mg_o = gyroscopic_moment(BALL_INERTIA, orbit, rotation, axis)
+        mg, mg_i, mg_o = gyroscopic_moment(ball_inertia(diameter) / diameter, orbit, rotation, axis)
     return fc, fc_i, fc_o, mg, mg_i, mg_o
 
 
@@ -46,15 +55,16 @@ def motion_loads(
 def inertia(
     case: recarray, work: recarray, control: int, si: float, ci: float, so: float, co: float
 ) -> tuple[float, float, float, float, float, float]:
-    """The same on the pitch circle, before loads are known: minimum dissipation counts as outer control."""
+    """The same of a ball of the bearing's diameter on the pitch circle, before loads are known: minimum dissipation
+    counts as outer control."""
     axis = rotation_axis(control, 1.0 / case.pitch_diameter, si, ci, so, co)
-    return motion_loads(case, work, axis, 0.5 * case.pitch_diameter, si, ci, so, co)
+    return motion_loads(case, work, axis, 1.0, 0.5 * case.pitch_diameter, si, ci, so, co)
 
 
 @kernel
 def rolling_line(case: recarray, ball: recarray) -> tuple[float, float, float, float, float]:
     """The ball's inner contact line as rolling sees it, with its derivatives."""
-    length = case.inner_coefficient - 0.5
+    length = inner_length(case, ball)
     si, ci, so, co = ball.inner_sine, ball.inner_cosine, ball.outer_sine, ball.outer_cosine
     return inner_line(si, ci, so, co, ball.inner_approach, length)
 
@@ -64,18 +74,17 @@ def orbit_radius(case: recarray, ball: recarray) -> float:
     """The radius at which the ball's centre goes round: the pitch circle's, or its own."""
     if not case.displaced_orbit:
         return 0.5 * case.pitch_diameter
-    length = case.outer_coefficient - 0.5
-    return displaced_radius(case.pitch_diameter, length, case.cos_free, ball.outer_cosine, ball.outer_approach)
+    # The circle on which this ball would touch at the free angle: the outer groove stays where it is.
+    touching = case.pitch_diameter - (ball.diameter - 1.0) * case.cos_free
+    return displaced_radius(touching, outer_length(case, ball), case.cos_free, ball.outer_cosine, ball.outer_approach)
 
 
 @kernel
-def control_weight(
-    work: recarray, ball: recarray, radius: float, ci: float, co: float, inner_load: float, outer_load: float
-) -> float:
+def control_weight(ball: recarray, radius: float, ci: float, co: float, inner_load: float, outer_load: float) -> float:
     """The inner raceway's weight in the ball's axis under minimum dissipation; 0 under any other control."""
     if ball.control != MINIMUM_DISSIPATION:
         return 0.0
-    return inner_weight(0.5 / radius, ci, co, inner_load, outer_load, work.inner_spin, work.outer_spin)
+    return inner_weight(0.5 * ball.diameter / radius, ci, co, inner_load, outer_load, ball.inner_spin, ball.outer_spin)
 
 
 @kernel
@@ -83,9 +92,10 @@ def ball_axis(
     ball: recarray, weight: float, radius: float, si: float, ci: float, so: float, co: float
 ) -> tuple[float, ...]:
     """The ball's axis and its derivatives by ai and ao, weight and radius fixed."""
+    g = 0.5 * ball.diameter / radius
     if ball.control == MINIMUM_DISSIPATION:
-        return weighted_axis(weight, 0.5 / radius, si, ci, so, co)
-    return rotation_axis(ball.control, 0.5 / radius, si, ci, so, co)
+        return weighted_axis(weight, g, si, ci, so, co)
+    return rotation_axis(ball.control, g, si, ci, so, co)
 
 
 @kernel
@@ -98,7 +108,7 @@ def axis_where_it_is(
     radius, weight = orbit_radius(case, ball), 0.0
     if ball.control == MINIMUM_DISSIPATION:
         qi, qo = contact_loads(case, ball)
-        weight = control_weight(work, ball, radius, c, co, qi, qo)
+        weight = control_weight(ball, radius, c, co, qi, qo)
     return radius, weight, s, c, ball_axis(ball, weight, radius, s, c, so, co)
 
 
@@ -106,7 +116,7 @@ def axis_where_it_is(
 def friction_asked(case: recarray, work: recarray, ball: recarray) -> tuple[float, float]:
     """|lambda Mg|/D at the inner and at the outer contact, whatever they can carry."""
     radius, weight, s, c, axis = axis_where_it_is(case, work, ball)
-    _, _, _, mg, _, _ = motion_loads(case, work, axis, radius, s, c, ball.outer_sine, ball.outer_cosine)
+    _, _, _, mg, _, _ = motion_loads(case, work, axis, ball.diameter, radius, s, c, ball.outer_sine, ball.outer_cosine)
     share_i, share_o = friction_shares(case, ball.control, weight)
     return abs(share_i * mg), abs(share_o * mg)
 
@@ -115,8 +125,8 @@ def friction_asked(case: recarray, work: recarray, ball: recarray) -> tuple[floa
 def inertia_of(case: recarray, work: recarray, ball: recarray) -> tuple[float, float]:
     """(Fc, Mg) of a ball where it is."""
     radius, _, s, c, axis = axis_where_it_is(case, work, ball)
-    fc, _, _, mg, _, _ = motion_loads(case, work, axis, radius, s, c, ball.outer_sine, ball.outer_cosine)
-    return fc, mg
+    fc, _, _, mg, _, _ = motion_loads(case, work, axis, ball.diameter, radius, s, c, ball.outer_sine, ball.outer_cosine)
+    return fc, mg * ball.diameter
 
 
 @kernel

@@ -24,6 +24,7 @@ CASE = record(
     ("outer_coefficient", np.float64),
     ("sin_free", np.float64),
     ("cos_free", np.float64),
+    ("unequal_balls", np.bool_),  # each has a diameter of its own
     ("interference", np.float64),  # how much less room, radially, the grooves leave than the balls need
     ("tilt_lever", np.float64),
     ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
@@ -49,6 +50,13 @@ CASE = record(
     ("speed", np.float64),
 )
 """One case."""
+
+OWN_BALL = record(
+    ("diameter", np.float64),
+    ("inner_stiffness", np.float64),  # as those of the case, for a ball of this diameter
+    ("outer_stiffness", np.float64),
+)
+"""One ball of a case with unequal balls."""
 
 RESULT = record(
     ("displacement", np.float64, (5,)),  # of the ring; at first the start, where one is given

@@ -187,6 +187,7 @@ def solve_unfinished(
     cases: ndarray,
     workspaces: ndarray,
     balls: ndarray,
+    own: ndarray,
     tolerance: float,
     is_warm: bool,
     results: ndarray,
@@ -197,7 +198,7 @@ def solve_unfinished(
     work = workspaces[0]
     for k in which:
         case, result = cases[k], results[k]
-        prepare(case, work, balls, is_warm, result, positions[k], controls[k])
+        prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
         result.status, result.notes = solve_by_fallback(case, work, balls, tolerance)
         result.iterations += work.iterations
         result.residual, result.reached = work.residual, work.speed_factor

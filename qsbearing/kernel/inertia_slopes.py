@@ -11,7 +11,7 @@ from numpy import recarray
 from qsbearing.compiled import kernel
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.effects.raceway_control import INNER, MINIMUM_DISSIPATION, weight_slopes
-from qsbearing.kernel.case import BALL_INERTIA, BALL_MASS
+from qsbearing.kernel.ball_size import ball_inertia, ball_mass
 
 
 @kernel
@@ -20,18 +20,19 @@ def directional(
     work: recarray,
     lines: tuple[float, float, float, float],
     axis: tuple[float, ...],
+    diameter: float,
     radius: float,
     dp: float,
     dq: float,
     dradius: float,
 ) -> tuple[float, float]:
-    """d(Fc, Mg) for a change of the axis (p, q) and of the orbit's radius, the contact angles fixed.
+    """d(Fc, Mg/D) for a change of the axis (p, q) and of the orbit's radius, the contact angles fixed.
 
     Of omega_m = (omega_i b u + omega_o a v)/S, omega_R/|(p, q)| = -Delta a b/(g S) and what follows from them.
     """
     si, ci, so, co = lines
     p, q = axis[0], axis[1]
-    g = 0.5 / radius
+    g = 0.5 * diameter / radius
     dg = -g * dradius / radius
     inner_speed, outer_speed = work.speed_factor * case.inner_speed, work.speed_factor * case.outer_speed
     a, b, u, v = 1.0 + g * co, 1.0 - g * ci, q * co + p * so, q * ci + p * si
@@ -42,11 +43,11 @@ def directional(
     dorbit = (inner_speed * dbu + outer_speed * dav - orbit * (dav + dbu)) * inverse
     dfc, dmg = 0.0, 0.0
     if case.centrifugal:
-        dfc = BALL_MASS * orbit * (2.0 * radius * dorbit + orbit * dradius)
+        dfc = ball_mass(diameter) * orbit * (2.0 * radius * dorbit + orbit * dradius)
     if case.gyroscopic:
         spin = (outer_speed - inner_speed) * a * b * inverse / g
         dspin = spin * (dg * co / a - dg * ci / b - dg / g - (dav + dbu) * inverse)
-        dmg = BALL_INERTIA * (dspin * p * orbit + spin * dp * orbit + spin * p * dorbit)
+        dmg = ball_inertia(diameter) / diameter * (dspin * p * orbit + spin * dp * orbit + spin * p * dorbit)
     return dfc, dmg
 
 
@@ -69,7 +70,7 @@ def weight_changes(
     """
     if ball.control != MINIMUM_DISSIPATION:
         return 0.0, 0.0, 0.0, 0.0, 0.0
-    g = 0.5 / radius
+    g = 0.5 * ball.diameter / radius
     si, ci, so, co = lines
     by_seen, by_outer, by_inner_approach, by_outer_approach, by_g = weight_slopes(
         weight, g, si, ci, so, co, inner[0], inner[1], outer[0], outer[1]

@@ -95,13 +95,13 @@ def split_contacts(case: recarray, work: recarray, balls: ndarray) -> None:
         ball = balls[n]
         n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
         if approach > 0.0:
-            ki, _ = groove_stiffness(case, INNER_SIDE, n1, n2)
-            ko, _ = groove_stiffness(case, OUTER_SIDE, n1, n2)
-            series, _ = series_stiffness(case, n1, n2)
+            ki, _ = groove_stiffness(case, ball, INNER_SIDE, n1, n2)
+            ko, _ = groove_stiffness(case, ball, OUTER_SIDE, n1, n2)
+            series, _ = series_stiffness(case, ball, n1, n2)
             set_outer_line(ball, n1, n2, approach * (series / ko) ** (2.0 / 3.0))
             ball.inner_approach = approach * (series / ki) ** (2.0 / 3.0)
         else:
-            a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+            a1, a2 = inner_groove_centre(case, work.displacement, ball)
             place_unloaded(case, work, ball, a1, a2)
 
 

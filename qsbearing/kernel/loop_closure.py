@@ -18,6 +18,24 @@ ROUNDING = 4e-15
 
 
 @kernel
+def inner_length(case: recarray, ball: recarray) -> float:
+    """Free length of the inner contact line, ri - D/2."""
+    return case.inner_coefficient - 0.5 * ball.diameter
+
+
+@kernel
+def outer_length(case: recarray, ball: recarray) -> float:
+    """Free length of the outer contact line, ro - D/2."""
+    return case.outer_coefficient - 0.5 * ball.diameter
+
+
+@kernel
+def whole_length(case: recarray, ball: recarray) -> float:
+    """Free length of both together, from groove centre to groove centre, ri + ro - D."""
+    return case.inner_coefficient + case.outer_coefficient - ball.diameter
+
+
+@kernel
 def set_outer_line(ball: recarray, sine: float, cosine: float, approach: float) -> None:
     """Give the outer contact line this direction and approach."""
     ball.outer_sine, ball.outer_cosine, ball.outer_approach = sine, cosine, approach
@@ -33,7 +51,7 @@ def set_inner_line(ball: recarray, sine: float, cosine: float, approach: float) 
 def ball_displacement(case: recarray, ball: recarray) -> tuple[float, float]:
     """The ball's centre from the outer groove's, less touching at the free angle."""
     n1, n2, approach = ball.outer_sine, ball.outer_cosine, ball.outer_approach
-    return line_displacement(case.outer_coefficient - 0.5, case.sin_free, case.cos_free, n1, n2, approach)
+    return line_displacement(outer_length(case, ball), case.sin_free, case.cos_free, n1, n2, approach)
 
 
 @kernel
@@ -53,9 +71,9 @@ def closure_residual(length: float, a1: float, a2: float, w1: float, w2: float) 
 def inner_span(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> tuple[float, float, float]:
     """(free length, w1, w2) of the inner line if the loop is closed; at rest it is the only line."""
     if at_rest:
-        return case.inner_coefficient + case.outer_coefficient - 1.0, a1, a2
+        return whole_length(case, ball), a1, a2
     u1, u2 = ball_displacement(case, ball)
-    return case.inner_coefficient - 0.5, a1 - u1, a2 - u2
+    return inner_length(case, ball), a1 - u1, a2 - u2
 
 
 @kernel
@@ -118,5 +136,5 @@ def load_position(case: recarray, ball: recarray, position: ndarray) -> None:
 def close_loaded(case: recarray, ball: recarray, a1: float, a2: float) -> None:
     """The inner line of a ball put at a stored position; its approach is the stored one, free of rounding."""
     _, w1, w2 = inner_span(case, ball, False, a1, a2)
-    _, n1, n2, _ = direction(case.inner_coefficient - 0.5, case.sin_free, case.cos_free, w1, w2)
+    _, n1, n2, _ = direction(inner_length(case, ball), case.sin_free, case.cos_free, w1, w2)
     ball.inner_sine, ball.inner_cosine = n1, n2

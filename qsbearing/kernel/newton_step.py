@@ -10,7 +10,15 @@ from qsbearing.compiled import kernel
 from qsbearing.kernel.assembly import close_loops
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.linear import solve_in_place
-from qsbearing.kernel.loop_closure import inner_closure, inner_span, set_inner_from_positions, set_inner_line
+from qsbearing.kernel.loop_closure import (
+    inner_closure,
+    inner_length,
+    inner_span,
+    outer_length,
+    set_inner_from_positions,
+    set_inner_line,
+    whole_length,
+)
 from qsbearing.kernel.ring import inner_groove_centre, inner_groove_step
 from qsbearing.kernel.unloaded_ball import place_unloaded
 
@@ -136,8 +144,7 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
     A ball that follows its inertia and would turn far does not shorten the ring's step: it is put anew where an
     unloaded ball lies or, if its grooves leave it no room, turned by LARGEST_TURN.
     """
-    s, c, whole = case.sin_free, case.cos_free, case.inner_coefficient + case.outer_coefficient - 1.0
-    inner_length = whole if work.at_rest else case.inner_coefficient - 0.5
+    s, c = case.sin_free, case.cos_free
     pressed = work.largest_approach
     if pressed <= 0.0:  # no ball is: as far as the largest force would press one
         pressed = (work.largest_force / case.series_stiffness) ** (2.0 / 3.0)
@@ -145,10 +152,10 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
         work.displacement[i] += fraction * work.step[i]
     for n in range(work.ball_count):
         ball = balls[n]
-        a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+        a1, a2 = inner_groove_centre(case, work.displacement, ball)
         own = fraction
         if ball.follows_inertia and ball.turn > LARGEST_TURN:
-            room, _, _, _ = direction(whole, s, c, a1, a2)
+            room, _, _, _ = direction(whole_length(case, ball), s, c, a1, a2)
             if room <= 0.0 and not work.at_rest:
                 place_unloaded(case, work, ball, a1, a2)
                 continue
@@ -158,11 +165,12 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
             if ball.outer_approach > 0.0:
                 most = ball.outer_approach
             ball.outer_sine, ball.outer_cosine, ball.outer_approach = stepped_line(
-                case.outer_coefficient - 0.5, ball.outer_sine, ball.outer_cosine, ball.outer_inverse,
+                outer_length(case, ball), ball.outer_sine, ball.outer_cosine, ball.outer_inverse,
                 ball.outer_approach, own * ball.outer_step1, own * ball.outer_step2, max(ball.inner_approach, pressed),
             )  # fmt: skip
+        length = whole_length(case, ball) if work.at_rest else inner_length(case, ball)
         ball.inner_sine, ball.inner_cosine, ball.inner_approach = stepped_line(
-            inner_length, ball.inner_sine, ball.inner_cosine, ball.inner_inverse,
+            length, ball.inner_sine, ball.inner_cosine, ball.inner_inverse,
             ball.inner_approach, own * ball.inner_step1, own * ball.inner_step2, most,
         )  # fmt: skip
         if may_open:

@@ -11,6 +11,7 @@ from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.ball import evaluate_ball
 from qsbearing.kernel.ball_inertia import axis_where_it_is, friction_asked, inertia_of, is_moving, is_rolled
+from qsbearing.kernel.ball_size import set_diameters
 from qsbearing.kernel.contact_line import contact_load
 from qsbearing.kernel.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.kernel.loop_closure import close_loaded, load_position
@@ -18,7 +19,9 @@ from qsbearing.kernel.newton import STALLED
 from qsbearing.kernel.raceway_stiffness import (
     contact_loads,
     groove_stiffness,
+    hertz_cosine,
     raceway_ellipse,
+    radius_coefficient,
     set_spin_constants,
 )
 from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
@@ -38,10 +41,11 @@ LEAST_STIFFNESS = 1e-30
 
 
 @kernel
-def set_full_scale(case: recarray, work: recarray) -> None:
-    """The case as it was asked for: all loads and speeds, its own bound on friction."""
+def set_full_scale(case: recarray, work: recarray, balls: ndarray, own: ndarray) -> None:
+    """The case as it was asked for: all loads and speeds, its own bound on friction and balls."""
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, case.friction_coefficient
-    set_spin_constants(case, work)
+    set_diameters(case, case.ball_count, balls, own)
+    set_spin_constants(case, case.ball_count, balls)
     work.regularisation = LEAST_STIFFNESS * case.series_stiffness
 
 
@@ -80,7 +84,7 @@ def read_contact(
     n1, n2, delta = ball.outer_sine, ball.outer_cosine, ball.outer_approach
     if side < 0:
         n1, n2, delta = ball.inner_sine, ball.inner_cosine, ball.inner_approach
-    load, _ = contact_load(groove_stiffness(case, side, n1, n2)[0], delta)
+    load, _ = contact_load(groove_stiffness(case, ball, side, n1, n2)[0], delta)
     if load == 0.0 and not is_moving(case):
         n1, n2, delta = nan, nan, nan
     put(asked, tables, LOAD, out, k, j, load * case.force)
@@ -101,14 +105,6 @@ def read_contact(
 
 
 @kernel
-def hertz_cosine(case: recarray, ball: recarray, side: float) -> float:
-    """Cosine of the angle at which a contact's ellipse is taken."""
-    if not case.actual_angle:
-        return case.hertz_cosine
-    return ball.inner_cosine if side < 0 else ball.outer_cosine
-
-
-@kernel
 def read_motion(
     case: recarray, work: recarray, ball: recarray, asked: int, tables: ndarray, out: ndarray, k: int, j: int
 ) -> None:
@@ -123,7 +119,7 @@ def read_motion(
         return
     radius, _, si, ci, axis = axis_where_it_is(case, work, ball)
     p, q = axis[0], axis[1]
-    g = 0.5 / radius
+    g = 0.5 * ball.diameter / radius
     terms = rolling_terms(g, si, ci, ball.outer_sine, ball.outer_cosine, axis)
     put(
         asked,
@@ -161,6 +157,7 @@ def read_cases(
     results: ndarray,
     positions: ndarray,
     controls: ndarray,
+    own: ndarray,
     tables: ndarray,
     out: ndarray,
     begin: int,
@@ -173,7 +170,7 @@ def read_cases(
     NOT_ASKED.
     """
     work = workspaces[0]
-    inner, outer = (nan, nan, nan, nan, nan, nan, nan), (nan, nan, nan, nan, nan, nan, nan)
+    inner, outer = (nan, nan, nan, nan, nan, nan, nan, nan), (nan, nan, nan, nan, nan, nan, nan, nan)
     at_inner, at_outer, of_ball = asked_of(tables[AT_INNER]), asked_of(tables[AT_OUTER]), asked_of(tables[OF_BALL])
     for k in range(cases.size):
         case = cases[k]
@@ -181,7 +178,7 @@ def read_cases(
             out[:, begin + k] = nan
             continue
         set_azimuths(case, work, balls)
-        set_full_scale(case, work)
+        set_full_scale(case, work, balls, own[k])
         out[:, begin + k, case.ball_count :] = nan
         for j in range(case.ball_count):
             ball = balls[j]
@@ -204,29 +201,31 @@ def read_cases(
 @kernel
 def ellipse_at(
     case: recarray, ball: recarray, side: float, last: tuple[float, ...]
-) -> tuple[float, float, float, float, float, float, float]:
+) -> tuple[float, float, float, float, float, float, float, float]:
     """(a, b and p0 over the approach's square root; what they rest on) of a contact.
 
     Q = K delta^1.5, so that a = (a/Q^(1/3)) K^(1/3) delta^0.5, b likewise, and p0 = 1.5 Q/(pi a b).
 
     An exact ellipse takes longer than all the rest; most often it is the same for all balls and cases, as the last.
     """
-    a, b, pressure, form, cosine, f, pitch = last
+    a, b, pressure, form, cosine, f, pitch, diameter = last
     at = hertz_cosine(case, ball, side)
-    coefficient = case.inner_coefficient if side < 0 else case.outer_coefficient
-    if form != case.form or cosine != at or f != coefficient or pitch != case.pitch_diameter:
-        a, b, stiffness, _ = raceway_ellipse(case, side, at)
+    coefficient = radius_coefficient(case, ball.diameter, side)
+    is_same_ball = cosine == at and diameter == ball.diameter
+    if form != case.form or not is_same_ball or f != coefficient or pitch != case.pitch_diameter:
+        a, b, stiffness, _ = raceway_ellipse(case, ball.diameter, side, at)
         size = stiffness ** (1.0 / 3.0)
         a, b = a * size, b * size
         pressure = 1.5 * stiffness / (pi * a * b)
-    return a, b, pressure, float(case.form), at, coefficient, case.pitch_diameter
+    return a, b, pressure, float(case.form), at, coefficient, case.pitch_diameter, ball.diameter
 
 
 @kernel
 def restore_ball(case: recarray, ball: recarray, displacement: ndarray, position: ndarray, control: int) -> None:
     """Put a ball of the bearing where a solution says that it is."""
     load_position(case, ball, position)
-    a1, a2 = inner_groove_centre(case, displacement, ball.azimuth_cosine, ball.azimuth_sine)
+    ball.cosine, ball.sine = ball.azimuth_cosine, ball.azimuth_sine
+    a1, a2 = inner_groove_centre(case, displacement, ball)
     close_loaded(case, ball, a1, a2)
     ball.control = control
 
@@ -239,6 +238,7 @@ def stiffness_of_cases(
     results: ndarray,
     positions: ndarray,
     controls: ndarray,
+    own: ndarray,
     out: ndarray,
 ) -> None:
     """Fill out (case, 5, 5), SI, with dF/dd: the same elimination that solves the case, over all balls and channels."""
@@ -249,7 +249,7 @@ def stiffness_of_cases(
             out[k] = nan
             continue
         set_azimuths(case, work, balls)
-        set_full_scale(case, work)
+        set_full_scale(case, work, balls, own[k])
         work.ball_count, work.channel_count = case.ball_count, 5
         for i in range(5):
             work.channel[i] = i
@@ -261,7 +261,7 @@ def stiffness_of_cases(
         for j in range(case.ball_count):
             ball = balls[j]
             restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
-            a1, a2 = inner_groove_centre(case, results[k].displacement, ball.cosine, ball.sine)
+            a1, a2 = inner_groove_centre(case, results[k].displacement, ball)
             evaluate_ball(case, work, ball, a1, a2)
             add_ball(work, ball)
         for p in range(5):

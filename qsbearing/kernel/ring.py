@@ -15,6 +15,7 @@ from math import cos, pi, sin
 from numpy import ndarray, recarray
 
 from qsbearing.compiled import kernel
+from qsbearing.effects.unequal_balls import from_own_touching
 
 
 @kernel
@@ -46,15 +47,20 @@ def find_distinct_balls(case: recarray, work: recarray, balls: ndarray) -> None:
     """Choose the balls and channels to solve.
 
     Pure thrust: all balls are equal and one stands for them. Loads in the x-y or the x-z plane: mirror images are
-    equal, and what points out of the plane vanishes. A zero load and a zero displacement are equally symmetric.
+    equal, and what points out of the plane vanishes. A zero load and a zero displacement are equally symmetric. Balls
+    of unequal diameters are all solved.
     """
     count = case.ball_count
     prescribed = case.prescribed
     in_xy = prescribed[2] == 0.0 and prescribed[3] == 0.0
     in_xz = prescribed[1] == 0.0 and prescribed[4] == 0.0
-    is_thrust = in_xy and in_xz and count >= 2  # two equal balls balance in every channel; one does not
+    is_thrust = (
+        in_xy and in_xz and count >= 2 and not case.unequal_balls
+    )  # two equal balls balance in every channel; one does not
     mirror = -1
-    if not is_thrust and in_xy:
+    if case.unequal_balls:
+        mirror = -1
+    elif not is_thrust and in_xy:
         mirror = _mirror_sum(case, 0.0)
     elif not is_thrust and in_xz:
         mirror = _mirror_sum(case, 0.5 * pi)
@@ -115,13 +121,16 @@ def couple_channels(case: recarray, work: recarray, balls: ndarray) -> None:
 
 
 @kernel
-def inner_groove_centre(case: recarray, displacement: ndarray, cosine: float, sine: float) -> tuple[float, float]:
-    """A ball's inner groove centre at this displacement of the ring, from touching at the free angle.
+def inner_groove_centre(case: recarray, displacement: ndarray, ball: recarray) -> tuple[float, float]:
+    """A ball's inner groove centre at this displacement of the ring, from where the ball touches at the free angle.
 
     Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4).
     """
-    a1, a2 = inner_groove_step(case, displacement, cosine, sine)
-    return a1, a2 + case.interference
+    a1, a2 = inner_groove_step(case, displacement, ball.cosine, ball.sine)
+    a2 += case.interference
+    if case.unequal_balls:
+        return from_own_touching(a1, a2, ball.diameter - 1.0, case.sin_free, case.cos_free)
+    return a1, a2
 
 
 @kernel

@@ -25,6 +25,7 @@ from qsbearing.kernel.admissibility import (
 from qsbearing.kernel.assembly import REGULARISATION, any_displacement_given, close_loops
 from qsbearing.kernel.ball import evaluate_ball
 from qsbearing.kernel.ball_inertia import is_moving
+from qsbearing.kernel.ball_size import set_diameters
 from qsbearing.kernel.initial_guess import (
     guess_closed_form,
     guess_from_rest,
@@ -60,14 +61,22 @@ def set_controls(case: recarray, work: recarray, balls: ndarray, first: int) -> 
 
 @kernel
 def prepare(
-    case: recarray, work: recarray, balls: ndarray, is_warm: bool, result: recarray, position: ndarray, control: ndarray
+    case: recarray,
+    work: recarray,
+    balls: ndarray,
+    own: ndarray,
+    is_warm: bool,
+    result: recarray,
+    position: ndarray,
+    control: ndarray,
 ) -> None:
     """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
     set_azimuths(case, work, balls)
     find_distinct_balls(case, work, balls)
+    set_diameters(case, work.ball_count, balls, own)
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
     work.regularisation = REGULARISATION * case.series_stiffness
-    set_spin_constants(case, work)
+    set_spin_constants(case, work.ball_count, balls)
     work.at_rest, work.iterations, work.budget, work.residual = False, 0, BUDGET, 1.0
     for i in range(5):
         work.displacement[i] = result.displacement[i] * work.in_plane[i] if is_warm else 0.0
@@ -202,7 +211,7 @@ def ring_load(case: recarray, work: recarray, balls: ndarray, load: ndarray) -> 
     if any_displacement_given(case):
         for j in range(case.ball_count):
             ball = balls[balls[j].index]
-            a1, a2 = inner_groove_centre(case, work.displacement, ball.cosine, ball.sine)
+            a1, a2 = inner_groove_centre(case, work.displacement, ball)
             evaluate_ball(case, work, ball, a1, a2)
             add_force(ball, balls[j].azimuth_cosine, balls[j].azimuth_sine, reaction)
     for i in range(5):
@@ -233,6 +242,7 @@ def solve_cases(
     cases: ndarray,
     workspaces: ndarray,
     balls: ndarray,
+    own: ndarray,
     tolerance: float,
     is_warm: bool,
     results: ndarray,
@@ -242,12 +252,13 @@ def solve_cases(
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
-    case's units. workspaces (1) and balls are working memory. An unfinished case keeps its start.
+    case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
+    there are none. An unfinished case keeps its start.
     """
     work = workspaces[0]
     for k in range(cases.size):
         case, result = cases[k], results[k]
-        prepare(case, work, balls, is_warm, result, positions[k], controls[k])
+        prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
         if is_moving(case):
             found = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:

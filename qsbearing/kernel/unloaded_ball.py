@@ -10,7 +10,7 @@ from qsbearing.compiled import kernel
 from qsbearing.kernel.ball_inertia import friction_shares, inertia, is_moving
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.kinematics import inner_line
-from qsbearing.kernel.loop_closure import close_loop, set_inner_line, set_outer_line
+from qsbearing.kernel.loop_closure import close_loop, inner_length, outer_length, set_inner_line, set_outer_line
 
 # Contact lines closer to one line than this sine say little about the loads of a corner. A choice: it bounds an
 # initial guess.
@@ -45,7 +45,7 @@ def place_midway(case: recarray, ball: recarray, a1: float, a2: float) -> None:
 
     Where one groove's circle lies within the other's, midway between its centre and its far side.
     """
-    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    li, lo = inner_length(case, ball), outer_length(case, ball)
     between, n1, n2, _ = direction(li + lo, case.sin_free, case.cos_free, a1, a2)
     distance = li + lo + between
     if distance <= lo - li:
@@ -69,7 +69,7 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
     the top of the inner groove's circle lies within the outer one's, the far side of the inner groove holds the ball.
     """
     s, c = case.sin_free, case.cos_free
-    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    li, lo = inner_length(case, ball), outer_length(case, ball)
     p1, p2 = (li + lo) * s + a1, (li + lo) * c + a2
     if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
         size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)

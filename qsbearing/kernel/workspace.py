@@ -22,6 +22,11 @@ BALL = record(
     ("index", np.int64),  # of the ball in this array that is solved for it
     # By index among the balls solved:
     ("number", np.int64),  # in the bearing
+    ("diameter", np.float64),
+    ("inner_stiffness", np.float64),  # where balls are unequal and curvatures are not taken at each ball's own angle
+    ("outer_stiffness", np.float64),
+    ("inner_spin", np.float64),  # a E/Q^(1/3) of each raceway, where raceway control weighs them
+    ("outer_spin", np.float64),
     ("cosine", np.float64),
     ("sine", np.float64),
     ("weight", np.float64),  # how many equal balls it stands for
@@ -66,8 +71,6 @@ WORKSPACE = record(
     ("load_factor", np.float64),  # on the loads of the case
     ("speed_factor", np.float64),  # on the speeds of the case
     ("friction_bound", np.float64),  # the most friction that contacts carry, over their load; NO_BOUND for none
-    ("inner_spin", np.float64),  # a E/Q^(1/3) of each raceway, where raceway control weighs them
-    ("outer_spin", np.float64),
     ("at_rest", np.bool_),  # no inertia acts: each ball is one contact line
     ("displacement", np.float64, (5,)),
     ("step", np.float64, (5,)),

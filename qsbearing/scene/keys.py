@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Any
 
 from qsbearing.units import GPa, MPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um, zero_celsius
 from qsbearing.validation import ANGLE, DENSITY, FORCE, LENGTH, MODULUS, MOMENT, PRESSURE, SPEED, TEMPERATURE, Quantity
@@ -25,7 +26,7 @@ class Key:
     zero: float = 0.0
     """The file's zero in SI."""
 
-    def si(self, value: float) -> float:
+    def si(self, value: Any) -> Any:
         """A value of the file in SI."""
         return value * self.size + self.zero
 
@@ -138,6 +139,8 @@ READING_CHOICES = {
     "friction_estimate": ("series",),
 }
 EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
+BALL_DEVIATIONS = Key("ball_diameter_deviations_um", "deviations", "um", um, LENGTH)
+"""A list, of as many numbers as there are balls, which names its effect."""
 
 ROW = (Key("position_mm", "position", "mm", mm, LENGTH), Key("offset_um", "offset", "um", um, LENGTH))
 SHAFT = (Key("reference_position_mm", "reference_position", "mm", mm, LENGTH),)
@@ -153,6 +156,7 @@ NUMBERS = {
     "operation": OPERATION,
     "preload": PRELOAD,
     "effects": EFFECTS,
+    "unequal_balls": (BALL_DEVIATIONS,),
     "material": MATERIAL,
     **EFFECT_TABLES,
     **READING_TABLES,
@@ -172,6 +176,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
         "hertz_angle",
         "hertz_form",
         "tilt_lever",
+        BALL_DEVIATIONS.name,
         *EFFECT_TABLES,
     ),
     "readings": tuple(READING_TABLES),
@@ -216,6 +221,8 @@ def path_in_file(path: str) -> str:
     if path in ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient"):
         return f"effects.{_KEY_OF_FIELD.get(path, path)}"
     key = find(path)
+    if key is BALL_DEVIATIONS:
+        return f"effects.{key.name}"
     path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
     return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
 

@@ -12,7 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.contact.hertz import HertzForm
-from qsbearing.effects import BallEffect, CentrifugalForce, GyroscopicMoment, RingEffect, RingExpansion, types_in
+from qsbearing.effects import (
+    BallDiameterDeviations,
+    BallEffect,
+    CentrifugalForce,
+    GyroscopicMoment,
+    RingEffect,
+    RingExpansion,
+    as_made,
+    types_in,
+)
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
@@ -117,6 +126,11 @@ class Scene:
         return self.operating_bearing.touching_offset - self.bearing.touching_offset
 
     @property
+    def is_reshaped(self) -> bool:
+        """Whether ring effects change the bearing's own lengths."""
+        return self.operating_bearing is not self.bearing
+
+    @property
     def as_mounted(self) -> Scene | None:
         """The bearing at rest and cold under its preload, straight and centred, by the same Hertz contacts.
 
@@ -129,12 +143,17 @@ class Scene:
             axial_load=self.preload.rigid, axial_displacement=self.preload.axial_displacement, **straight
         )
         choices = {name: getattr(self, name) for name in ("hertz_angle", "hertz_form", "tilt_lever")}
-        return Scene(self.bearing, operation, **choices)
+        return Scene(self.bearing, operation, **choices, ring_effects=as_made(self.ring_effects))
 
     @property
     def ring_expansion(self) -> RingExpansion | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
+
+    @property
+    def ball_diameter_deviations(self) -> BallDiameterDeviations | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, BallDiameterDeviations)), None)
 
     @property
     def centrifugal_force(self) -> CentrifugalForce | None:
@@ -198,10 +217,12 @@ def ring_effect_errors(
         return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
     holders = (bearing, operation, *ring_effects)
     arrays = {name: value for holder in holders for name, value in vars(holder).items() if np.ndim(value)}
+    shapes = {name: np.shape(value) for name, value in arrays.items()}
+    if "deviations" in shapes:
+        shapes["deviations"] = shapes["deviations"][:-1]  # the last axis is the balls'
     try:
-        np.broadcast_shapes(*map(np.shape, arrays.values()))
+        np.broadcast_shapes(*shapes.values())
     except ValueError:
-        shapes = {name: np.shape(value) for name, value in arrays.items()}
         return [ErrorDetail("ring_effects", f"arrays do not broadcast to common case axes: {shapes}")]
     names = [effect.name for effect in ring_effects]
     errors = [error for effect in ring_effects for error in effect.errors(bearing)]

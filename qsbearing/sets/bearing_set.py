@@ -106,6 +106,10 @@ class BearingSet:
         object.__setattr__(self, "rows", tuple(rows))
         raise_if_any(_scene_errors(self))
 
+    def effects_of(self, row: Row) -> tuple[RingEffect, ...]:
+        """What changes the bearing of a row: its own ring effects, or the set's."""
+        return self.ring_effects if row.ring_effects is None else row.ring_effects
+
     def row_scene(self, number: int, operation: Operation) -> Scene:
         """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
         row = self.rows[number]
@@ -113,7 +117,7 @@ class BearingSet:
         return Scene(
             row.bearing,
             operation,
-            ring_effects=self.ring_effects if row.ring_effects is None else row.ring_effects,
+            ring_effects=self.effects_of(row),
             readings=self.readings if row.readings is None else row.readings,
             **{name: getattr(self, name) for name in choices},
         )

@@ -53,6 +53,8 @@ class RowCases:
     """By how much further it touches than at rest and cold; shape (case,) [m]."""
     found: Found
     balls: int
+    own: NDArray
+    """Records (case, ball) of unequal balls."""
 
     @classmethod
     def of(cls, maker: CaseMaker, matrix: NDArray, offset: NDArray, begin: int, stop: int) -> RowCases:
@@ -60,7 +62,8 @@ class RowCases:
         cases = maker.make(begin, stop)
         shift = np.broadcast_to(np.asarray(maker.axial_datum_shift(), float).reshape(-1), (maker.count,))[begin:stop]
         room = empty(stop - begin, maker.ball_axis)
-        return cls(cases, matrix[begin:stop], offset[begin:stop], shift, room, maker.ball_axis)
+        own = maker.own_balls(cases, begin)
+        return cls(cases, matrix[begin:stop], offset[begin:stop], shift, room, maker.ball_axis, own)
 
     def displacement(self, q: NDArray, which: NDArray) -> NDArray:
         """Of the inner ring in the row's own frame, from touching at rest and cold; shape (case, 5) [m, rad]."""
@@ -86,7 +89,8 @@ class RowCases:
         for is_warm in (True, False):
             some = np.flatnonzero(known == is_warm)
             if some.size:
-                found.put(some, _solved(cases[some], self.balls, tolerance, is_warm, found.part(some)))
+                own = self.own[which][some]
+                found.put(some, _solved(cases[some], self.balls, own, tolerance, is_warm, found.part(some)))
         return found, found.results["status"] == CONVERGED
 
     def load(self, found: Found, which: NDArray) -> NDArray:
@@ -102,12 +106,12 @@ class RowCases:
         for name in ("inner_speed", "outer_speed"):
             cases[name] *= speed_factor
         out = np.empty((which.size, 5, 5))
-        stiffness_of_cases(cases, *working_memory(self.balls), *self.found.part(which), out)
+        stiffness_of_cases(cases, *working_memory(self.balls), *self.found.part(which), self.own[which], out)
         return out
 
 
-def _solved(cases: NDArray, balls: int, tolerance: float, is_warm: bool, found: Found) -> Found:
-    given = (cases, *working_memory(balls), tolerance, is_warm, *found)
+def _solved(cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, found: Found) -> Found:
+    given = (cases, *working_memory(balls), own, tolerance, is_warm, *found)
     solve_cases(*given)
     unfinished = np.flatnonzero(found.results["status"] == UNFINISHED)
     if unfinished.size:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects import as_made
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.scene.operation import CHANNELS, Operation
@@ -74,7 +75,7 @@ def without_load(of: BearingSet, offsets: list[NDArray], at_speed: bool) -> Bear
     if at_speed:
         turning = {name: getattr(of.operation, name) for name in TURNING}
         return replace(of, rows=rows, preload=preload, operation=Operation(**turning, **STRAIGHT), readings={})
-    cold = tuple(replace(row, ring_effects=None) for row in rows)
+    cold = tuple(replace(row, ring_effects=as_made(of.effects_of(row))) for row in rows)
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
     return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, **choices)
 
@@ -87,7 +88,9 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> dict[float,
     force = np.asarray(of.preload.rigid, float)
     sides = {}
     for sign in (1.0, -1.0):
-        rows = tuple(replace(row, ring_effects=None, readings=None) for row in of.rows if row.sign == sign)
+        rows = tuple(
+            replace(row, ring_effects=as_made(of.effects_of(row)), readings=None) for row in of.rows if row.sign == sign
+        )
         side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
         sides[sign] = solve_set(side, threads=threads, tolerance=tolerance)
     return sides
@@ -151,10 +154,17 @@ class _Problem:
             self._load[:, SLIDE] = self._flat(spring)
         given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
+        out_of_xy |= self._has_unequal_balls
+        out_of_xz |= self._has_unequal_balls
         is_thrust = ~out_of_xy & ~out_of_xz & np.all([self._flat(row.bearing.ball_count) >= 2 for row in self.of.rows])
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
         for channels, vanish in (((2, 3), is_thrust | in_xy), ((1, 4), is_thrust | (in_xz & ~in_xy))):
             self._held[:, channels] |= vanish[:, None]
+
+    @property
+    def _has_unequal_balls(self) -> NDArray:
+        """Where some row has balls that make nothing symmetric."""
+        return np.any([np.broadcast_to(maker.has_unequal_balls(0, self.count), self.count) for maker in self.makers], 0)
 
     def _mirrors(self, azimuth: float) -> NDArray:
         """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""

@@ -44,6 +44,8 @@ class StudyKey:
 def _all() -> dict[str, StudyKey]:
     tables: list[tuple[tuple[str, ...], str]] = []
     for table in NUMBERS:
+        if table == "unequal_balls":
+            continue  # a list
         if table in SECTIONS["readings"]:
             continue  # numbers of readings do not span cases
         if table == "material":

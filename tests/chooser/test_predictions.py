@@ -12,7 +12,7 @@ import qsbearing as qs
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, OperatingPoint
 from qsbearing.judgement import judge
-from tests.qsbearing.scenes import B218, solved, turning
+from tests.qsbearing.scenes import B218, solved, turning, unequal_balls
 
 ENTRY = {entry.name: entry for entry in EFFECTS}
 STEEL = replace(qs.STEEL, thermal_expansion=12e-6)
@@ -91,6 +91,31 @@ def test_expansion_within_a_factor_of_two(operation: dict[str, float], effect: A
     found = ratios(effect.name, full)
     for name in {"load", "displacement", "stiffness"} & set(found):
         assert 0.5 < found[name] < 2.0, name
+
+
+@pytest.mark.parametrize(
+    ("rpm", "operation"),
+    [
+        (0.0, THRUST),
+        (0.0, {"axial_load": 17_800.0, "radial_load_y": 4e3, "moment_z": 0.0}),
+        (0.0, HELD | {"radial_displacement_y": 2e-6, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}),
+        (5000.0, {"axial_load": 17_800.0, "radial_load_y": 4e3, "moment_z": 0.0}),
+        (10_000.0, THRUST),
+    ],
+    ids=["thrust at rest", "at rest", "held", "turning", "fast"],
+)
+def test_unequal_balls_within_a_factor_of_three(rpm: float, operation: dict[str, float]) -> None:
+    """At rest within a tenth: the prediction is the first order of the equations."""
+    full = replace(turning(rpm, BEARING, **operation), ring_effects=(unequal_balls(spread=0.5e-6),))
+    found = ratios("unequal_balls", full)
+    for name in {"load", "pressure"} & set(found):
+        assert 1.0 / 3.0 < found[name] < 3.0, name
+        assert rpm > 0.0 or found[name] == pytest.approx(1.0, abs=0.1), name
+
+
+def test_unequal_balls_that_are_not_named_predict_nothing() -> None:
+    errors = ENTRY["unequal_balls"].errors(OperatingPoint(solved(turning(5000.0, **THRUST))))
+    assert all(error == 0.0 for error in errors.values())
 
 
 def test_a_wedged_bearing_is_not_taken_for_an_unchanged_one() -> None:

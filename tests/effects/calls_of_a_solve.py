@@ -23,6 +23,7 @@ from tests.qsbearing.scenes import (
     PER_BALL,
     resting,
     turning,
+    unequal_balls,
 )
 
 PACKAGE = f"{Path(qs.__file__).parent}/"
@@ -67,6 +68,7 @@ def main() -> None:
         "both": turning(6000, FEW, effects=BOTH, **LOADS),
         "both, actual angle": turning(6000, FEW, effects=BOTH, hertz_angle="actual", **LOADS),
         "inner control": turning(6000, FEW, effects=BOTH, control=INNER, **LOADS),
+        "unequal balls": replace(turning(6000, FEW, effects=BOTH, **LOADS), ring_effects=(unequal_balls(FEW),)),
         "friction coefficient": turning(6000, FEW, effects=(qs.GyroscopicMoment(friction_coefficient=0.01),), **LOADS),
         "own orbits": replace(turning(6000, FEW, effects=BOTH, **LOADS), orbit_radius="displaced"),
         "minimum dissipation": turning(6000, FEW, effects=BOTH, control=MINIMUM_DISSIPATION, **LOADS),

@@ -48,13 +48,15 @@ def test_each_effect_is_evaluated_where_it_is_named_and_nowhere_else(calls: dict
         "raceway_stiffness.spin_constant",
     )
     slip, slopes = "solve_case.bound_friction", "inertia_slopes.directional"
-    watched = {force, moment, rotation, criterion, radius, weight, spin, slip, slopes}
+    own = "unequal_balls.from_own_touching"
+    watched = {force, moment, rotation, criterion, radius, weight, spin, slip, slopes, own}
     both = {force, moment, rotation}
     expected = {
         "centrifugal": {force},
         "gyroscopic": {moment, rotation},
         "both": both,
         "inner control": both,
+        "unequal balls": both | {own},
         "by each ball": both | {criterion, spin},
         "friction coefficient": {moment, rotation, slip},
         "own orbits": both | {radius, slopes},

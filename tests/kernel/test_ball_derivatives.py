@@ -16,7 +16,7 @@ from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import LOAD_BOUND
 from qsbearing.kernel.ball import moving_ball
 from qsbearing.kernel.contact_line import direction
-from qsbearing.kernel.loop_closure import set_inner_line, set_outer_line
+from qsbearing.kernel.loop_closure import inner_length, outer_length, set_inner_line, set_outer_line
 from qsbearing.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, OUTER, turning
@@ -46,6 +46,7 @@ def ball_between(
     balls: ndarray,
     x: ndarray,
     w: ndarray,
+    diameter: float,
     friction_bound: float,
     forces: ndarray,
     eliminated: ndarray,
@@ -56,11 +57,12 @@ def ball_between(
     """
     case: recarray = cases[0]
     work, ball = workspaces[0], balls[0]
-    set_spin_constants(case, work)
+    ball.diameter = diameter
+    set_spin_constants(case, 1, balls)
     work.speed_factor, work.regularisation, work.friction_bound = 1.0, 0.0, friction_bound
     ball.control = case.control
     s, c = case.sin_free, case.cos_free
-    li, lo = case.inner_coefficient - 0.5, case.outer_coefficient - 0.5
+    li, lo = inner_length(case, ball), outer_length(case, ball)
     approach, n1, n2, _ = direction(lo, s, c, x[0] - lo * s, x[1] - lo * c)
     set_outer_line(ball, n1, n2, approach)
     approach, n1, n2, _ = direction(li, s, c, w[0] - li * s, w[1] - li * c)
@@ -75,10 +77,12 @@ def ball_between(
         eliminated[2 + row, 1], eliminated[2 + row, 2] = ball.stiffness[row, 0], ball.stiffness[row, 1]
 
 
-def forces_and_elimination(cases: NDArray, x: NDArray, w: NDArray, friction_bound: float) -> tuple[NDArray, NDArray]:
+def forces_and_elimination(
+    cases: NDArray, x: NDArray, w: NDArray, diameter: float, friction_bound: float
+) -> tuple[NDArray, NDArray]:
     """(five forces; what the ball's elimination leaves) of the ball with these two lines."""
     forces, eliminated = np.zeros(5), np.zeros((5, 3))
-    ball_between(cases, *working_memory(1), x, w, friction_bound, forces, eliminated)
+    ball_between(cases, *working_memory(1), x, w, diameter, friction_bound, forces, eliminated)
     return forces, eliminated
 
 
@@ -88,18 +92,23 @@ def line(angle: float, length: float) -> NDArray:
 
 @pytest.mark.parametrize("bound", [NO_BOUND, LOAD_BOUND], ids=["friction whatever the load", "no more than load"])
 @pytest.mark.parametrize("orbit", list(qs.OrbitRadius))
+@pytest.mark.parametrize("diameter", [1.0, 1.004], ids=["of the bearing's diameter", "larger"])
 @pytest.mark.parametrize("control", [OUTER, INNER, qs.RacewayControl.MINIMUM_DISSIPATION])
 @pytest.mark.parametrize("position", POSITIONS.values(), ids=POSITIONS.keys())
 def test_elimination_is_what_differences_say(
-    position: tuple[float, float, float, float], control: qs.RacewayControl, orbit: qs.OrbitRadius, bound: float
+    position: tuple[float, float, float, float],
+    control: qs.RacewayControl,
+    diameter: float,
+    orbit: qs.OrbitRadius,
+    bound: float,
 ) -> None:
     """Imbalance r and force h by the inner groove centre's displacement A and by the ball's own X, by differences;
     then y = rx^-1 r, Y = rx^-1 ra, the condensed force h - hx y and its stiffness ha - hx Y."""
     scene = turning(9_000.0, effects=BOTH_HARRIS, control=control, hertz_angle=qs.HertzAngle.ACTUAL, axial_load=900.0)
     cases = CaseMaker(replace(scene, orbit_radius=orbit)).make()
-    li, lo = (float(cases[0][f"{race}_coefficient"]) - 0.5 for race in ("inner", "outer"))
+    li, lo = (float(cases[0][f"{race}_coefficient"]) - 0.5 * diameter for race in ("inner", "outer"))
     x, w = line(position[0], lo * (1.0 + position[1])), line(position[2], li * (1.0 + position[3]))
-    forces, eliminated = forces_and_elimination(cases, x, w, bound)
+    forces, eliminated = forces_and_elimination(cases, x, w, diameter, bound)
     step = STEP * li
     assert np.abs(forces[:2]).max() > 0.0
     slopes = np.empty((5, 4))
@@ -108,8 +117,8 @@ def test_elimination_is_what_differences_say(
         change[column % 2] = step
         # The inner groove's centre moves the inner line; the ball lengthens one line by what it takes from the other.
         dx, dw = (np.zeros(2), change) if column < 2 else (change, -change)
-        after, _ = forces_and_elimination(cases, x + dx, w + dw, bound)
-        before, _ = forces_and_elimination(cases, x - dx, w - dw, bound)
+        after, _ = forces_and_elimination(cases, x + dx, w + dw, diameter, bound)
+        before, _ = forces_and_elimination(cases, x - dx, w - dw, diameter, bound)
         slopes[:, column] = (after - before) / (2.0 * step)
     by_ring, by_own = slopes[:, :2], slopes[:, 2:]
     expected = np.empty((5, 3))

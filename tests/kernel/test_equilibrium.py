@@ -10,10 +10,10 @@ import pytest
 import qsbearing as qs
 from tests.hard_cases import scenes as hard
 from tests.hard_cases.cases import NO_EQUILIBRIUM
-from tests.qsbearing.mechanics import contact_stiffness, ring_load, vectors
-from tests.qsbearing.scenes import general_scenes, grown_scenes, lever, solved
+from tests.qsbearing.mechanics import ball_diameters, contact_stiffness, ring_load, vectors
+from tests.qsbearing.scenes import general_scenes, grown_scenes, lever, solved, unequal_scenes
 
-GENERAL = general_scenes() | grown_scenes()
+GENERAL = general_scenes() | grown_scenes() | unequal_scenes()
 NAMES = [*GENERAL, *(name for name, case in hard.BY_NAME.items() if case["expected"] != NO_EQUILIBRIUM)]
 # The solver stops at a force imbalance of 1e-12 of the largest force; sums over twenty balls add a digit.
 BALANCED = 1e-11
@@ -50,7 +50,7 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
     """Q = K delta^1.5 = 2/3 pi a b p0 at loaded contacts, none at others; contact lines join the groove centres."""
     solution = solution_of(name)
     bearing, d, psi = solution.scene.operating_bearing, solution.displacement, solution.azimuth
-    ball = float(np.asarray(bearing.ball_diameter))
+    ball, own = float(np.asarray(bearing.ball_diameter)), ball_diameters(solution)
     reach = np.zeros((2, len(psi)))
     for race in ("inner", "outer"):
         contacts = getattr(solution, race)
@@ -63,7 +63,7 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
         a, b = contacts.semi_major_axis, contacts.semi_minor_axis
         assert 2.0 / 3.0 * np.pi * a * b * contacts.max_pressure == pytest.approx(contacts.load, rel=1e-12)
         assert (b <= a).all()
-        length = groove - 0.5 * ball + contacts.approach
+        length = groove - 0.5 * own + contacts.approach
         reach += length * np.array([np.sin(contacts.angle), np.cos(contacts.angle)])
     # (Lo + do) no + (Li + di) ni leads from the outer to the displaced inner groove centre (19.3, 19.4), which stood
     # BD sin(a0) from it at rest and cold; radially they stand apart as they have grown.
@@ -84,7 +84,7 @@ def test_centrifugal_force_is_that_of_the_orbit(name: str) -> None:
     """Fc = m (dm/2) omega_m^2 with the mass of the sphere."""
     solution = solution_of(name)
     bearing, pitch = solution.scene.bearing, float(np.asarray(solution.scene.operating_bearing.pitch_diameter))
-    density, diameter = (float(np.asarray(value)) for value in (bearing.ball_material.density, bearing.ball_diameter))
+    density, diameter = float(np.asarray(bearing.ball_material.density)), ball_diameters(solution, operating=False)
     assert solution.orbital_speed is not None
     expected = density * np.pi / 6.0 * diameter**3 * 0.5 * pitch * solution.orbital_speed**2
     assert solution.centrifugal_force == pytest.approx(expected, rel=1e-12)

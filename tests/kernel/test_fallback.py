@@ -83,7 +83,9 @@ def direct_code(scene: qs.Scene) -> int:
     maker = CaseMaker(scene)
     balls = maker.ball_axis
     results, positions, controls = np.empty(1, RESULT), np.empty((1, balls, 3)), np.zeros((1, balls), np.int8)
-    solve_cases(maker.make(), *working_memory(balls), 1e-12, False, results, positions, controls)
+    cases = maker.make()
+    memory = working_memory(balls)
+    solve_cases(cases, *memory, maker.own_balls(cases), 1e-12, False, results, positions, controls)
     return int(results["status"][0])
 
 

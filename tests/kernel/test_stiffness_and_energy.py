@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from tests.qsbearing.mechanics import contact_stiffness, stored_energy
+from tests.qsbearing.mechanics import ball_diameters, contact_stiffness, stored_energy
 from tests.qsbearing.scenes import (
     B218,
     CENTRIFUGAL,
@@ -26,9 +26,10 @@ from tests.qsbearing.scenes import (
     resting,
     solved,
     turning,
+    unequal_scenes,
 )
 
-SCENES = general_scenes() | grown_scenes()
+SCENES = general_scenes() | grown_scenes() | unequal_scenes()
 every_scene = pytest.mark.parametrize("name", list(SCENES))
 
 
@@ -82,7 +83,7 @@ def springs_of_the_balls(solution: qs.Solution) -> NDArray:
     A contact's tangent is dQ/d(delta) along its line and Q over the distance of its centres across it.
     """
     scene, bearing = solution.scene, solution.scene.bearing
-    ball = float(np.asarray(bearing.ball_diameter))
+    ball = ball_diameters(solution)
     tangents = []
     for race in ("inner", "outer"):
         contacts = getattr(solution, race)

@@ -32,6 +32,16 @@ class Vectors:
     """Force on the ball at the outer contact, friction included."""
 
 
+def ball_diameters(solution: qs.Solution, operating: bool = True) -> NDArray:
+    """Each ball's own diameter (ball), in operation or cold: balls that deviate cold do so in proportion when grown."""
+    bearing = solution.scene.operating_bearing if operating else solution.scene.bearing
+    deviation = solution.ball_diameter_deviation
+    relative = (
+        np.zeros_like(solution.azimuth) if deviation is None else deviation / solution.scene.bearing.ball_diameter
+    )
+    return float(np.asarray(bearing.ball_diameter)) * (1.0 + relative)
+
+
 def vectors(solution: qs.Solution) -> Vectors:
     """The contacts of a single case: normals from the angles, forces from the loads, friction from the moments."""
     psi = solution.azimuth
@@ -41,7 +51,7 @@ def vectors(solution: qs.Solution) -> Vectors:
     if solution.gyroscopic_moment is None:
         friction = {"inner": zero, "outer": zero}
     else:
-        force = solution.gyroscopic_moment / float(np.asarray(solution.scene.operating_bearing.ball_diameter))
+        force = solution.gyroscopic_moment / ball_diameters(solution)
         share_i, share_o = moment_shares(solution.scene, solution.raceway_control)
         friction = {"inner": share_i * force, "outer": share_o * force}
     for race, sense in (("inner", 1.0), ("outer", -1.0)):
@@ -70,8 +80,7 @@ def contact_stiffness(solution: qs.Solution, race: str) -> NDArray:
     """Q/delta^1.5 of every contact of a race, by the public Hertz contact at the angle that the scene asks for."""
     bearing, scene = solution.scene.operating_bearing, solution.scene
     side = -1.0 if race == "inner" else 1.0
-    diameter = float(np.asarray(bearing.ball_diameter))
-    gamma = diameter / float(np.asarray(bearing.pitch_diameter))
+    pitch = float(np.asarray(bearing.pitch_diameter))
     groove = float(np.asarray(getattr(bearing, f"{race}_groove_radius")))
     angles = getattr(solution, race).angle
     if scene.hertz_angle is qs.HertzAngle.FREE:
@@ -79,8 +88,8 @@ def contact_stiffness(solution: qs.Solution, race: str) -> NDArray:
     elif scene.hertz_angle is qs.HertzAngle.ZERO:
         angles = np.zeros_like(angles)
     values = []
-    for angle in np.nan_to_num(angles):
-        rolling = 2.0 / (diameter * (1.0 + side * gamma * np.cos(angle)))
+    for angle, diameter in zip(np.nan_to_num(angles), ball_diameters(solution), strict=True):
+        rolling = 2.0 / (diameter * (1.0 + side * diameter / pitch * np.cos(angle)))
         across = 2.0 / diameter - 1.0 / groove
         modulus = float(bearing.effective_modulus)
         values.append(qs.point_contact(1.0, rolling, across, modulus, scene.hertz_form).stiffness_constant)

@@ -145,6 +145,36 @@ def grown_scenes() -> dict[str, qs.Scene]:
     }
 
 
+def unequal_balls(bearing: qs.BallBearing = B218, spread: float = 2e-6) -> qs.BallDiameterDeviations:
+    """Deviations up to this size, without a pattern."""
+    return qs.BallDiameterDeviations(spread * np.sin(7.0 * np.arange(int(np.asarray(bearing.ball_count))) ** 1.5 + 0.3))
+
+
+def unequal_scenes() -> dict[str, qs.Scene]:
+    """Scenes whose balls differ, one for every way in which the equations do."""
+    five = {"axial_load": 12e3, "radial_load_y": 3e3, "radial_load_z": -1.5e3, "moment_y": 40.0, "moment_z": -60.0}
+    groove = {"axial_load": 150.0, "radial_load_y": 400.0, "radial_load_z": 100.0, "moment_y": 3.0, "moment_z": -8.0}
+    hot = 60.0 + qs.zero_celsius
+    balls = (unequal_balls(),)
+    return {
+        "unequal balls at rest": replace(resting(**five), ring_effects=balls),
+        "unequal balls under thrust": replace(turning(8000, axial_load=12e3), ring_effects=balls),
+        "unequal balls, actual angle": replace(turning(8000, hertz_angle="actual", **five), ring_effects=balls),
+        "unequal balls, inner control": replace(
+            turning(5000, control=INNER, effects=BOTH_HARRIS, **five), ring_effects=balls
+        ),
+        "unequal balls, hot": replace(turning(8000, **five), ring_effects=(*balls, qs.BallExpansion(hot))),
+        "unequal balls without clearance": replace(
+            turning(15000, DEEP_GROOVE, **groove), ring_effects=(unequal_balls(DEEP_GROOVE),)
+        ),
+        "unequal balls, rigid preload": replace(
+            turning(6000, radial_load_y=2e3, radial_load_z=0.0, moment_y=0.0, moment_z=0.0),
+            ring_effects=balls,
+            preload=qs.Preload(rigid=2e3),
+        ),
+    }
+
+
 def names_of(scenes: dict[str, qs.Scene], *, but: Iterable[str] = ()) -> list[str]:
     """Names to parametrise over."""
     return [name for name in scenes if name not in set(but)]

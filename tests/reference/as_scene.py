@@ -67,6 +67,10 @@ def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
             [{"mu": float(case["friction_coefficient"])} for case in cases if "friction_coefficient" in case]
         )
         effects += (qs.GyroscopicMoment(qs.MomentShares(first["shares"]), coefficient.get("mu")),)
+    balls: tuple[Any, ...] = ()
+    if "ball_diameter_deviations" in first:
+        deviations = np.array([case["ball_diameter_deviations"] for case in cases], float)
+        balls = (qs.BallDiameterDeviations(deviations if len(cases) > 1 or stacked else deviations[0]),)
     return qs.Scene(
         bearing,
         qs.Operation(**gather([operation_numbers(case) for case in cases])),
@@ -74,4 +78,5 @@ def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
         qs.RacewayControl(first["control"]) if effects else None,
         hertz_angle=qs.HertzAngle(first["hertz_angle"]),
         orbit_radius=qs.OrbitRadius(first.get("orbit_radius", "pitch_circle")),
+        ring_effects=balls,
     )

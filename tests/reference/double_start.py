@@ -45,7 +45,8 @@ def find_start(scene: Scene) -> Start:
 
 def is_squeezed(scene: Scene, ball: int, d: np.ndarray) -> bool:
     """Whether a ball at rest touches the rings."""
-    return bool(np.hypot(*groove_centre(scene, ball, d)) > scene.Li + scene.Lo)
+    own = scene.of_ball(ball)
+    return bool(np.hypot(*groove_centre(scene, ball, d)) > own.Li + own.Lo)
 
 
 # ------------------------------------------------------------------------------------------------ the convex problem
@@ -77,9 +78,9 @@ def potential(scene: Scene, Fc: float, X: np.ndarray, d: np.ndarray) -> tuple[fl
     ring = slice(2 * Z, size)
     for j in range(Z):
         own, B = slice(2 * j, 2 * j + 2), lever(scene, j)
-        A = np.array(groove_centre(scene, j, d))
-        Eo, Fo, Ho = contact_terms(scene.Ko, scene.Lo, X[j])
-        Ei, Fi, Hi = contact_terms(scene.Ki, scene.Li, A - X[j])
+        A, its = np.array(groove_centre(scene, j, d)), scene.of_ball(j)
+        Eo, Fo, Ho = contact_terms(its.Ko, its.Lo, X[j])
+        Ei, Fi, Hi = contact_terms(its.Ki, its.Li, A - X[j])
         energy += Eo + Ei - Fc * X[j, 1]
         gradient[own] += Fo - Fi - [0, Fc]
         gradient[ring] += B.T @ Fi
@@ -146,10 +147,10 @@ def unpack(scene: Scene, unknowns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def ball_forces(scene: Scene, ball: int, X: np.ndarray, d: np.ndarray) -> np.ndarray:
     """A ball's two force errors and its five shares of the ring's load (moments over Ri), N."""
-    A = groove_centre(scene, ball, d)
+    A, own = groove_centre(scene, ball, d), scene.of_ball(ball)
     x = [
-        float(X[0]), float(X[1]), float(np.hypot(A[0] - X[0], A[1] - X[1]) - scene.Li),
-        float(np.hypot(X[0], X[1]) - scene.Lo),
+        float(X[0]), float(X[1]), float(np.hypot(A[0] - X[0], A[1] - X[1]) - own.Li),
+        float(np.hypot(X[0], X[1]) - own.Lo),
     ]  # fmt: skip
     d = [float(value) for value in d]
     ring = np.array(ring_contribution(scene, ball, x, d)) / [1, 1, 1, scene.Ri, scene.Ri]

@@ -57,6 +57,9 @@ moments c w_s with c = Q a E (a the semi-major axis, E of the second kind) dissi
 least where c_i w_si + c_o w_so = 0.  That balance is linear in tan beta but for factors that do not vanish, so two
 axes tell the third; shares of the gyroscopic moment follow the weights, see `shares_by_weight`.
 
+*Unequal balls*, where a case gives each a deviation from D, lie between grooves that stay where they are: a ball's own
+D makes its L_i and L_o, its Hertz constants, m, J and g.
+
 *The orbit* is the pitch circle, or the circle through the ball's own centre: then R = dm/2 + X2 - L_o cos alpha0
 takes the place of dm/2, and g = D/(2 R), in all that follows from the ball's motion.
 
@@ -202,6 +205,7 @@ class Scene:
     actual_angle: bool  # Hertz constants at each ball's own angle
     mu: Number | None  # friction that a contact carries at most, over its load
     own_orbit: bool  # balls go round on their own circles
+    unequal: tuple[Scene, ...] | None = None  # per ball: the scene with that ball's diameter, mass and Hertz constants
 
     @property
     def Lo(self) -> Number:
@@ -227,6 +231,10 @@ class Scene:
     def g(self) -> Number:
         return self.D / self.dm
 
+    def of_ball(self, ball: int) -> Scene:
+        """The scene as a ball of its own diameter has it; the rings' lengths BD and Ri are the scene's own."""
+        return self if self.unequal is None else self.unequal[ball]
+
     @property
     def turns(self) -> bool:
         """Whether a ball feels any inertia at all."""
@@ -243,6 +251,7 @@ class Scene:
         values: dict[str, Any] = {name: float(getattr(self, name)) for name in names}
         values["mu"] = None if self.mu is None else float(self.mu)
         values["psi"] = tuple((float(c), float(s)) for c, s in self.psi)
+        values["unequal"] = None if self.unequal is None else tuple(ball.in_floats() for ball in self.unequal)
         values["loads"] = tuple(None if v is None else float(v) for v in self.loads)
         values["held"] = tuple(None if v is None else float(v) for v in self.held)
         return replace(self, gyroscopic=float(self.gyroscopic), actual_angle=False, **values)
@@ -281,7 +290,19 @@ def read_case(case: dict[str, Any]) -> Scene:
         mu=mp.mpf(case["friction_coefficient"]) if "friction_coefficient" in case else None,
         own_orbit=case.get("orbit_radius") == "displaced",
     )  # fmt: skip
+    if "ball_diameter_deviations" in case:
+        diameters = [D + mp.mpf(deviation) for deviation in case["ball_diameter_deviations"]]
+        scene = replace(scene, unequal=tuple(with_balls_of(scene, diameter) for diameter in diameters))
     return replace(scene, Ki=inner_contact(scene, scene.cos0).stiffness, Ko=outer_contact(scene, scene.cos0).stiffness)
+
+
+def with_balls_of(scene: Scene, diameter: Number) -> Scene:
+    """The scene with balls of another diameter between the same grooves, and the Hertz constants that they have."""
+    mass = scene.mass * (diameter / scene.D) ** 3
+    changed = replace(scene, D=diameter, mass=mass, inertia=mass * diameter**2 / 10)
+    return replace(
+        changed, Ki=inner_contact(changed, scene.cos0).stiffness, Ko=outer_contact(changed, scene.cos0).stiffness
+    )
 
 
 def inner_contact(scene: Scene, cos_alpha: Number) -> HertzContact:
@@ -442,22 +463,23 @@ def ball_state(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]
     """Angles, loads, speeds and inertia of a ball from its x = (X1, X2, delta_i, delta_o) and the ring's d."""
     X1, X2, delta_i, delta_o = x
     A1, A2 = groove_centre(scene, ball, d)
-    outer = X1 / (scene.Lo + delta_o), X2 / (scene.Lo + delta_o)
-    inner = (A1 - X1) / (scene.Li + delta_i), (A2 - X2) / (scene.Li + delta_i)
-    Ki, Ko = scene.Ki, scene.Ko
+    own = scene.of_ball(ball)
+    outer = X1 / (own.Lo + delta_o), X2 / (own.Lo + delta_o)
+    inner = (A1 - X1) / (own.Li + delta_i), (A2 - X2) / (own.Li + delta_i)
+    Ki, Ko = own.Ki, own.Ko
     if scene.actual_angle:
-        Ki, Ko = inner_contact(scene, inner[1]).stiffness, outer_contact(scene, outer[1]).stiffness
+        Ki, Ko = inner_contact(own, inner[1]).stiffness, outer_contact(own, outer[1]).stiffness
     zero = 0 * X1
     wm = wR = tan_beta = Fc = Mg = zero
     control = scene.control[ball]
     Qi, Qo = hertz_load(Ki, delta_i), hertz_load(Ko, delta_o)
     R = scene.dm / 2 + (X2 - scene.Lo * scene.cos0 if scene.own_orbit else 0)
-    g = scene.D / (2 * R)
+    g = own.D / (2 * R)
     share_i, share_o = moment_shares(control, scene.shares)
     if control is not None:
-        rolled = rolling_line(inner, outer, delta_i, scene.Li)
+        rolled = rolling_line(inner, outer, delta_i, own.Li)
         if control == "minimum_dissipation":
-            c_i, c_o = spin_weights(scene, Qi, Qo)
+            c_i, c_o = spin_weights(own, Qi, Qo)
             tan_beta = least_dissipation(rolled, outer, c_i, c_o, g)
             along_i, along_o = c_i * (1 + g * outer[1]), c_o * (1 - g * rolled[1])
             share_i, share_o = shares_by_weight(scene.shares, along_i / (along_i + along_o))
@@ -465,10 +487,10 @@ def ball_state(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Number]
             tan_beta = attitude_tangent(control, rolled, outer, g)
         wm, wR = ball_speeds(scene.wi, scene.wo, rolled, outer, tan_beta, g)
     if scene.centrifugal:
-        Fc = centrifugal_force(scene, wm, R)
+        Fc = centrifugal_force(own, wm, R)
     if scene.gyroscopic:
-        Mg = scene.gyroscopic * gyroscopic_moment(scene, wm, wR, tan_beta)
-    Ti, To = friction(scene, share_i, Mg, Qi), friction(scene, share_o, Mg, Qo)
+        Mg = scene.gyroscopic * gyroscopic_moment(own, wm, wR, tan_beta)
+    Ti, To = friction(own, share_i, Mg, Qi), friction(own, share_o, Mg, Qo)
     return Ball(inner, outer, Qi, Qo, wm, wR, tan_beta, Fc, Mg, share_i, share_o, Ti, To)
 
 
@@ -476,12 +498,12 @@ def ball_equations(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Num
     """The four equations of a ball, each zero at the solution: two lengths (m^2) and two force balances (N)."""
     X1, X2, delta_i, delta_o = x
     A1, A2 = groove_centre(scene, ball, d)
-    b = ball_state(scene, ball, x, d)
+    b, own = ball_state(scene, ball, x, d), scene.of_ball(ball)
     (sin_i, cos_i), (sin_o, cos_o) = b.inner, b.outer
     Ti, To = b.Ti, b.To
     return [
-        X1**2 + X2**2 - (scene.Lo + delta_o) ** 2,
-        (A1 - X1) ** 2 + (A2 - X2) ** 2 - (scene.Li + delta_i) ** 2,
+        X1**2 + X2**2 - (own.Lo + delta_o) ** 2,
+        (A1 - X1) ** 2 + (A2 - X2) ** 2 - (own.Li + delta_i) ** 2,
         b.Qi * sin_i - b.Qo * sin_o - Ti * cos_i + To * cos_o,  # (19.9)
         b.Qi * cos_i - b.Qo * cos_o + Ti * sin_i - To * sin_o + b.Fc,  # (19.10)
     ]
@@ -605,7 +627,8 @@ def control_ratio(scene: Scene, ball: int, x: Sequence[Number], d: Sequence[Numb
     if b.Qi == 0:
         return mp.inf
     cosine_i, cosine_o = (b.inner[1], b.outer[1]) if scene.actual_angle else (scene.cos0, scene.cos0)
-    inner, outer = inner_contact(scene, cosine_i), outer_contact(scene, cosine_o)
+    own = scene.of_ball(ball)
+    inner, outer = inner_contact(own, cosine_i), outer_contact(own, cosine_o)
     cosine = b.inner[0] * b.outer[0] + b.inner[1] * b.outer[1]
     return (b.Qo * outer.semi_major_axis(b.Qo) * outer.second_kind * cosine) / (
         b.Qi * inner.semi_major_axis(b.Qi) * inner.second_kind
@@ -665,7 +688,8 @@ def solve_scene(scene: Scene) -> tuple[dict[int, list[Number]], list[Number]]:
     for ball, (X1, X2) in positions.items():
         A1, A2 = groove_centre(scene, ball, d)
         X1, X2 = mp.mpf(X1), mp.mpf(X2)
-        balls[ball] = [X1, X2, mp.hypot(A1 - X1, A2 - X2) - scene.Li, mp.hypot(X1, X2) - scene.Lo]
+        own = scene.of_ball(ball)
+        balls[ball] = [X1, X2, mp.hypot(A1 - X1, A2 - X2) - own.Li, mp.hypot(X1, X2) - own.Lo]
     for _ in range(20):
         balls, d = newton_step(scene, balls, d)
         if relative_residual(scene, balls, d) < mp.mpf(10) ** -(mp.dps - 12):
@@ -720,14 +744,14 @@ def ball_result(scene: Scene, ball: int, x: list[Number] | None, d: Sequence[Num
         return {"azimuth": azimuth, "inner": contact, "outer": dict(contact), "centrifugal_force": "0.0",
                 "gyroscopic_moment": "0.0", "orbital_speed": None, "rotation_speed": None, "position": None,
                 "control": scene.control[ball], "control_ratio": None}  # fmt: skip
-    b = ball_state(scene, ball, x, d)
+    b, own = ball_state(scene, ball, x, d), scene.of_ball(ball)
     kinematic = scene.control[ball] is not None
-    inner = inner_contact(scene, b.inner[1] if scene.actual_angle else scene.cos0)
-    outer = outer_contact(scene, b.outer[1] if scene.actual_angle else scene.cos0)
+    inner = inner_contact(own, b.inner[1] if scene.actual_angle else scene.cos0)
+    outer = outer_contact(own, b.outer[1] if scene.actual_angle else scene.cos0)
     return {
         "azimuth": azimuth,
-        "inner": contact_result(scene, inner, b.Qi, b.inner, x[2], b.share_i * b.Mg),
-        "outer": contact_result(scene, outer, b.Qo, b.outer, x[3], b.share_o * b.Mg),
+        "inner": contact_result(own, inner, b.Qi, b.inner, x[2], b.share_i * b.Mg),
+        "outer": contact_result(own, outer, b.Qo, b.outer, x[3], b.share_o * b.Mg),
         "centrifugal_force": text(b.Fc),
         "gyroscopic_moment": text(b.Mg),
         "orbital_speed": text(b.wm) if kinematic else None,

@@ -3,8 +3,8 @@
 A case is a dictionary in SI units and radians, except where a key names its unit; numbers are decimal strings, so that
 every program reads exactly the same case.  Each channel of `channels` is ["load", N or N m] or
 ["displacement", m or rad].  `hertz_angle` tells whether the Hertz constants belong to the free contact angle or to
-each ball's actual one.  `control` "per_ball" leaves the choice to Jones's criterion, ball by ball; the result tells
-what was chosen.
+each ball's actual one.  `ball_diameter_deviations`, m, one for each ball, makes balls unequal.  `control` "per_ball"
+leaves the choice to Jones's criterion, ball by ball; the result tells what was chosen.
 """
 
 from __future__ import annotations
@@ -47,6 +47,13 @@ DEEP_GROOVE = {  # the example bearing of ISO/TS 16281 calculations, without cle
     "ball_material": {"elastic_modulus": "210e9", "poisson_ratio": "0.3", "density": "7850"},
     "ring_material": {"elastic_modulus": "210e9", "poisson_ratio": "0.3", "density": "7850"},
 }
+
+
+UNEQUAL = [
+    *("1.2e-6", "-0.4e-6", "0.9e-6", "-1.7e-6", "0.3e-6", "0.8e-6", "-0.2e-6", "2.1e-6"),
+    *("-0.6e-6", "0.5e-6", "-1.1e-6", "1.6e-6", "0", "0.7e-6", "-2.3e-6", "0.1e-6"),
+]
+"""Deviations of sixteen ball diameters, m; no pattern."""
 
 
 def load(x: str = "0", y: str = "0", z: str = "0", tilt_y: str = "0", tilt_z: str = "0") -> dict[str, list[str]]:
@@ -291,5 +298,28 @@ SCENES: list[Case] = [
         "deep_groove_moment_at_speed",
         "angles of both signs in one bearing at speed",
         DEEP_GROOVE, load("150", "400", "100", "3", "-8"), "15000",
+    ),
+    turning(
+        "b218_unequal_balls",
+        "sixteen diameters between the same grooves, at speed, with all five loads",
+        B218, load("12000", "3000", "-1500", "40", "-60"), "8000", ball_diameter_deviations=UNEQUAL,
+    ),
+    at_rest(
+        "b218_one_large_ball_at_rest",
+        "thrust alone, and yet no two balls alike: the ring tilts away from the one that is 6 um too large",
+        B218, load("2000"),
+    ) | {"ball_diameter_deviations": ["6e-6"] + 15 * ["0"]},
+    turning(
+        "spindle_unequal_balls_and_all_else",
+        "unequal balls where everything follows the ball: its own angle, orbit, weights of its raceways and slip",
+        SPINDLE, load("600", "200", "150", "2", "-3"), "24000", control="minimum_dissipation", shares="harris",
+        friction_coefficient="0.015", orbit_radius="displaced", hertz_angle="actual",
+        ball_diameter_deviations=[*UNEQUAL, "1e-7", "-4e-7", "0", "9e-7"],
+    ),
+    turning(
+        "b218_unequal_balls_by_each",
+        "Jones's criterion for balls of unequal diameters",
+        B218, load("20000", "9000", "2000", "0", "-250"), "2600", control="per_ball",
+        ball_diameter_deviations=UNEQUAL[::-1],
     ),
 ]  # fmt: skip

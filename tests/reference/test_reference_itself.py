@@ -211,12 +211,14 @@ def test_kinematics_reduce_to_the_printed_ones(seed: int) -> None:
 def test_forces_at_the_contact_points_balance_in_three_dimensions(name: str) -> None:
     """All contact forces as vectors at the points where they act: each ball's motion and the ring's five loads."""
     case, result = REFERENCE[name]["case"], REFERENCE[name]["result"]
-    D, dm, ri = (float(case[key]) for key in ("ball_diameter", "pitch_diameter", "inner_groove_radius"))
+    nominal, dm, ri = (float(case[key]) for key in ("ball_diameter", "pitch_diameter", "inner_groove_radius"))
     free = math.radians(float(case["free_contact_angle_deg"]))
-    mass = float(case["ball_material"]["density"]) * math.pi * D**3 / 6
+    deviations = map(float, case.get("ball_diameter_deviations", [0.0] * len(result["balls"])))
     force, moment = np.zeros(3), np.zeros(3)
     size = max(float(ball["outer"]["load"]) for ball in result["balls"])
-    for ball in result["balls"]:
+    for ball, deviation in zip(result["balls"], deviations, strict=True):
+        D = nominal + deviation
+        mass = float(case["ball_material"]["density"]) * math.pi * D**3 / 6
         psi, Mg = float(ball["azimuth"]), float(ball["gyroscopic_moment"])
         wm, wR = float(ball["orbital_speed"]), float(ball["rotation_speed"])
         e_x, e_r = np.array([1.0, 0, 0]), np.array([0, math.cos(psi), math.sin(psi)])
@@ -227,7 +229,7 @@ def test_forces_at_the_contact_points_balance_in_three_dimensions(name: str) -> 
             share_i = {"outer": 0, "inner": 2 if case["shares"] == "controlling" else 1}[ball["control"]]
         orbit = dm / 2
         if case.get("orbit_radius") == "displaced":
-            orbit += float(ball["position"][1]) - (float(case["outer_groove_radius"]) - D / 2) * math.cos(free)
+            orbit += float(ball["position"][1]) - (float(case["outer_groove_radius"]) - nominal / 2) * math.cos(free)
         pulls, sticks = {}, True
         for race, sense, share in (("inner", 1, share_i), ("outer", -1, 2 - share_i)):
             alpha = float(ball[race]["angle"])
@@ -247,7 +249,7 @@ def test_forces_at_the_contact_points_balance_in_three_dimensions(name: str) -> 
         else:
             assert 0 < torque @ momentum_rate < momentum_rate @ momentum_rate
         force += pull_i
-        groove_centre = (dm / 2 + (ri - D / 2) * math.cos(free)) * e_r  # in the ring's mid-plane
+        groove_centre = (dm / 2 + (ri - nominal / 2) * math.cos(free)) * e_r  # in the ring's mid-plane
         moment += np.cross(groove_centre - ri * n_i, pull_i)
         assert t @ pull_i == pytest.approx(0, abs=1e-12 * size)
     found = [*force, moment[1], moment[2]]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, PER_BALL
+from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, PER_BALL, unequal_balls
 from tests.sets.arrangements import DISTANCE, ROWS, S6210C, S6210E, pair, rows, solved, with_load
 
 MIRROR = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])
@@ -79,6 +79,23 @@ def test_one_row_is_the_bearing_alone() -> None:
     np.testing.assert_allclose(found.displacement, alone.displacement, rtol=1e-8, atol=1e-15)
     np.testing.assert_allclose(found.stiffness, alone.stiffness, rtol=1e-7, atol=1e-9 * np.abs(alone.stiffness).max())
     np.testing.assert_allclose(found.rows[0].outer.angle, alone.outer.angle, rtol=1e-9)
+
+
+def test_rows_have_balls_of_their_own() -> None:
+    """One row, again as alone; and a pair mounted by force, cold, with the balls that it has."""
+    operation = qs.Operation(10_000 * qs.rpm, axial_load=8000.0, radial_load_y=4000.0, moment_z=20.0)
+    plane = (B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)  # type: ignore[operator]
+    row = qs.Row(B218, ring_effects=(unequal_balls(),))
+    found = solved(qs.BearingSet((row,), operation, reference_position=plane, ball_effects=BOTH, raceway_control=OUTER))
+    alone = qs.solve(qs.Scene(B218, operation, BOTH, OUTER, ring_effects=(unequal_balls(),)))
+    np.testing.assert_allclose(found.rows[0].inner.load, alone.inner.load, rtol=1e-9)
+    np.testing.assert_allclose(found.stiffness, alone.stiffness, rtol=1e-7, atol=1e-9 * np.abs(alone.stiffness).max())
+    large = qs.BallDiameterDeviations(np.full(int(S6210C.ball_count), 3e-6))  # type: ignore[arg-type]
+    preload = qs.Preload(rigid=720.0)
+    still = solved(qs.BearingSet(rows("DB", ring_effects=(large,)), preload=preload))
+    np.testing.assert_allclose(still.axial_loads, [720.0, 720.0], rtol=1e-9)
+    equal = solved(qs.BearingSet(rows("DB"), preload=preload))
+    assert still.rows[0].displacement[0] < equal.rows[0].displacement[0] - 5e-6, "touched earlier, by 3 um/sin(15 deg)"
 
 
 def test_a_pair_under_no_load_is_symmetric() -> None:
