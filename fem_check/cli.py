@@ -73,14 +73,22 @@ def cli() -> None:
 
 @cli.command("list")
 def list_checks() -> None:
-    """List the checks: name, kind, question, tolerance."""
+    """List the checks (name, kind, question, tolerance) and the cases of the validation book."""
     checks = _load_checks()
+    from fem_check.book.case import EVIDENCE
+    from fem_check.book.cases import ALL as CASES
+
     table = Table(show_lines=False)
     for heading in ("check", "kind", "question", "tolerance"):
         table.add_column(heading, overflow="fold")
     for check in checks.values():
         table.add_row(check.name, str(check.kind), check.question, check.tolerance)
-    Console().print(table)
+    book = Table(title="fem-check book", show_lines=False)
+    for heading in ("case", "evidence", "title"):
+        book.add_column(heading, overflow="fold")
+    for case in CASES.values():
+        book.add_row(case.name, EVIDENCE[case.texts.evidence], case.texts.title)
+    Console().print(table, book)
 
 
 @cli.command("run")

@@ -312,6 +312,7 @@ def test_the_command_prints_records_and_fails_with_a_case(tmp_path: Path, monkey
     result = CliRunner().invoke(cli, [*arguments, "--json"])
     assert result.exit_code == 0
     assert json.loads(result.stdout) == records.read_all(tmp_path)["iso_76_factors"]
+    assert all(name in CliRunner().invoke(cli, ["list"]).output for name in ALL)
     assert "pass" in CliRunner().invoke(cli, arguments).output
     softer(monkeypatch)
     assert CliRunner().invoke(cli, arguments).exit_code == 1

@@ -132,8 +132,8 @@ def run() -> Result:
     )  # fmt: skip
     best = deviation[judged & is_s]
     points = [
-        [one["name"].removesuffix(" TA"), *map(float, (f[i], f0[i], fit[i])), bool(judged[i]),
-         *map(float, printed[i]), *map(float, deviation[i])]
+        [one["name"].removesuffix(" TA"), f"{f[i]:.5f}", f"{f0[i]:.5f}", f"{fit[i]:.2f}", "yes" if judged[i] else "no",
+         *map(float, printed[i]), *(f"{each:+.2f}" for each in deviation[i])]
         for i, one in enumerate(flat)
     ]  # fmt: skip
     kh = deviation[judged & ~is_s]
