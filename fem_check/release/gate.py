@@ -126,5 +126,6 @@ def judged(step: Step, journal: Journal, before: Previous) -> Verdict:
         reasons.append(f"it left no record {' or '.join(step.records)}")
     said = f"{done.seconds:.0f} s"
     if step.records:
-        said += f"; {compared} of {len(done.records)} records compared with the previous release's"
+        said += "; " if compared == len(done.records) else f"; {compared} of {len(done.records)} "
+        said += "compared with the previous release"
     return Verdict(step.name, reasons, said, step.command)

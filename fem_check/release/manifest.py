@@ -21,6 +21,8 @@ SHIPPED = (
     "tests/benchmarks/*.json",
     "tests/campaign/records/*.json",
     "tests/hard_cases/*.json",
+    "tests/reference/*.json",
+    "tests/*.json",
 )
 """Records in the repository."""
 

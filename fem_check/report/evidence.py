@@ -101,7 +101,7 @@ def read(records: Path = records_store.FOLDER) -> Evidence:
         name: Kept(f"{label}/{each['level']}/{name}.json", each, _check_command(name, each))
         for name, each in entries.items()
     }
-    gate = _gate(records, label)
+    gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
     campaigns = [kept for name, kept in gate.items() if name.startswith("campaign/")]
     return Evidence(
         records,
@@ -183,17 +183,17 @@ def _book(records: Path) -> dict[str, Kept]:
     return found
 
 
-def _gate(records: Path, label: str) -> dict[str, Kept]:
-    """What the last release run left in the folder, of its finest level."""
-    for level in ("release", "quick"):
-        folder = records / "gate" / level
-        paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
-        names = [path.relative_to(folder).as_posix() for path in paths]
-        if paths:
-            return {
-                name.removesuffix(".json"): Kept(
-                    f"{label}/gate/{level}/{name}", _load(path), f"python -m fem_check release --level {level}"
-                )
-                for name, path in zip(names, paths, strict=True)
-            }
-    return {}
+def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
+    """What a release run left in the folder, if it made the checks' records, which are then all of its level."""
+    if len(levels) != 1:
+        return {}
+    (level,) = levels
+    folder = records / "gate" / level
+    paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
+    names = [path.relative_to(folder).as_posix() for path in paths]
+    return {
+        name.removesuffix(".json"): Kept(
+            f"{label}/gate/{level}/{name}", _load(path), f"python -m fem_check release --level {level}"
+        )
+        for name, path in zip(names, paths, strict=True)
+    }
