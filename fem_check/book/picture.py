@@ -41,7 +41,13 @@ def drawn(record: dict[str, Any]) -> Any:
     every = figure.subplots(1, len(panels), squeeze=False)[0]
     for axes, panel in zip(every, panels, strict=True):
         _draw(axes, panel)
-    legend(figure, *every)
+    labels = [{series["label"] for series in panel["series"]} for panel in panels]
+    if all(each == labels[0] for each in labels):
+        legend(figure, *every)
+    else:  # one marker means different things in different panels
+        for axes in every:
+            below = -0.55 if any(panel["x_names"] for panel in panels) else -0.17
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, below), ncols=3, fontsize=8, frameon=False)
     return figure
 
 

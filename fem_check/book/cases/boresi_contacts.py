@@ -124,7 +124,7 @@ def run() -> Result:
         for name, (unit, printed, remark) in example.printed.items():
             quantity = f"{NAMES[name]}, as printed"
             rows.append(compared(example.name, quantity, unit, printed, SCALE[unit] * here[name], SOURCE, None, remark))
-        x = np.linspace(0.0, 1.0, 60)
+        x = np.sin(np.linspace(0.0, 0.5 * np.pi, 60))
         a, b, p0 = (1e3 * here["semi_major_axis"], 1e3 * here["semi_minor_axis"], 1e-6 * here["max_pressure"])
         panels.append(
             Panel(

@@ -16,13 +16,13 @@ SOURCE = "GMN, catalogue 4000 0813 EN, columns F_v and C_ax"
 STEEL = {"ball_material": qs.STEEL, "ring_material": qs.STEEL}
 PRELOADS = "LMS"
 LEAST_RIGIDITY, LARGEST_FIT = 80.0, 0.9
-"""Selection on the flat rows alone: printed C_ax at heavy preload [N/um], rms of the fit [%]."""
+"""Selection on the flat rows alone: printed C_ax at heavy preload [N/µm], rms of the fit [%]."""
 
 Rows = list[dict[str, Any]]
 
 
 def rigidity(rows: Rows, f: NDArray) -> NDArray:
-    """C_ax of the back-to-back pair at its three preloads [N/um], shape (row, preload).
+    """C_ax of the back-to-back pair at its three preloads [N/µm], shape (row, preload).
 
     Twice one bearing's tangent stiffness, its contact angle free to change: the catalogue does not define C_ax, and of
     the readings tried this one follows the printed values.
@@ -69,7 +69,7 @@ def columns(rows: Rows, key: str) -> NDArray:
 
 
 def rounding(printed: NDArray) -> NDArray:
-    """Half a step of the printed values [%]: 1 N/um, above 200 to 250 N/um mostly 5."""
+    """Half a step of the printed values [%]: 1 N/µm, above 200 to 250 N/µm mostly 5."""
     step = np.where(printed % 5 == 0, np.where(printed > 200, 5.0, 1.0), 1.0)
     return np.asarray(50.0 * step / printed)
 
@@ -100,8 +100,8 @@ def run() -> Result:
         "series S, 15 to 25 degrees": (judged & is_s, True),
         "series KH, 17 to 25 degrees": (judged & ~is_s, True),
         "series S, whatever the quality of the fit": (stiff & is_s, False),
-        "series S, C_ax from 40 N/um, whatever the fit": (is_s, False),
-        "series KH, C_ax from 40 N/um, whatever the fit": (~is_s, False),
+        "series S, C_ax from 40 N/µm, whatever the fit": (is_s, False),
+        "series KH, C_ax from 40 N/µm, whatever the fit": (~is_s, False),
     }
     for name, (chosen, gated) in groups.items():
         each, limit = deviation[chosen], float(np.sqrt((reach[chosen] ** 2).mean()))
@@ -162,9 +162,9 @@ def run() -> Result:
                 ),
             ],
         Points(
-            "All bearings with C_ax of at least 40 N/um at the flat angle and heavy preload. The three rigidities at "
+            "All bearings with C_ax of at least 40 N/µm at the flat angle and heavy preload. The three rigidities at "
             "25 degrees are printed ones, at light, medium and heavy preload; judged: those of the gated rows above.",
-            ["bearing", "f fitted", "f of C_0", "rms of fit, %", "judged", "C_ax light, N/um", "medium", "heavy",
+            ["bearing", "f fitted", "f of C_0", "rms of fit, %", "judged", "C_ax light, N/µm", "medium", "heavy",
              "predicted is off by, %", "medium, %", "heavy, %"],
             points,
         ),

@@ -39,10 +39,10 @@ GAP = 10e-6
 LOADS = (
     Load("1 kN radial, no clearance", 0.0, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 15.1101}, 13163.019, True),
     Load("1 kN axial, no clearance", 0.0, {"axial_load": 1e3}, {"axial": 133.5381}, 2222.7318),
-    Load("1 kN radial, 10 um", GAP, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 21.223}, 10795.7948, True),
-    Load("1 kN axial, 10 um", GAP, {"axial_load": 1e3}, {"axial": 149.1717}, 3115.8781),
+    Load("1 kN radial, 10 µm", GAP, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 21.223}, 10795.7948, True),
+    Load("1 kN axial, 10 µm", GAP, {"axial_load": 1e3}, {"axial": 149.1717}, 3115.8781),
     Load(
-        "1 kN radial and axial, 10 um",
+        "1 kN radial and axial, 10 µm",
         GAP,
         {"axial_load": 1e3, "radial_load_y": 1e3, "moment_z": 0.0},
         {"radial": 19.5923, "axial": 146.4603, "tilt": 2.6872},
@@ -50,7 +50,7 @@ LOADS = (
     ),
     Load("1000 N mm, no clearance", 0.0, {"axial_load": 0.0, "moment_y": 1.0}, {"tilt": 3.6957}, 785144.7521),
     Load(
-        "1 kN radial and axial, 1000 N mm across, 10 um",
+        "1 kN radial and axial, 1000 N mm across, 10 µm",
         GAP,
         {"axial_load": 1e3, "radial_load_y": 1e3, "moment_y": 1.0, "moment_z": 0.0},
         {"radial": 19.7144, "axial": 146.3084, "tilt": 2.7239},
