@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import re
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +27,7 @@ def html(document: Document) -> str:
     style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
     page: Any = environment.get_template("page.html")
     text: str = page.render(document=found | {"pictures": pictures}, style=style, script=script)
-    return re.sub(r"\n\s*\n+", "\n", text)
+    return text
 
 
 def _picture(picture: Picture, number: int) -> str:

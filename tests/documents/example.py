@@ -50,7 +50,7 @@ def document(*more: Block) -> Document:
                     Paragraph(NASTY),
                     Bullets(["first", Md("`second`")]),
                     Bullets(["first", "second"], numbered=True),
-                    Code("qsbearing run b218\n# αi = 41.49°", "sh"),
+                    Code("qsbearing run b218\n\n# αi = 41.49°", "sh"),
                     Remark("Beware.", "warning"),
                     Section("Deeper", [Facts([("commit", "0f3a"), ("verdict", Badge("pass"))]), *more]),
                 ],

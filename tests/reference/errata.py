@@ -177,7 +177,7 @@ ERRORS = (
     ("B218's table", "no free angle", "40°", "the 218 bearing of the literature"),
     ("conclusion", "angles' trends with speed exchanged", "αo falls, αi rises", "its own figures"),
 )
-NO_NUMBER = "nothing can be computed without it"
+NO_NUMBER = "nothing can be computed from it as printed"
 
 
 def record() -> dict[str, Any]:

@@ -71,7 +71,7 @@ def _page(name: str, kept: Kept) -> Section:
     return Section(entry["title"], [*blocks, kept.trace], f"book-{name.replace('_', '-')}")
 
 
-LONGEST = 120
+LONGEST = 60
 """Points that a page shows one by one."""
 
 LISTS = {

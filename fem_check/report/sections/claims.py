@@ -60,7 +60,7 @@ def _claims(evidence: Evidence) -> list[list[Cell]]:
     )  # fmt: skip
     found, good = _sector(evidence)
     claim(
-        "With rings held rigid, one ball between elastic rings carries, turns and sits as the model says.", found, good,
+        "One ball between elastic rings, stiffly held, has the loads and the contact angles of the model.", found, good,
         "[bearing sector](#check-bearing-sector)" if "bearing_sector" in evidence.checks else "",
     )  # fmt: skip
     found, good = _book(evidence)
