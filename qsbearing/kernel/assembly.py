@@ -39,19 +39,16 @@ def any_displacement_given(case: recarray) -> bool:
 
 
 @kernel
-def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float]:
-    """Evaluate all balls where they are, and leave the condensed system in the workspace.
+def assemble_balls(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float, float, float, float]:
+    """Evaluate all balls where they are, and leave their sum in the workspace: the ring's condensed system.
 
     Returns:
-        (residual, the largest of each ball or channel beside its own load). The residual is the largest imbalance over
-        the largest force: applied, inertial, or of a contact where a displacement is prescribed or balls are wedged,
-        since then contacts make the reaction. It is infinite where something is not a number, and where no force at all
-        acts at speed: a root of the equations where no ball orbits.
+        (largest imbalance of a ball, the largest beside the ball's own load, sum of all, largest inertial force,
+        largest contact load).
     """
     start_sums(case, work)
     work.largest_approach = 0.0
-    # A contact that only the rounding of an approach presses carries about this: what is below is no load.
-    least = EPSILON * sqrt(EPSILON) * case.series_stiffness
+    least = least_load(case)
     worst, worst_own, total = 0.0, 0.0, 0.0
     inertial, contact = 0.0, 0.0
     for n in range(work.ball_count):
@@ -71,6 +68,34 @@ def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, flo
         inertial = max(inertial, fc, friction)
         contact = max(contact, load)
         add_ball(work, ball)
+    return worst, worst_own, total, inertial, contact
+
+
+@kernel
+def least_load(case: recarray) -> float:
+    """What a contact that only the rounding of an approach presses carries, about: what is below is no load."""
+    return EPSILON * sqrt(EPSILON) * case.series_stiffness
+
+
+@kernel
+def least_stiffness(case: recarray, largest_force: float) -> float:
+    """The regularisation under this largest force."""
+    relative = largest_force / case.series_stiffness
+    return REGULARISATION * case.series_stiffness * relative ** (1.0 / 3.0)
+
+
+@kernel
+def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float]:
+    """Evaluate all balls where they are, and leave the condensed system in the workspace.
+
+    Returns:
+        (residual, the largest of each ball or channel beside its own load). The residual is the largest imbalance over
+        the largest force: applied, inertial, or of a contact where a displacement is prescribed or balls are wedged,
+        since then contacts make the reaction. It is infinite where something is not a number, and where no force at all
+        acts at speed: a root of the equations where no ball orbits.
+    """
+    worst, worst_own, total, inertial, contact = assemble_balls(case, work, balls)
+    least = least_load(case)
     for p in range(work.channel_count):
         lever = channel_lever(case, work.channel[p])
         work.matrix[p, p] += work.regularisation * lever * lever  # a channel that nothing resists keeps a step
@@ -89,8 +114,7 @@ def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, flo
     if any_displacement_given(case) or case.interference > 0.0:
         largest_force = max(largest_force, contact)
     work.largest_force = largest_force
-    relative = largest_force / case.series_stiffness
-    work.regularisation = REGULARISATION * case.series_stiffness * relative ** (1.0 / 3.0)
+    work.regularisation = least_stiffness(case, largest_force)
     if not abs(total) < inf:  # a maximum passes over what is not a number; a sum does not
         return inf, inf
     return worst / largest_force, worst_own

@@ -52,6 +52,12 @@ def propose_step(case: recarray, work: recarray, balls: ndarray) -> float:
         work.step[i] = 0.0
     for p in range(work.channel_count):
         work.step[work.channel[p]] = -work.right_side[p]
+    return propose_lines(case, work, balls)
+
+
+@kernel
+def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
+    """The steps of all contact lines with the ring's; returns as `propose_step` does."""
     farthest, turn = 0.0, 0.0
     for n in range(work.ball_count):
         ball = balls[n]

@@ -224,6 +224,15 @@ def deliver(
     case: recarray, work: recarray, balls: ndarray, result: recarray, position: ndarray, control: ndarray
 ) -> None:
     """Write the positions of ring and balls, in the case's units; zero for balls that the case does not have."""
+    deliver_positions(case, work, balls, result, position, control)
+    ring_load(case, work, balls, result.load)
+
+
+@kernel
+def deliver_positions(
+    case: recarray, work: recarray, balls: ndarray, result: recarray, position: ndarray, control: ndarray
+) -> None:
+    """Likewise, without the ring's load."""
     for i in range(5):
         result.displacement[i] = work.displacement[i]
     for j in range(position.shape[0]):
@@ -234,7 +243,6 @@ def deliver(
         if is_there:
             store_position(case, ball, position[j])
         control[j] = ball.control if is_there else 0
-    ring_load(case, work, balls, result.load)
 
 
 @entry

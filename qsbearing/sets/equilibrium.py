@@ -58,6 +58,8 @@ class Stretch:
     load_factor: NDArray
     fault: NDArray
     """The row that was refused by its own solve where the last step was; -1: none; shape (case,)."""
+    solved: NDArray
+    """Which cases are solved directly."""
     refused: dict[int, NDArray] = field(default_factory=dict)
     """The record of that row's result."""
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.results import stiffness_of_cases
@@ -23,8 +22,8 @@ class Found(NamedTuple):
     positions: NDArray
     controls: NDArray
 
-    def part(self, which: NDArray) -> Found:
-        """Of these cases alone; a copy."""
+    def part(self, which: Any) -> Found:
+        """Of these cases alone: a copy where they are numbers, the same memory for a slice."""
         return Found(self.results[which], self.positions[which], self.controls[which])
 
     def put(self, which: NDArray, other: Found) -> None:
@@ -33,11 +32,12 @@ class Found(NamedTuple):
             mine[which] = new
 
 
-def empty(count: int, balls: int) -> Found:
-    """Room for so many cases, which hold no start."""
-    results = np.zeros(count, RESULT)
+def empty(*shape: int) -> Found:
+    """Room for cases of so many balls, the last of the numbers; they hold no start."""
+    *cases, balls = shape
+    results = np.zeros(cases, RESULT)
     results["status"] = UNFINISHED
-    return Found(results, np.zeros((count, balls, 3)), np.zeros((count, balls), np.int8))
+    return Found(results, np.empty((*cases, balls, 3)), np.zeros((*cases, balls), np.int8))
 
 
 @dataclass
@@ -52,18 +52,13 @@ class RowCases:
     datum_shift: NDArray
     """By how much further it touches than at rest and cold; shape (case,) [m]."""
     found: Found
-    balls: int
     own: NDArray
     """Records (case, ball) of unequal balls."""
 
-    @classmethod
-    def of(cls, maker: CaseMaker, matrix: NDArray, offset: NDArray, begin: int, stop: int) -> RowCases:
-        """The flattened cases [begin, stop)."""
-        cases = maker.make(begin, stop)
-        shift = np.broadcast_to(np.asarray(maker.axial_datum_shift(), float).reshape(-1), (maker.count,))[begin:stop]
-        room = empty(stop - begin, maker.ball_axis)
-        own = maker.own_balls(cases, begin)
-        return cls(cases, matrix[begin:stop], offset[begin:stop], shift, room, maker.ball_axis, own)
+    @property
+    def balls(self) -> int:
+        """Length of the ball axis."""
+        return int(self.found.controls.shape[1])
 
     def displacement(self, q: NDArray, which: NDArray) -> NDArray:
         """Of the inner ring in the row's own frame, from touching at rest and cold; shape (case, 5) [m, rad]."""

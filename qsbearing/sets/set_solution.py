@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -16,38 +15,13 @@ from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets import set_messages
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
+from qsbearing.sets.outcome import Outcome
+from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.solution import Index, Solution, place_of
 from qsbearing.status import STATUS_OF_CODE
 
 LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
-
-
-@dataclass
-class Outcome:
-    """How the flattened cases ended."""
-
-    q: NDArray
-    """The shaft's five channels and the slide of the sprung rings; shape (case, 6) [m, rad]."""
-    status: NDArray
-    residual: NDArray
-    iterations: NDArray
-    fault: NDArray
-    """The row that gave way; -1: none."""
-    unsupported: NDArray
-    """Which unknowns nothing resists although they are loaded; shape (case, 6)."""
-    reached: NDArray
-    """The part of loads and speeds up to which an equilibrium was followed."""
-
-    @classmethod
-    def of(cls, count: int) -> Outcome:
-        """Of so many cases, not solved yet."""
-        numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
-        return cls(
-            np.zeros((count, UNKNOWNS)), np.zeros(count, np.int8), np.zeros(count), *numbers,
-            np.zeros((count, UNKNOWNS), bool), np.ones(count),
-        )  # fmt: skip
 
 
 class SetSolution:
@@ -61,8 +35,8 @@ class SetSolution:
         self,
         of: BearingSet,
         shape: tuple[int, ...],
-        rows: list[Solution],
-        matrices: list[NDArray],
+        row_solution: Callable[[int], Solution],
+        matrices: NDArray,
         outcome: Outcome,
         sides: dict[float, SetSolution],
         unloaded: Callable[[bool], SetSolution],
@@ -70,15 +44,19 @@ class SetSolution:
     ) -> None:
         self.set = of
         self.shape = shape
-        self.rows: tuple[Solution, ...] = tuple(rows)
-        """Each row's own solution, in its own frame: axial displacement and load count in the direction that it
-        carries, tilts likewise; azimuths and speeds are the shaft's."""
+        self._row_solution = row_solution
         self._matrices = matrices
         self._outcome = outcome
         self._sides = sides
         self._unloaded = unloaded
         self.seconds = seconds
         """Wall time of the solve [s]."""
+
+    @cached_property
+    def rows(self) -> tuple[Solution, ...]:
+        """Each row's own solution, in its own frame: axial displacement and load count in the direction that it
+        carries, tilts likewise; azimuths and speeds are the shaft's."""
+        return tuple(map(self._row_solution, range(len(self.set.rows))))
 
     def _shaped(self, array: NDArray, *tail: int) -> Any:
         shaped = array.reshape(self.shape + tail)

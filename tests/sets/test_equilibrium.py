@@ -11,7 +11,16 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, PER_BALL, unequal_balls
+from tests.qsbearing.scenes import (
+    B218,
+    BOTH,
+    CENTRIFUGAL,
+    DEEP_GROOVE,
+    MINIMUM_DISSIPATION,
+    OUTER,
+    PER_BALL,
+    unequal_balls,
+)
 from tests.sets.arrangements import DISTANCE, ROWS, S6210C, S6210E, pair, rows, solved, with_load
 
 MIRROR = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])
@@ -226,3 +235,44 @@ def test_the_reference_moves_moments_only() -> None:
     one, other = solved(base), solved(elsewhere)
     np.testing.assert_allclose(one.rows[0].inner.load, other.rows[0].inner.load, rtol=1e-8)
     assert other.displacement[1] == pytest.approx(one.displacement[1] + 0.05 * one.displacement[4], rel=1e-7)
+
+
+@pytest.mark.parametrize("control", [OUTER, PER_BALL, MINIMUM_DISSIPATION])
+@pytest.mark.parametrize("kind", ["rigid", "spring"])
+def test_both_solvers_agree(monkeypatch: pytest.MonkeyPatch, control: qs.RacewayControl, kind: str) -> None:
+    """All unknowns at once, compiled, and by way of each row's own solve: one equilibrium, to the solvers' accuracy."""
+    generator = np.random.default_rng(7)
+    count = 12
+    placed = tuple(replace(row, sprung=kind == "spring" and row.carries == "-x") for row in rows("TBT", S6210C, S6210E))
+    loads = {
+        name: size * generator.uniform(-1.0, 1.0, count)
+        for name, size in (("radial_load_y", 300.0), ("radial_load_z", 200.0), ("moment_y", 4.0), ("moment_z", 3.0))
+    }
+    operation = qs.Operation(np.linspace(0.0, 15_000.0, count) * qs.rpm, axial_load=150.0, **loads)  # type: ignore[arg-type]
+    of = qs.BearingSet(placed, operation, qs.Preload(**{kind: 700.0}), ball_effects=BOTH, raceway_control=control)
+    direct = solved(of)
+    monkeypatch.setattr("qsbearing.sets.problem.solve_directly", lambda *given: None)
+    by_rows = solved(of)
+    assert by_rows.iterations.sum() != direct.iterations.sum()
+    size = np.array([1.0, 1.0, 1.0, 0.035, 0.035])
+    gap = np.abs((direct.displacement - by_rows.displacement) * size).max()
+    assert gap < 1e-8 * np.abs(direct.displacement * size).max()
+    np.testing.assert_allclose(direct.row_loads / size, by_rows.row_loads / size, atol=1e-6)
+    for one, other in zip(direct.rows, by_rows.rows, strict=True):
+        np.testing.assert_allclose(one.inner.load, other.inner.load, rtol=1e-7, atol=1e-7)
+        np.testing.assert_allclose(one.outer.angle, other.outer.angle, rtol=1e-7, atol=1e-9)
+
+
+def test_a_direct_solve_is_what_its_rows_would_find() -> None:
+    """Each row of a directly solved set, solved alone at its displacement: the same loads, angles and stiffness."""
+    loads = {"axial_load": 100.0, "radial_load_y": 300.0, "radial_load_z": 50.0, "moment_y": 1.0, "moment_z": 0.0}
+    operation = qs.Operation(9_000 * qs.rpm, **loads)
+    first, *others = rows("QBC", S6210C, S6210E)
+    unequal = qs.BallDiameterDeviations(1e-6 * np.cos(np.arange(int(S6210C.ball_count))))  # type: ignore[arg-type]
+    placed = (replace(first, ring_effects=(unequal,)), *others)
+    found = solved(qs.BearingSet(placed, operation, qs.Preload(rigid=900.0), None, BOTH, OUTER))
+    for row in found.rows:
+        alone = qs.solve(row.scene)
+        np.testing.assert_allclose(row.load, alone.load, rtol=1e-9, atol=1e-7)
+        np.testing.assert_allclose(row.inner.angle, alone.inner.angle, rtol=1e-9)
+        np.testing.assert_allclose(row.stiffness, alone.stiffness, rtol=1e-6, atol=1e-6 * np.abs(alone.stiffness).max())

@@ -1,0 +1,33 @@
+"""A stretch of cases by the compiled Newton's method on shaft, rows and balls together; most need nothing else."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.kernel.shaft import SHAFT, SHAFT_SYSTEM
+from qsbearing.kernel.solve_sets import solve_set_cases
+from qsbearing.kernel.workspace import BALL, WORKSPACE
+from qsbearing.sets.equilibrium import Stretch
+from qsbearing.sets.row_cases import Found
+
+
+def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, found: Found) -> None:
+    """Solve all cases of a stretch that this method solves; they are marked as solved there.
+
+    Args:
+        cases: case records of all rows, (row, case); own, matrices, offsets and found likewise: what the stretch holds
+            row by row, offsets counting from where the row touches in operation.
+    """
+    rows, _, balls = found.controls.shape
+    shafts = np.zeros(s.count, SHAFT)
+    shafts["load"], shafts["held"], shafts["place"], shafts["lever"] = s.load, s.held, s.place, s.lever
+    # Of displacements that are prescribed, the kernel looks at which ones vanish.
+    moving = ~s.held | (s.place != 0.0)
+    cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
+    memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, np.zeros(1, SHAFT_SYSTEM), s.tolerance, *found)
+    which = shafts["solved"]
+    s.solved[:] = which
+    s.q[which], s.residual[which] = shafts["q"][which], shafts["residual"][which]
+    s.iterations[:] = shafts["iterations"]

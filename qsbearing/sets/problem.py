@@ -1,0 +1,153 @@
+"""All cases of a set, made ready for the kernel, solved in stretches, and what is found of them."""
+
+from __future__ import annotations
+
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.flatten import CaseMaker
+from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
+from qsbearing.kernel.case import OWN_BALL
+from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.direct import solve_directly
+from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
+from qsbearing.sets.outcome import Outcome
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, row_matrix
+from qsbearing.sets.row_cases import RowCases, empty
+from qsbearing.solution import Solution
+
+TURNING = ("speed", "outer_speed", "first_ball_azimuth")
+"""What of an operation is not a channel's."""
+
+
+class Problem:
+    """All cases of a set, made ready for the kernel; what is found of them."""
+
+    def __init__(self, of: BearingSet, offsets: list[NDArray], tolerance: float, threads: int) -> None:
+        self.of, self.tolerance, self.threads = of, tolerance, threads
+        operation = of.operation
+        self._turning = {name: getattr(operation, name) for name in TURNING}
+        scenes = [of.row_scene(number, Operation(**self._turning)) for number in range(len(of.rows))]
+        spring = None if of.preload is None else of.preload.spring
+        numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
+        shapes = [np.shape(number) for number in numbers if number is not None]
+        try:
+            self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes))
+        except ValueError:
+            raise ValueError("the array fields of the set do not broadcast to common case axes") from None
+        self.count = prod(self.shape)
+        given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
+        self.makers = [CaseMaker(scene, dict(given)) for scene in scenes]
+        self.matrices = np.stack([row_matrix(of, number, self.shape) for number in range(len(of.rows))])
+        self.offsets = np.nan_to_num([self._flat(offset) for offset in offsets])
+        self.outcome = Outcome.of(self.count)
+        self.found = empty(len(of.rows), self.count, max(maker.ball_axis for maker in self.makers))
+        """Of all rows: row, case, ball."""
+        self._set_unknowns(spring)
+        pitch = [self._flat(row.bearing.pitch_diameter) for row in of.rows]
+        self._lever = 0.5 * np.mean(pitch, axis=0)
+        self._step = LARGEST_STEP * np.min([self._flat(row.bearing.groove_centre_distance) for row in of.rows], axis=0)
+
+    def _flat(self, values: Any) -> NDArray:
+        return np.broadcast_to(np.asarray(values, float), self.shape).reshape(-1)
+
+    def _set_unknowns(self, spring: Any) -> None:
+        """Loads, and which unknowns have their values given or vanish by symmetry."""
+        self._load, self._place = np.zeros((self.count, UNKNOWNS)), np.zeros((self.count, UNKNOWNS))
+        self._held = np.zeros((self.count, UNKNOWNS), bool)
+        for i, channel in enumerate(CHANNELS):
+            load = getattr(self.of.operation, channel.load)
+            displacement = getattr(self.of.operation, channel.displacement)
+            if load is not None:
+                self._load[:, i] = self._flat(load)
+            self._held[:, i] = displacement is not None
+            if displacement is not None:
+                self._place[:, i] = self._flat(displacement)
+        self._held[:, SLIDE] = spring is None
+        if spring is not None:
+            self._load[:, SLIDE] = self._flat(spring)
+        given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
+        out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
+        out_of_xy |= self._has_unequal_balls
+        out_of_xz |= self._has_unequal_balls
+        is_thrust = ~out_of_xy & ~out_of_xz & np.all([self._flat(row.bearing.ball_count) >= 2 for row in self.of.rows])
+        in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
+        for channels, vanish in (((2, 3), is_thrust | in_xy), ((1, 4), is_thrust | (in_xz & ~in_xy))):
+            self._held[:, channels] |= vanish[:, None]
+
+    @property
+    def _has_unequal_balls(self) -> NDArray:
+        """Where some row has balls that make nothing symmetric."""
+        return np.any([np.broadcast_to(maker.has_unequal_balls(0, self.count), self.count) for maker in self.makers], 0)
+
+    def _mirrors(self, azimuth: float) -> NDArray:
+        """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""
+        first = self._flat(self.of.operation.first_ball_azimuth)
+        turns = [(azimuth - first) * self._flat(row.bearing.ball_count) / np.pi for row in self.of.rows]
+        return np.asarray(np.all([np.abs(each - np.round(each)) <= 1e-9 for each in turns], axis=0))
+
+    def solve(self, part: slice, carried: NDArray) -> None:
+        """A stretch of the flattened cases, but for those whose preload at rest is not carried."""
+        count = part.stop - part.start
+        cases = np.stack([maker.make(part.start, part.stop) for maker in self.makers])
+        shift = np.stack([np.broadcast_to(maker.axial_datum_shift(), (self.count,))[part] for maker in self.makers])
+        own = self._own_balls(cases, part.start)
+        matrices, offsets, found = self.matrices[:, part], self.offsets[:, part], self.found.part(np.s_[:, part])
+        rows = [
+            RowCases(cases[r], matrices[r], offsets[r], shift[r], found.part(np.s_[r]), own[r])
+            for r in range(len(self.makers))
+        ]
+        o = self.outcome
+        s = Stretch(
+            rows, self._load[part], self._held[part], self._place[part], self._lever[part], self._step[part],
+            self.tolerance, o.q[part], o.residual[part], o.iterations[part], np.ones(count), np.ones(count),
+            np.full(count, -1), np.zeros(count, bool),
+        )  # fmt: skip
+        o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
+        solve_directly(s, cases, own, matrices, offsets - shift, found)
+        rest = np.flatnonzero(carried[part] & ~s.solved)
+        if rest.size:
+            rest = np.setdiff1d(rest, newton(s, rest))
+        reached = np.ones(count)
+        if rest.size:
+            went, reached = follow(s, rest)
+            rest = np.setdiff1d(rest, went)
+        if rest.size:
+            o.status[part][rest] = NOT_CONVERGED
+            o.unsupported[part][rest] = unsupported(s, rest)
+            for case in rest:
+                if s.fault[case] >= 0:
+                    rows[s.fault[case]].found.results[case] = s.refused[int(case)]
+                    o.fault[part.start + case] = s.fault[case]
+            refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
+            o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
+            o.reached[part][rest] = reached[rest]
+        failed = o.status[part] != CONVERGED
+        if failed.any():
+            for row in rows:
+                codes = row.found.results["status"]
+                codes[failed & (codes != NO_EQUILIBRIUM)] = NOT_CONVERGED
+
+    def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
+        """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""
+        each = [maker.own_balls(cases[r], begin) for r, maker in enumerate(self.makers)]
+        together = np.zeros((*cases.shape, max(own.shape[1] for own in each)), OWN_BALL)
+        for whole, own in zip(together, each, strict=True):
+            whole[:, : own.shape[1]] = own
+        return together
+
+    def row_solution(self, number: int) -> Solution:
+        """A row at the displacement found, with all its results."""
+        moved = np.einsum("kij,kj->ki", self.matrices[number], self.outcome.q)
+        moved[:, 0] += self.offsets[number]
+        names = [channel.displacement for channel in CHANNELS]
+        given = {name: moved[:, i].reshape(self.shape)[()] for i, name in enumerate(names)}
+        maker = CaseMaker(self.of.row_scene(number, Operation(**self._turning, **given)))
+        results, positions, controls = self.found.part(np.s_[number])
+        balls = maker.ball_axis
+        own = np.ascontiguousarray(positions[:, :balls]), np.ascontiguousarray(controls[:, :balls])
+        return Solution(maker, None, results, *own, seconds=0.0, threads=self.threads)
