@@ -85,7 +85,7 @@ def coordinates(
     """Every varied key: dimensions, values (of the random ones, at these samples), attributes."""
     found = {}
     for name, (dims, values) in points.coordinates(samples).items():
-        found[name] = (dims, values, {"units": keys.ALL[name].unit or "1"})
+        found[name] = (dims, values, {"units": keys.known(name).unit or "1"})
     return found
 
 

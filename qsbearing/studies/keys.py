@@ -1,11 +1,13 @@
-"""The numeric keys that a study may vary: those of a scene file but for its readings, and groove coefficients."""
+"""The numeric keys that a study may vary: those of a scene file but for its readings, groove coefficients, and the
+deviations of the balls' diameters."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import MATERIALS, NUMBERS, OPERATION, PRELOAD, SECTIONS
+from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIALS, NUMBERS, OPERATION, PRELOAD, SECTIONS
 from qsbearing.scene.operation import CHANNELS
 
 COEFFICIENTS = {
@@ -28,6 +30,11 @@ _EITHER = (
 """Of these a scene has one."""
 
 
+EACH_BALL = "ball_diameter_deviation_um"
+"""Of every ball, drawn at random for each on its own; that of one ball has its number behind it."""
+_ONE_BALL = re.compile(rf"{EACH_BALL}_(\d{{1,4}})")
+
+
 @dataclass(frozen=True)
 class StudyKey:
     """One number of a scene, as a study names it."""
@@ -39,6 +46,8 @@ class StudyKey:
     unit: str
     replaces: tuple[str, ...] = ()
     """Paths of the keys that it stands in place of: a load for a displacement, an angle for a clearance."""
+    ball: int | None = None
+    """Of which ball it is one number of a list; None: it is a number by itself."""
 
 
 def _all() -> dict[str, StudyKey]:
@@ -75,8 +84,19 @@ def find(name: str) -> StudyKey | None:
     """The key of a name: `speed_rpm`, `operation.speed_rpm`, `ball_material.density_kg_m3`; None: there is none."""
     if name in ALL:
         return ALL[name]
+    one = _ONE_BALL.fullmatch(name)
+    if one or name == EACH_BALL:
+        ball = int(one.group(1)) if one else None
+        return StudyKey(name, ("effects", BALL_DEVIATIONS.name), BALL_DEVIATIONS.unit, ball=ball)
     parts = tuple(name.split("."))
     return next((key for key in ALL.values() if len(parts) > 1 and key.path[-len(parts) :] == parts), None)
+
+
+def known(name: str) -> StudyKey:
+    """The key of a name that has one."""
+    key = find(name)
+    assert key is not None, name
+    return key
 
 
 def suggestion(name: str) -> str:
@@ -84,5 +104,9 @@ def suggestion(name: str) -> str:
     stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
     fields = {field.field: field.name for fields in NUMBERS.values() for field in fields}
     word = name.rpartition(".")[2]
-    meant = near(word, ALL, 0.6) or fields.get(near(word, fields, 0.5), "") or stems.get(near(name, stems, 0.6), "")
+    meant = (
+        near(word, [*ALL, EACH_BALL], 0.6)
+        or fields.get(near(word, fields, 0.5), "")
+        or stems.get(near(name, stems, 0.6), "")
+    )
     return f"Did you mean {meant}?" if meant else "Any numeric key of a scene file, such as speed_rpm or axial_load_N"

@@ -12,10 +12,10 @@ from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import scene_of
 from qsbearing.material import BY_NAME
-from qsbearing.scene.keys import MATERIAL, MATERIALS
+from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS
 from qsbearing.scene.scene import Scene
 from qsbearing.studies import keys
-from qsbearing.studies.study import Study
+from qsbearing.studies.study import Study, ball_count_of
 from qsbearing.studies.variables import Axis, Distribution
 
 TAIL = 0.01
@@ -91,7 +91,12 @@ def check_distributions(study: Study) -> None:
     """
     errors: list[FileErrorDetail] = []
     middle = {each.key: _value(each, 0.5) for each in study.variables}
+    of_balls: set[tuple[Any, ...]] = set()
     for each in study.distributions:
+        if keys.known(each.key).ball is not None:
+            if (each.kind, each.parameters) in of_balls:
+                continue  # as another ball's, which tells
+            of_balls.add((each.kind, each.parameters))
         for end, name in ((TAIL, "1 %"), (1.0 - TAIL, "99 %")):
             value = each.at(np.asarray(end))
             try:
@@ -128,11 +133,18 @@ def _value(variable: Axis | Distribution, at: float) -> NDArray:
 def _scene(study: Study, values: dict[str, NDArray]) -> Scene:
     document = copy.deepcopy(study.document)
     coefficients: dict[str, NDArray] = {}
+    deviations: dict[int, NDArray] = {}
     for name, value in values.items():
         if name in keys.COEFFICIENTS:
             coefficients |= dict.fromkeys(keys.COEFFICIENTS[name], value)
         else:
-            _put(document, study, keys.ALL[name], value)
+            key = keys.known(name)
+            if key.ball is None:
+                _put(document, study, key, value)
+            else:
+                deviations[key.ball] = value
+    if deviations:
+        _put_deviations(document, deviations)
     if coefficients:
         diameter = _ball_diameter(document, study)
         for radius, value in coefficients.items():
@@ -167,6 +179,17 @@ def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDAr
         other = document.get(name)
         if isinstance(other, dict) and other.pop(replaced, None) is not None and not other:
             del document[name]
+
+
+def _put_deviations(document: dict[str, Any], deviations: dict[int, NDArray]) -> None:
+    """Deviations of some balls' diameters, beside those that the document gives; else none."""
+    effects = document.get("effects")
+    table = document["effects"] = effects if isinstance(effects, dict) else {}
+    given = table.get(BALL_DEVIATIONS.name)
+    of_document = given if isinstance(given, list) else []
+    count = max(ball_count_of(document), len(of_document), max(deviations) + 1)
+    columns = [deviations.get(ball, [*of_document, *[0.0] * count][ball]) for ball in range(count)]
+    table[BALL_DEVIATIONS.name] = np.stack(np.broadcast_arrays(*columns), axis=-1).astype(float)
 
 
 def _plain(value: ArrayLike) -> Any:

@@ -73,7 +73,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
             "total": (dims, total),
             "total_error": (dims, TWO_SIDED_95 * spread[1]),
         },
-        {"result": names, "key": keys, "unit": ("key", [known_keys.ALL[key].unit or "1" for key in keys])},
+        {"result": names, "key": keys, "unit": ("key", [known_keys.known(key).unit or "1" for key in keys])},
         attributes(plan, label)
         | {
             "base_samples": count,

@@ -12,9 +12,11 @@ from functools import cached_property
 from typing import Any
 
 from qsbearing import __version__
+from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import document_of
 from qsbearing.io.unknown_key import near
+from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.studies import keys
 from qsbearing.studies.variables import Axis, Distribution, Variable, VariableError, error_of, variable_of
 
@@ -81,7 +83,7 @@ class Study:
         options = _table(document, "study", errors)
         given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}
         options |= {name: value for name, value in given.items() if value is not None}
-        variables = _variables(varied, errors)
+        variables = _variables(varied, ball_count_of(document), errors)
         chosen = _options(options, errors)
         if not variables and not errors:
             cause = "Such as speed_rpm = {start = 0, stop = 15000, count = 61}; --vary speed_rpm=0:15000:61"
@@ -137,16 +139,47 @@ def _table(document: dict[str, Any], name: str, errors: list[FileErrorDetail]) -
     return {}
 
 
-def _variables(varied: dict[str, Any], errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
+def ball_count_of(document: dict[str, Any]) -> int:
+    """That a document or its catalogue entry gives; 0 where neither gives one."""
+    bearing = document.get("bearing")
+    if not isinstance(bearing, dict):
+        return 0
+    name = bearing.get("name")
+    entry = catalogue.find(name) if isinstance(name, str) else None
+    count = bearing.get("ball_count", entry.bearing.get("ball_count") if entry else None)
+    if not isinstance(count, int) or isinstance(count, bool):
+        return 0
+    return count if BALL_COUNT_RANGE[0] <= count <= BALL_COUNT_RANGE[1] else 0
+
+
+def _of_each_ball(variable: Variable, count: int) -> list[Variable]:
+    """The variable of every ball: as many independent ones as there are balls.
+
+    Raises:
+        VariableError: it is no distribution.
+    """
+    if isinstance(variable, Axis):
+        problem = "is of every ball, each of which draws its own: give a distribution"
+        raise VariableError(f"{problem}. Of one ball alone: {keys.EACH_BALL}_0")
+    if not count:
+        raise VariableError("needs the bearing's ball_count, a whole number")
+    return [replace(variable, key=f"{keys.EACH_BALL}_{ball}") for ball in range(count)]
+
+
+def _variables(varied: dict[str, Any], ball_count: int, errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
     found: dict[str, Variable] = {}
     for name, given in _flattened(varied):
         try:
             variable = variable_of(name, given)
-            if variable.key in found:
+            each = _of_each_ball(variable, ball_count) if variable.key == keys.EACH_BALL else [variable]
+            if any(one.key in found for one in each):
                 raise VariableError("is varied twice")
-            found[variable.key] = variable
+            found |= {one.key: one for one in each}
         except VariableError as error:
             errors.append(error_of(name, given, error))
+    if "ball_count" in found and any(keys.known(key).ball is not None for key in found):
+        problem = "varies beside deviations of the balls, which are of so many and no other number"
+        errors.append(FileErrorDetail("vary.ball_count", problem))
     return tuple(found.values())
 
 
