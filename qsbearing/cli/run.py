@@ -14,6 +14,7 @@ import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.run_set import run_set
+from qsbearing.cli.run_spectrum import show_spectrum
 from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
@@ -49,7 +50,8 @@ PICTURES = (".png", ".svg", ".pdf")
 )
 def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
-    is a set of rows on one shaft: `qsbearing init --set` prints one.
+    is a set of rows on one shaft: `qsbearing init --set` prints one. One with [[spectrum]] has operating points with
+    shares of time, which make one life.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
@@ -64,7 +66,13 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         assert loaded is not None
         if accuracy is not None:
             _check(accuracy)
+        is_spectrum = "spectrum" in loaded.readings
+        if is_spectrum and "--plot" in targets:
+            refuse("--plot: pictures are of single operating points; --csv writes every ball of every point")
         solution = solve(loaded, accuracy)
+        if is_spectrum:
+            show_spectrum(solution, as_json, targets, write)
+            return
         _show(solution, loaded, as_json)
         if not solution.converged:
             for target in targets.values():

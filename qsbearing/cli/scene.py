@@ -25,7 +25,12 @@ def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.io.scene_file import load_scene
 
-    return _loaded(load_scene, source)
+    scene = _loaded(load_scene, source)
+    if "spectrum" in scene.readings:
+        refuse(
+            f"{source}: [[spectrum]] holds several operating points, which `qsbearing run` solves; leave it out here"
+        )
+    return scene
 
 
 def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:

@@ -16,6 +16,7 @@ from qsbearing.io.effect_tables import ball_deviations, find_unused_expansion, r
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.read_toml import read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
+from qsbearing.io.spectrum_table import scene_of_spectrum
 from qsbearing.io.table_checks import (
     Errors,
     checked,
@@ -112,6 +113,8 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     Raises:
         SceneFileError: everything that is wrong with it.
     """
+    if "spectrum" in document:
+        return scene_of_spectrum(document, file, label, scene_of)
     errors: Errors = []
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)

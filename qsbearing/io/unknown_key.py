@@ -13,13 +13,15 @@ from qsbearing.scene.keys import (
     SECTIONS,
     SET_NUMBERS,
     SET_SECTIONS,
+    SPECTRUM,
 )
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
 _TABLES = {**SECTIONS, **EFFECT_SECTIONS, **READING_SECTIONS, "material": MATERIAL_KEYS, **SET_SECTIONS}
-_NUMBERS = NUMBERS | SET_NUMBERS
+_TABLES["spectrum"] = tuple(key.name for key in SPECTRUM)
+_NUMBERS = NUMBERS | SET_NUMBERS | {"spectrum": SPECTRUM}
 
 
 class Suggestion(NamedTuple):
@@ -64,8 +66,8 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
-    if table == "rows":
-        return "[[rows]]"
+    if table in ("rows", "spectrum"):
+        return f"[[{table}]]"
     outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in READING_SECTIONS else ""
     return f"[{outer}{table}]"
 

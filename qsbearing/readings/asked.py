@@ -29,6 +29,7 @@ from qsbearing.readings.film_thickness import film, film_errors
 from qsbearing.readings.friction_estimate import FrictionEstimates, estimate_errors, friction_estimates
 from qsbearing.readings.life_arguments import life_errors
 from qsbearing.readings.life_factors import viscosity_ratio
+from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_errors, spectrum_life
 from qsbearing.readings.lubricant import FREEZING, Lubricant, OilState
 from qsbearing.readings.pass_frequencies import frequencies
 from qsbearing.readings.rating_life import Life, life
@@ -85,6 +86,10 @@ def _life(solution: Solution, arguments: Arguments, oil: OilState | None) -> Lif
     return life(solution, **plain)
 
 
+def _spectrum(solution: Solution, arguments: Arguments, oil: OilState | None) -> SpectrumLife:
+    return spectrum_life(_life(solution, solution.scene.readings.get("life", {}), oil), **arguments)
+
+
 def _film_errors(scene: Scene | None, arguments: Arguments, oil: OilState | None) -> Errors:
     if oil is None:
         return [ErrorDetail("", "needs an oil", cause=NEEDS_OIL)]
@@ -105,6 +110,7 @@ def _estimates(solution: Solution, arguments: Arguments, oil: OilState | None) -
 
 READINGS: dict[str, Reading] = {
     "life": Reading(_life_errors, _life, rating_life.NEEDS),
+    "spectrum": Reading(lambda scene, arguments, oil: spectrum_errors(None, **arguments), _spectrum, rating_life.NEEDS),
     "static_safety": Reading(
         lambda scene, arguments, oil: static_safety_errors(**arguments),
         lambda solution, arguments, oil: static_safety(solution, **arguments),

@@ -48,17 +48,11 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
         SceneError: shares that are negative, do not add up to one, or are not as many as the points.
     """
     shares = np.atleast_1d(np.asarray(time_share, float))
-    errors = within("time_share", time_share, RATIO, 0.0, 1.0)
     each = life.modified_reference_rating_life
     if each is None:
         each = life.reliability_factor * life.basic_reference_rating_life
     points = each.shape[axis] if each.ndim else 0
-    if shares.shape != (points,):
-        problem = f"has {shares.size} values for {points} operating points along axis {axis}"
-        errors.append(ErrorDetail("time_share", problem))
-    elif not errors and abs(shares.sum() - 1.0) > WHOLE:
-        errors.append(ErrorDetail("time_share", f"adds up to {shares.sum():.6g}, not to 1", cause="Shares of the time"))
-    raise_if_any(errors)
+    raise_if_any(spectrum_errors(points, time_share=time_share))
     shape = [1] * each.ndim
     shape[axis] = points
     turns = shares.reshape(shape) * np.abs(life.speed) / (2.0 * pi)
@@ -68,3 +62,16 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
         duration = 1.0 / total
         part = damage / np.expand_dims(total, axis)
     return SpectrumLife(duration * turns.sum(axis=axis), duration, part)
+
+
+def spectrum_errors(points: int | None, *, time_share: ArrayLike | None = None) -> list[ErrorDetail]:
+    """Every error of the shares of so many operating points; None: not known how many."""
+    errors = within("time_share", time_share, RATIO, 0.0, 1.0)
+    if errors:
+        return errors
+    shares = np.atleast_1d(np.asarray(time_share, float))
+    if points is not None and shares.shape != (points,):
+        errors.append(ErrorDetail("time_share", f"has {shares.size} values for {points} operating points"))
+    elif abs(shares.sum() - 1.0) > WHOLE:
+        errors.append(ErrorDetail("time_share", f"adds up to {shares.sum():.6g}, not to 1", cause="Shares of the time"))
+    return errors

@@ -46,6 +46,11 @@ CASE: dict[str, tuple[Shown, ...]] = {
         Shown("equivalent_load_N", "equivalent_load"),
         Shown("basic_rating_life_Mrev", "basic_rating_life", MILLION),
     ),
+    "spectrum": (
+        Shown("life_Mrev", "life", MILLION),
+        Shown("duration_h", "duration", HOUR),
+        *_plain("damage_share"),
+    ),
     "static_safety": (
         Shown("static_load_rating_N", "static_load_rating"),
         Shown("static_equivalent_load_N", "static_equivalent_load"),

@@ -68,6 +68,9 @@ OPERATION = (
     Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
 )
 
+SPECTRUM = (Key("share", "share"), *OPERATION)
+"""Of an operating point of a load spectrum: its share of the time, and how it is operated."""
+
 PRELOAD = (
     Key("spring_N", "spring", "N", N, FORCE),
     Key("rigid_N", "rigid", "N", N, FORCE),
@@ -200,6 +203,9 @@ READING_SECTIONS = {
 }
 """Likewise, by the tables within [readings]."""
 
+SPECTRUM_POINT = "spectrum point"
+"""What a point of a spectrum is called in errors, its number following."""
+
 MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
 
 _KEY_OF_FIELD = {key.field: key.name for keys in NUMBERS.values() for key in keys} | {"ball_effects": "ball"}
@@ -212,7 +218,7 @@ def find(path: str) -> Key | None:
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     if table.startswith("row "):
         table = "rows"
-    keys = SET_NUMBERS.get(table) or NUMBERS.get(table, ())
+    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or NUMBERS.get(table, ())
     return next((key for key in keys if name in (key.field, key.name)), None)
 
 

@@ -1,0 +1,39 @@
+"""What `qsbearing run` does with a load spectrum."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+
+if TYPE_CHECKING:
+    from qsbearing.io.output_file import Writer
+    from qsbearing.solution import Solution
+
+
+def show_spectrum(solution: Solution, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer]) -> None:
+    """Show a solved spectrum and write its balls; ends with the exit code where some point is not solved."""
+    from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
+
+    if as_json:
+        print_text(json.dumps(spectrum_record(solution), indent=1, allow_nan=False) + "\n")
+    else:
+        print_table(spectrum_result(solution))
+    if not solution.converged.all():
+        for target in targets.values():
+            note(f"{target} is not written: not all points are solved")
+        sys.exit(UNSOLVED)
+    if "--csv" in targets:
+        from qsbearing.columns import columns
+        from qsbearing.io.csv_table import csv_text
+        from qsbearing.readings import reading_columns, take_asked
+
+        found = columns(solution) | reading_columns(solution, take_asked(solution))
+        text = csv_text({name: values.tolist() for name, values in found.items()})
+        try:
+            write["--csv"](text.encode("utf-8"))
+        except OSError as error:  # a disk that filled up meanwhile
+            refuse(f"cannot write: {error}")
