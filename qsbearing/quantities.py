@@ -5,7 +5,7 @@ A name and its unit joined are the column's name in a table: `inner_load` in N i
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from qsbearing import __version__
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, scene_numbers
+from qsbearing.scene.keys import READING_TABLES
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
@@ -149,6 +150,25 @@ def _all() -> dict[str, Quantity]:
 
 ALL = _all()
 """Every result that is read off a solution, by its name."""
+
+
+def by_short_name(name: str, known: Iterable[str]) -> str | None:
+    """The result of a reading whose name leaves out the reading: `basic_reference_rating_life` is that of `life`.
+
+    Args:
+        known: full names, such as `life_basic_reference_rating_life` and `outer_film_film_parameter`.
+
+    Returns:
+        None where there is none, or more than one.
+    """
+    found = {
+        each
+        for each in known
+        for reading in READING_TABLES
+        for side in ("", "inner_", "outer_")
+        if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
+    }
+    return found.pop() if len(found) == 1 else None
 
 
 def dataset(solution: Solution) -> xarray.Dataset:

@@ -15,7 +15,7 @@ def life_errors(
     rating: Rating = Rating.LUNDBERG_PALMGREN,
     rating_factor: float = RATING_FACTOR,
     capacity: Capacity = Capacity.ISO_16281,
-    reliability: float = 0.9,
+    reliability: ArrayLike = 0.9,
     viscosity_ratio: ArrayLike | None = None,
     contamination_factor: ArrayLike | None = None,
     fatigue_load_limit: ArrayLike | None = None,

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import log10
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -61,7 +62,7 @@ class OilState:
 
 @dataclass(frozen=True)
 class Lubricant:
-    """An oil by its viscosity at two temperatures; SI units.
+    """An oil by its viscosity at two temperatures; SI units. Viscosities and density may be arrays, of many oils.
 
     Raises:
         SceneError: numbers that are no oil; every error, at once.
@@ -69,11 +70,11 @@ class Lubricant:
 
     temperatures: tuple[float, float]
     """Of the two measured points [K], rising."""
-    viscosities: tuple[float, float]
+    viscosities: tuple[ArrayLike, ArrayLike]
     """Kinematic, at those temperatures [m^2/s], falling."""
-    density: float = 870.0
+    density: ArrayLike = 870.0
     """At 15 C [kg/m^3]."""
-    pressure_viscosity: float | None = None
+    pressure_viscosity: ArrayLike | None = None
     """xi at any temperature [1/Pa]; None: estimated from the viscosity, as for mineral oil."""
 
     def __post_init__(self) -> None:
@@ -84,15 +85,16 @@ class Lubricant:
         errors += within("density", self.density, Quantity("kg/m^3"), 500.0, 2500.0)
         if self.pressure_viscosity is not None:
             errors += within("pressure_viscosity", self.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
-        if not errors and not (
-            self.temperatures[0] < self.temperatures[1] and self.viscosities[0] > self.viscosities[1]
-        ):
+        falls = np.asarray(self.viscosities[0], float) > np.asarray(self.viscosities[1], float)
+        falls = falls & (self.temperatures[0] < self.temperatures[1])
+        if not errors and not falls.all():
             cause = "Two measured points, the colder one first: its viscosity is the higher one"
-            errors.append(ErrorDetail("viscosities", "do not fall as temperature rises", cause=cause))
+            where = ~falls if falls.ndim else None
+            errors.append(ErrorDetail("viscosities", "do not fall as temperature rises", cause=cause, where=where))
         raise_if_any(errors)
 
     @classmethod
-    def from_grade(cls, grade: float, viscosity_index: float = 95.0, **fields: float | None) -> Lubricant:
+    def from_grade(cls, grade: ArrayLike, viscosity_index: ArrayLike = 95.0, **fields: ArrayLike | None) -> Lubricant:
         """An oil by its ISO viscosity grade (mm^2/s at 40 C) and viscosity index; 95 is usual for mineral oil.
 
         Raises:
@@ -102,7 +104,7 @@ class Lubricant:
         errors += within("viscosity_index", viscosity_index, RATIO, 0.0, 400.0)
         raise_if_any(errors)
         hot = viscosity_at_100(grade, viscosity_index)
-        points = (FREEZING + 40.0, FREEZING + 100.0), (grade * mm**2, hot * mm**2)
+        points = (FREEZING + 40.0, FREEZING + 100.0), (np.asarray(grade, float)[()] * mm**2, hot * mm**2)
         return cls(*points, **fields)  # type: ignore[arg-type]
 
     def kinematic_viscosity(self, temperature: ArrayLike) -> NDArray:
@@ -111,7 +113,7 @@ class Lubricant:
         Range: 2 mm^2/s and more; below, the standard adds terms that are not here.
         """
         T1, T2 = self.temperatures
-        low, high = (log10(log10(nu / mm**2 + 0.7)) for nu in self.viscosities)
+        low, high = (np.log10(np.log10(np.asarray(nu, float) / mm**2 + 0.7)) for nu in self.viscosities)
         slope = (low - high) / (log10(T2) - log10(T1))
         double = low - slope * (np.log10(np.asarray(temperature, float)) - log10(T1))
         return np.asarray((10.0 ** (10.0**double) - 0.7) * mm**2)
@@ -124,7 +126,9 @@ class Lubricant:
         """
         raise_if_any(within("temperature", temperature, KELVIN, 200.0, 600.0, "is no oil temperature in kelvins"))
         nu = self.kinematic_viscosity(temperature)
-        eta = nu * (self.density - DENSITY_SLOPE * (np.asarray(temperature, float) - FREEZING - 15.0))
+        eta = nu * (
+            np.asarray(self.density, float) - DENSITY_SLOPE * (np.asarray(temperature, float) - FREEZING - 15.0)
+        )
         xi = estimated_pressure_viscosity(eta) if self.pressure_viscosity is None else self.pressure_viscosity
         return OilState(eta, xi, nu, self.pressure_viscosity is None)
 
@@ -153,8 +157,16 @@ def viscosity_index(cold: float, hot: float) -> float:
     return float(100.0 + ((high / cold) ** (1.0 / log10(hot)) - 1.0) / 0.00715)
 
 
-def viscosity_at_100(cold: float, index: float) -> float:
+def viscosity_at_100(cold: ArrayLike, index: ArrayLike) -> Any:
     """Viscosity at 100 C [mm^2/s] of an oil of this viscosity at 40 C [mm^2/s] and viscosity index."""
+    pairs = np.stack([each.ravel() for each in np.broadcast_arrays(np.asarray(cold, float), np.asarray(index, float))])
+    different, which = np.unique(pairs, axis=1, return_inverse=True)
+    found = np.array([_viscosity_at_100(*map(float, pair)) for pair in different.T])
+    return found[which].reshape(np.broadcast_shapes(np.shape(cold), np.shape(index)))[()]
+
+
+def _viscosity_at_100(cold: float, index: float) -> float:
+    """Of one oil."""
     from scipy.optimize import brentq
 
     def surplus(hot: float) -> float:

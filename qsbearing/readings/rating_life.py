@@ -68,7 +68,7 @@ class Life:
     """Of the outer raceway alone [rev]."""
     reference_load: NDArray
     """P_ref = C/(L10r/10^6)^(1/3) [N]."""
-    reliability_factor: float
+    reliability_factor: NDArray
     """a1."""
     life_modification_factor: NDArray | None
     """aISO at the reference load; None unless a viscosity ratio and a contamination factor are given."""
@@ -101,7 +101,7 @@ def life(
     rating: Rating = Rating.LUNDBERG_PALMGREN,
     rating_factor: float = RATING_FACTOR,
     capacity: Capacity = Capacity.ISO_16281,
-    reliability: float = 0.9,
+    reliability: ArrayLike = 0.9,
     viscosity_ratio: ArrayLike | None = None,
     contamination_factor: ArrayLike | None = None,
     fatigue_load_limit: ArrayLike | None = None,
@@ -157,7 +157,7 @@ def life(
     with np.errstate(divide="ignore"):
         inner_life, outer_life, system = (MILLION * each**-0.9 for each in (inner, outer, inner + outer))
         reference = C * np.cbrt(MILLION / system)
-    a1 = float(reliability_factor(reliability))
+    a1 = reliability_factor(reliability)
     limit, factor, modified = None, None, None
     if viscosity_ratio is not None and contamination_factor is not None:
         Cu = (

@@ -16,7 +16,7 @@ from qsbearing.solution import Solution
 from qsbearing.solver import solve
 from qsbearing.status import Reason
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import Result, find, known_results, read, suggestion
+from qsbearing.studies.results import Result, find, known_results, read, reading_of, suggestion
 from qsbearing.studies.scenes import scene_of_points
 from qsbearing.studies.study import Study
 
@@ -150,6 +150,9 @@ def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileEr
         return result
     if name in quantities.ALL or name.rpartition("_")[0] in quantities.ALL:
         problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
+    elif reading := reading_of(name):
+        cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
+        problem = "is not called for by this scene"
     else:
         problem, cause = "is no result", suggestion(name, list(known))
     return FileErrorDetail("study.quantities", problem, name, cause=cause)

@@ -1,5 +1,5 @@
-"""The numeric keys that a study may vary: those of a scene file but for its readings, groove coefficients, and the
-deviations of the balls' diameters."""
+"""The numeric keys that a study may vary: those of a scene file, groove radius coefficients, and the deviations of the
+balls' diameters."""
 
 from __future__ import annotations
 
@@ -55,8 +55,6 @@ def _all() -> dict[str, StudyKey]:
     for table in NUMBERS:
         if table == "unequal_balls":
             continue  # a list
-        if table in SECTIONS["readings"]:
-            continue  # numbers of readings do not span cases
         if table == "material":
             tables += [(("bearing", material), table) for material in MATERIALS]
         else:

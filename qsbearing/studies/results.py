@@ -45,14 +45,35 @@ def known_results(solution: Solution) -> dict[str, Result]:
 
 
 def find(name: str, known: dict[str, Result]) -> Result | None:
-    """The result of a name, `_max` and `_min` understood; None where there is none."""
+    """The result of a name, `_max` and `_min` understood, a reading's with or without the reading's; None: none."""
     if name in known:
         return known[name]
     stem, _, ending = name.rpartition("_")
-    if ending not in OVER_BALLS or stem not in known or not known[stem].is_per_ball:
-        return None
-    column = known[stem].column.replace(stem, name, 1)
-    return Result(name, known[stem].unit, False, column)
+    if ending in OVER_BALLS:
+        of_ball = find(stem, known)
+        if of_ball is not None and of_ball.is_per_ball:
+            full = f"{of_ball.name}_{ending}"
+            return Result(full, of_ball.unit, False, of_ball.column.replace(of_ball.name, full, 1))
+    meant = quantities.by_short_name(name, known)
+    return None if meant is None else known[meant]
+
+
+def reading_of(name: str) -> str | None:
+    """The reading that a result's name belongs to, `_max` and `_min` understood; None where it is none of a reading."""
+    from qsbearing.readings.shown import BALL, CASE, CONTACT
+
+    full: dict[str, str] = {}
+    for reading in {**CASE, **CONTACT, **BALL}:
+        for shown in (*CASE.get(reading, ()), *BALL.get(reading, ())):
+            full[f"{reading}_{_without_unit(shown.key)[0]}"] = reading
+        for shown in CONTACT.get(reading, ()):
+            full |= {f"{side}_{reading}_{_without_unit(shown.key)[0]}": reading for side in ("inner", "outer")}
+    stem, _, ending = name.rpartition("_")
+    for each in (name, stem) if ending in OVER_BALLS else (name,):
+        meant = each if each in full else quantities.by_short_name(each, full)
+        if meant is not None:
+            return full[meant]
+    return None
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

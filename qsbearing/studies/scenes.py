@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,8 +49,8 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
     while possible.any():
         kept = {key: array[possible] if array.ndim else array for key, array in values.items()}
         try:
-            # Over one axis even where nothing varies along it.
-            return PossibleScene(_scene(study, kept), possible, reason, tuple(reasons))
+            scene = _over_one_axis(_scene(study, kept), int(possible.sum()))
+            return PossibleScene(scene, possible, reason, tuple(reasons))
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
             if any(each.where is None for each in wrong):
@@ -64,6 +65,12 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
                 reason[fresh] = reasons.index(text) + 1
                 possible[fresh] = False
     return PossibleScene(None, possible, reason, tuple(reasons))
+
+
+def _over_one_axis(scene: Scene, count: int) -> Scene:
+    """The scene of so many points, even where nothing varies but what its readings take."""
+    azimuth = np.broadcast_to(scene.operation.first_ball_azimuth, count)
+    return replace(scene, operation=replace(scene.operation, first_ball_azimuth=azimuth))
 
 
 def base_scene(study: Study) -> Scene:

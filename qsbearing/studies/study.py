@@ -11,13 +11,14 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Any
 
-from qsbearing import __version__
+from qsbearing import __version__, quantities
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import document_of
 from qsbearing.io.unknown_key import near
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.studies import keys
+from qsbearing.studies.results import reading_of
 from qsbearing.studies.variables import Axis, Distribution, Variable, VariableError, error_of, variable_of
 
 MOST_SAMPLES = 1_000_000_000
@@ -88,6 +89,7 @@ class Study:
         options |= {name: value for name, value in given.items() if value is not None}
         variables = _variables(varied, ball_count_of(document), errors)
         chosen = _options(options, errors)
+        _ask_for_readings(document, chosen.get("quantities", ()))
         if not variables and not errors:
             cause = "Such as speed_rpm = {start = 0, stop = 15000, count = 61}; --vary speed_rpm=0:15000:61"
             errors.append(FileErrorDetail("vary", "nothing varies", cause=cause))
@@ -132,6 +134,18 @@ class Study:
         """Tells this study, under this version of the package, from every other."""
         text = json.dumps([__version__, self.label, self.as_data()], sort_keys=True, default=str)
         return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _ask_for_readings(document: dict[str, Any], names: Iterable[str]) -> None:
+    """Ask the scene for each reading of which a number is named; what it needs beside stays for the scene to say."""
+    asked = document.get("readings", {})
+    if not isinstance(asked, dict):
+        return
+    for name in names:
+        reading = None if name in quantities.ALL else reading_of(name)
+        if reading is not None and reading not in asked:
+            asked = asked | {reading: {}}
+            document["readings"] = asked
 
 
 def _table(document: dict[str, Any], name: str, errors: list[FileErrorDetail]) -> dict[str, Any]:

@@ -13,6 +13,7 @@ import qsbearing as qs
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import keys, points
+from qsbearing.studies.results import reading_of
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -78,7 +79,10 @@ CANNOT_STAND_ALONE = {
 """Values of keys that the scene leaves out."""
 
 
-@pytest.mark.parametrize("name", keys.ALL)
+OF_READINGS = [name for name, key in keys.ALL.items() if key.path[0] == "readings"]
+
+
+@pytest.mark.parametrize("name", [name for name in keys.ALL if name not in OF_READINGS])
 def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
     """Two values of each key: the scene's own, a little changed, give what two files give."""
     key = keys.ALL[name]
@@ -322,3 +326,95 @@ def test_the_least_loaded_ball_is_named() -> None:
     for point in range(1, 17):
         at = np.flatnonzero(np.isclose(azimuth[point], results["least_loaded_azimuth"].values[point]))
         assert load[point, at] == load[point].min()
+
+
+def with_readings(**tables: dict) -> dict:
+    """Every reading, each with what it can take; one table may be another."""
+    readings: dict[str, object] = {
+        "life": {"viscosity_ratio": 2.0, "contamination_factor": 0.5, "reliability": 0.95},
+        "static_safety": {},
+        "kinematics": {},
+        "frequencies": True,
+        "lubricant": {"iso_viscosity_grade": 68.0, "oil_temperature_C": 70.0},
+        "film": {"ball_roughness_um": 0.05, "raceway_roughness_um": 0.1},
+        "friction": {
+            "friction_coefficient": 0.05,
+            "hysteresis_loss": 0.01,
+            "drag_coefficient": 0.5,
+            "fluid_density_kg_m3": 20.0,
+        },
+        "friction_estimate": {
+            **{"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0},
+            **{"static_load_rating_N": 1e5, "lubrication_factor": 2.0},
+        },
+        "overrun": {"inner_shoulder_diameter_mm": 115.0, "outer_shoulder_diameter_mm": 136.0},
+    }
+    return copy.deepcopy(COMBINED) | {"readings": readings | tables}
+
+
+READING_VALUES = {
+    "dynamic_load_rating_N": (1.5e5, 1.6e5),
+    "rating_factor": (1.0, 1.3),
+    "reliability": (0.9, 0.99),
+    "viscosity_ratio": (0.5, 1.5),
+    "inner_shoulder_diameter_mm": (115.0, 116.0),
+    "outer_shoulder_diameter_mm": (135.0, 136.0),
+    "contamination_factor": (0.3, 0.6),
+    "fatigue_load_limit_N": (4e3, 5e3),
+    "viscosity_index": (95.0, 150.0),
+    "viscosity_at_40C_mm2_s": (60.0, 68.0),
+    "viscosity_at_100C_mm2_s": (8.0, 8.7),
+    "iso_viscosity_grade": (46.0, 68.0),
+    "oil_temperature_C": (40.0, 70.0),
+    "oil_density_kg_m3": (860.0, 880.0),
+    "pressure_viscosity_per_GPa": (15.0, 20.0),
+    "drag_coefficient": (0.4, 0.5),
+    "lubrication_factor": (1.0, 2.0),
+    "inner_open_diameter_mm": (112.0, 113.0),
+    "outer_open_diameter_mm": (138.0, 139.0),
+}
+TWO_POINTS = {"oil_temperature_C": 70.0, "viscosity_at_40C_mm2_s": 68.0, "viscosity_at_100C_mm2_s": 8.7}
+
+
+@pytest.mark.parametrize("name", OF_READINGS)
+def test_every_key_of_readings_can_vary(name: str) -> None:
+    """Two values of it give what two files give, in every number of every reading."""
+    key = keys.ALL[name]
+    document = with_readings(**({"lubricant": TWO_POINTS} if "viscosity_at" in name else {}))
+    given = document["readings"].get(key.path[1], {}).get(key.path[2])
+    values = READING_VALUES.get(key.path[2]) or ((given, 1.1 * given) if given else (1e5, 1.1e5))
+    results = sweep(Study.of(document, {name: list(values)}))
+    of_readings = [each for each in results.data_vars if reading_of(each)]
+    assert len(of_readings) > 50
+    differing = 0
+    for place, value in enumerate(values):
+        alone = sweep(Study.of(document_with(document, key.path, value), {"speed_rpm": [9000, 9001]}))
+        for each in of_readings:
+            np.testing.assert_allclose(results[each][place], alone[each][0], rtol=1e-9, atol=0.0, err_msg=each)
+            differing += place and not np.array_equal(results[each][0], results[each][1], equal_nan=True)
+    # No ellipse reaches the low shoulder of B218 under these loads.
+    assert differing or "_open_" in name, "the key does something"
+
+
+def test_naming_a_number_of_a_reading_asks_for_it() -> None:
+    """By its own name, as it stands in the reading, or with the reading's."""
+    names = ["basic_reference_rating_life", "life_inner_life", "outer_spin_to_roll_max", "inner_load_max"]
+    study = Study.of(B218, {"groove_radius_coefficient": [0.515, 0.54]}, quantities=names)
+    results = sweep(study)
+    full = ["life_basic_reference_rating_life", "life_inner_life", "outer_kinematics_spin_to_roll_max"]
+    assert set(full) <= set(results.data_vars)
+    assert "readings" not in B218, "the caller's tables are left alone"
+    life = results["life_basic_reference_rating_life"].values
+    assert life[0] > 1.5 * life[1], "wider grooves, shorter life"
+    with pytest.raises(qs.SceneError, match=r"Give in \[readings.film\]"):
+        oil = {"iso_viscosity_grade": [32, 68], "oil_temperature_C": 70}
+        sweep(Study.of(B218, oil, quantities=["outer_film_parameter"]))
+    with pytest.raises(qs.SceneError, match="needs an oil"):
+        sweep(Study.of(B218, {"speed_rpm": [0, 1]}, quantities=["outer_film_parameter"]))
+
+
+def test_impossible_arguments_of_readings_are_impossible_points() -> None:
+    results = sweep(Study.of(with_readings(), {"reliability": [0.95, 0.5], "speed_rpm": [5000, 9000]}))
+    assert results["status"].values.tolist() == [[0, 0], [3, 3]]
+    why = results["reason"].attrs["flag_meanings"].split(" ")[int(results["reason"][1, 0])]
+    assert why.startswith("readings.life.reliability:")
