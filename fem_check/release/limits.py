@@ -21,8 +21,8 @@ REFERENCE = Limit(
 
 SAME_MESH = Limit(
     1e-5,
-    "per cent of the reference: on the same mesh only rounding moves a value, by 1e-12 % where another linear solver is "
-    "taken (measured), and by what the tolerance of an iterated equilibrium leaves",
+    "per cent of the reference: on the same mesh only rounding moves a value, by 1e-12 % where another linear solver "
+    "is taken (measured), and by what the tolerance of an iterated equilibrium leaves",
 )
 
 FLAT_MAXIMUM = Limit(
