@@ -53,7 +53,7 @@ from qsbearing.kernel.solve_case import (
 # The strategies at speed, in the order of trying.
 LIGHTER_LOADS, UP_IN_SPEED = 0, 1
 # The bounds on friction over load, in the order of trying; the last is what oiled steel carries. Chosen by measurement:
-# without the last, twice in ten thousand random scenes nothing is found.
+# without the last, 44 of 200,000 random scenes lose their equilibrium, 27 of which are then refused.
 OILED_BOUND = 0.1
 
 

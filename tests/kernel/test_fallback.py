@@ -23,7 +23,18 @@ from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from tests.qsbearing.mechanics import ring_load
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, INNER, OUTER, PER_BALL, UPRIGHT, resting, turning
+from tests.qsbearing.scenes import (
+    B218,
+    BOTH,
+    BOTH_HARRIS,
+    CENTRIFUGAL,
+    INNER,
+    OUTER,
+    PER_BALL,
+    UPRIGHT,
+    resting,
+    turning,
+)
 
 STEEP = replace(B218, free_contact_angle=65 * qs.deg, ball_count=14)
 """A bearing for thrust: at speed its balls leave the inner ring almost over the shoulder."""
@@ -50,6 +61,17 @@ SCENES: dict[str, dict[str, qs.Scene]] = {
     },
     "friction no more than load": {
         "light balls spin": turning(10e3, **BOTH_INNER, **free_to_tilt(0.01, 0.01, 0.004)),
+    },
+    "friction no more than a tenth of the load": {
+        "light balls, a radial load three times the axial": turning(
+            10e3, **BOTH_INNER, **free_to_tilt(37.0, 111.0, 0.0)
+        ),
+        "light balls, faster": turning(20e3, **BOTH_INNER, **free_to_tilt(12.7, 12.7, 0.0)),
+    },
+    "pseudo-time steps at speed": {
+        "light balls between upright rings": turning(
+            3e3, effects=BOTH_HARRIS, control=INNER, **upright(51.0, 51.0), radial_load_z=20.0
+        ),
     },
     "release of the bound": {
         "few loaded balls, fast": turning(20e3, **BOTH_INNER, **free_to_tilt(100.0, 300.0, 120.0)),
