@@ -14,6 +14,7 @@ from qsbearing.cli import cli
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.pictures.study import Kind, PictureError, picture, select
 from qsbearing.pictures.study.contours import contour_lines
+from qsbearing.pictures.study.labels import head, label_curves
 from qsbearing.pictures.study.maps import extended_below_zero
 from qsbearing.pictures.style import figure_of_size
 from qsbearing.rank_correlation import rank_correlation
@@ -221,3 +222,35 @@ def test_one_command_draws_a_bearing_against_speed(tmp_path: Path) -> None:
         assert done.exit_code == 2
         assert said in done.stderr
     assert qs.open_results(tmp_path / "r.nc").close() is None
+
+
+def test_labels_of_curves_do_not_cover_each_other_or_other_curves() -> None:
+    """Steep curves close to each other: a label beside the next curve would say of neither which it is."""
+    figure = figure_of_size(3.7, 3.3)
+    axes = figure.subplots()
+    x = np.linspace(0.51, 0.54, 31)
+    labels = []
+    for number, size in enumerate((1.0, 0.8, 0.6)):
+        y = size * (0.51 / x) ** 30
+        axes.plot(x, y)
+        labels.append((x, y, f"{5000 * (number + 1)} rpm", "0.1"))
+    label_curves(axes, labels)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    assert [text.get_text() for text in axes.texts] == ["5000 rpm", "10000 rpm", "15000 rpm"]
+    boxes = [text.get_window_extent(canvas.get_renderer()) for text in axes.texts]
+    for number, box in enumerate(boxes):
+        assert not any(box.overlaps(other) for other in boxes[number + 1 :])
+        middle = np.array([box.x0 + box.x1, box.y0 + box.y1]) / 2.0
+        away = [np.hypot(*(axes.transData.transform(each.get_xydata()) - middle).T).min() for each in axes.lines]
+        assert int(np.argmin(away)) == number, "each is nearest to its own curve"
+
+
+def test_a_long_title_has_more_lines() -> None:
+    figure = figure_of_size(4.0, 3.0)
+    figure.subplots()
+    head(figure, "axial load 17800 N, " * 8)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    assert figure.get_tightbbox(canvas.get_renderer()).x1 <= 4.0
+    assert figure.get_suptitle().count("\n") >= 2

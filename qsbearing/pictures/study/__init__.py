@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from qsbearing.pictures.study.azimuth import draw_by_azimuth
 from qsbearing.pictures.study.indices import draw_indices
-from qsbearing.pictures.study.labels import key_words, value_label, words
+from qsbearing.pictures.study.labels import head, key_words, value_label, words
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
 from qsbearing.pictures.study.roses import draw_roses
@@ -38,9 +38,7 @@ def picture(
         if x or kind or at:
             raise PictureError("Sobol indices are one kind of picture, without axes; -y alone chooses what is shown")
         figure = draw_indices(results, y)
-        figure.suptitle(
-            str(results.attrs["title"]).removeprefix("Study of "), fontsize=10, parse_math=False, x=0.01, ha="left"
-        )
+        head(figure, str(results.attrs["title"]).removeprefix("Study of "))
         return figure
     chosen = select(results, x, y, kind, at)
     if chosen.kind is Kind.LINES:
@@ -55,7 +53,7 @@ def picture(
         figure = draw_distributions(chosen)
     else:
         figure = draw_sensitivities(chosen)
-    figure.suptitle(_title(chosen), fontsize=10, parse_math=False, x=0.01, ha="left")
+    head(figure, _title(chosen))
     return figure
 
 

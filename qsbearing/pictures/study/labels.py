@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from xarray import DataArray
 
 _NAMES = {
@@ -83,43 +85,72 @@ def value_label(values: DataArray, number: float) -> str:
 
 
 def _printed(unit: str) -> str:
-    return unit.replace("um", "µm")
+    return "°C" if unit == "C" else unit.replace("um", "µm")
 
 
-CLOSEST = 0.025
-"""Of a panel's height: a label nearer than this to another curve says of neither which it is."""
+LETTERS_PER_INCH = 13.0
+"""Of a title's size, counted generously."""
+
+
+def head(figure: Figure, text: str) -> None:
+    """Write what a picture shows above it, in as many lines as its width asks for."""
+    lines = textwrap.wrap(text, int(LETTERS_PER_INCH * figure.get_size_inches()[0]))
+    figure.suptitle("\n".join(lines), fontsize=10, parse_math=False, x=0.01, ha="left")
+
+
+HALF_LETTER, HALF_HEIGHT = 0.0105, 0.028
+"""Of a label, as parts of a panel of 3 inches: half the width of a letter, and half the height of a line."""
+CLOSEST = 0.75
+"""Of half a label: one nearer than this to another curve or label says of neither which it is."""
 
 
 def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) -> None:
     """Write each label on its curve, where the nearest other curve or label is farthest away.
 
     Args:
-        labels: abscissae, ordinates, text and colour of each curve; all share their abscissae.
+        labels: abscissae, ordinates, text and colour of each curve.
     """
-    if not labels:
-        return
-    low, high = axes.get_ylim()
-    heights = (np.array([y for _, y, _, _ in labels]) - low) / (high - low)
-    x = labels[0][0]
-    along = np.linspace(0.0, 1.0, x.size) if np.ptp(x) == 0.0 else (x - x.min()) / np.ptp(x)
-    inside = (along > 0.12) & (along < 0.88)
-    taken: list[tuple[float, float]] = []
-    for number, (_, y, text, colour) in enumerate(labels):
-        others = np.abs(np.delete(heights, number, axis=0) - heights[number])
-        free = np.fmin.reduce(np.vstack([others, np.full((1, x.size), 1.0)]), axis=0)
-        for there, height in taken:  # a label is about five times as wide as high
-            free = np.minimum(free, np.hypot((along - there) / 3.0, heights[number] - height))
-        # Flat stretches are easier to read on than steep ones, and the middle is easier to find.
-        slope = np.abs(np.gradient(heights[number], along)) if x.size > 1 else np.zeros(1)
-        worth = np.minimum(free, 0.12) - 0.02 * slope - 0.02 * np.abs(along - 0.5)
-        known = inside & np.isfinite(y)
-        if not known.any():
-            known = np.isfinite(y)
-        if not known.any():
+    axes.get_xlim(), axes.get_ylim()  # limits that are still to be found are found now
+    to_panel = axes.transData + axes.transAxes.inverted()
+    curves = [_dense(to_panel.transform(np.column_stack([x, y]))) for x, y, _, _ in labels]
+    taken: list[tuple[NDArray, NDArray]] = []
+    for number, (_, _, text, colour) in enumerate(labels):
+        curve, half = curves[number], np.array([HALF_LETTER * max(len(text), 3), HALF_HEIGHT])
+        if not len(curve):
             continue
-        at = int(np.argmax(np.where(known, worth, -np.inf)))
-        if free[at] < CLOSEST:
+        others = np.concatenate([*(each for i, each in enumerate(curves) if i != number), np.empty((0, 2))])
+        free = _nearest(curve / half, others / half)
+        for there, extent in taken:
+            free = np.minimum(free, CLOSEST * (np.abs(curve - there) / (half + extent)).max(axis=1))  # no overlap
+        inside = np.all(np.abs(curve - 0.5) <= 0.49 - half, axis=1)
+        # Flat stretches are easier to read on than steep ones, and the middle is easier to find.
+        slope = np.abs(np.gradient(curve[:, 1]) / np.maximum(np.abs(np.gradient(curve[:, 0])), 1e-9))
+        worth = np.minimum(free, 2.0) - 0.15 * np.minimum(slope, 3.0) - 0.4 * np.abs(curve[:, 0] - 0.5)
+        at = int(np.argmax(np.where(inside, worth, -np.inf)))
+        if not inside[at] or free[at] < CLOSEST:
             continue  # what would only hide other curves; the next panel shows it, or a picture of fewer
-        taken.append((float(along[at]), float(heights[number, at])))
+        taken.append((curve[at], half))
         box = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85}
-        axes.text(x[at], y[at], text, fontsize=7.5, color=colour, ha="center", va="center", bbox=box, zorder=3)
+        axes.text(
+            curve[at, 0], curve[at, 1], text, transform=axes.transAxes, fontsize=7.5, color=colour, ha="center",
+            va="center", bbox=box, zorder=3,
+        )  # fmt: skip
+
+
+def _dense(curve: NDArray) -> NDArray:
+    """A curve by points close to each other; what is not finite is left out."""
+    known = curve[np.isfinite(curve).all(axis=1)]
+    if len(known) < 2:
+        return known
+    length = np.append(0.0, np.cumsum(np.hypot(*np.diff(known, axis=0).T)))
+    even = np.linspace(0.0, length[-1], 300)
+    return np.column_stack([np.interp(even, length, along) for along in known.T])
+
+
+def _nearest(points: NDArray, others: NDArray) -> NDArray:
+    """From each point to the nearest of the others; 10 where there is none."""
+    if not len(others):
+        return np.full(len(points), 10.0)
+    from scipy.spatial import cKDTree
+
+    return np.asarray(cKDTree(others).query(points)[0])

@@ -78,7 +78,7 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
             marker = {"marker": style["marker"], "markersize": 3.5} if x.size <= WITH_MARKERS else {}
             face = {"markerfacecolor": "none"} if which == "outer" else {}
             drawing: dict[str, Any] = {key: style[key] for key in ("color", "linestyle")} | marker | face
-            (drawn,) = axes.plot(x, line, linewidth=1.3, **drawing)
+            (drawn,) = axes.plot(x, line, linewidth=1.3, clip_on=not marker, **drawing)
             if low is not None and high is not None and not np.allclose(low, high, equal_nan=True):
                 band = axes.fill_between(x, low, high, color=style["color"], alpha=0.13, linewidth=0.0)
                 is_sampled = SAMPLE in results[name].dims
