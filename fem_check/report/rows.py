@@ -49,16 +49,17 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
     return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
 
 
-HEADINGS = ("quantity", "unit", "reference", "found", "deviation %", "± %", "tolerance %", "verdict")
-ALIGN = "llrrrrrl"
+HEADINGS = ("quantity", "reference", "found", "deviation %", "± %", "tolerance %", "verdict")
+ALIGN = "lrrrrrl"
 
 
 def cells(row: Row) -> list[Cell]:
     """The cells of a row below `HEADINGS`."""
     factor, unit = UNITS.get(row["unit"], (1.0, row["unit"] or ""))
     return [
-        quantity(row["quantity"]) + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
-        unit,
+        quantity(row["quantity"])
+        + (f", {unit}" if unit else "")
+        + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
         _scaled(row["reference"], factor),
         _scaled(row["found"], factor),
         number(row["deviation_percent"], 2, signed=True),
