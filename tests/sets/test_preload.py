@@ -205,3 +205,25 @@ def test_life_of_a_set() -> None:
     assert qs.system_life([1.0, np.inf]) == 1.0
     assert qs.system_life([np.inf, np.inf]) == np.inf
     assert qs.system_life([3.0, 2.0]) == pytest.approx((3.0 ** (-10 / 9) + 2.0 ** (-10 / 9)) ** -0.9)
+
+
+@pytest.mark.parametrize("speed", [0.0, 12_000 * qs.rpm])
+@pytest.mark.parametrize("inner, outer", [(20.0, 20.0), (60.0, 20.0), (20.0, 45.0)])
+def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner: float, outer: float) -> None:
+    """By symmetry the shaft of a pair stays: each row is the single bearing held where its preload took it, hot or
+    cold, still or turning; and rings that grow apart take the preload away, from both."""
+    temperatures = {"inner_ring_temperature": inner, "outer_ring_temperature": outer}
+    hot = {name: value + qs.zero_celsius for name, value in temperatures.items()}
+    growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **hot)  # type: ignore[arg-type]
+    effects = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
+    preload = qs.Preload(rigid=720.0)
+    steel = replace(S6210C.ring_material, thermal_expansion=12e-6)
+    bearing = replace(S6210C, ring_material=steel)
+    alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), ring_effects=(growth,), preload=preload, **effects))
+    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, ring_effects=(growth,), **effects))
+    np.testing.assert_allclose(found.axial_loads, alone.load[0], rtol=1e-8, atol=1e-9)
+    np.testing.assert_allclose(found.rows[0].displacement, alone.displacement, rtol=1e-9, atol=1e-15)
+    assert found.preload_at_rest == pytest.approx(720.0, rel=1e-9)
+    assert found.preload_in_operation == pytest.approx(found.axial_loads, rel=1e-8, abs=1e-9)
+    if outer > 20.0 and not speed:
+        assert list(found.preload_state) == ["lost", "lost"]
