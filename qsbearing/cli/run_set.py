@@ -23,7 +23,7 @@ def run_set(
 
     problems = []
     if "--plot" in targets:
-        problems.append("--plot: pictures are of single bearings; --csv writes every ball of every row")
+        problems.append("--plot: pictures of a run are of single bearings; --csv writes every ball of every row")
     if accuracy is not None:
         problems.append("--accuracy: the effects of a set are those that its file names")
     if problems:

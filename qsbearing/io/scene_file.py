@@ -53,7 +53,7 @@ from qsbearing.validation import SceneError, printable
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-SETS_ARE_READ_BY = "Of a set of rows on one shaft, which `qsbearing run` and `qs.load_set` read"
+SETS_ARE_READ_BY = "Of a set of rows on one shaft, which `qsbearing run`, `sweep` and `qs.load_set` read"
 AUTO = "auto"
 """In place of the table of effects: they are chosen to a tolerance."""
 DEFAULT_TOLERANCE = 0.01

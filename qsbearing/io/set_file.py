@@ -43,7 +43,12 @@ def load_scene_or_set(source: str | os.PathLike[str]) -> Scene | BearingSet:
         SceneFileError: everything that is wrong with it, at once.
     """
     document, file, label = document_of(source)
-    return set_of(document, file, label) if set(document) & set(SET_SECTIONS) else scene_of(document, file, label)
+    return set_of(document, file, label) if is_set(document) else scene_of(document, file, label)
+
+
+def is_set(document: dict[str, Any]) -> bool:
+    """Whether these tables are those of a set."""
+    return bool(set(document) & set(SET_SECTIONS))
 
 
 def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:

@@ -187,10 +187,10 @@ def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
     kind = None if of.preload is None else of.preload.kind
     errors = []
     if kind == "spring" and not sprung:
-        cause = "Give sprung = true to each row whose outer ring the spring presses"
+        cause = "Give sprung = true to each row whose outer ring it presses"
         errors.append(ErrorDetail("preload.spring", "presses no row", cause=cause))
     if kind != "spring" and sprung:
-        cause = "Give the spring's force, or leave sprung out"
+        cause = "Give its force, or leave sprung out"
         errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
     if len({str(row.carries) for row in sprung}) > 1:
         cause = "Spring the rows of one direction; the others stand against them"

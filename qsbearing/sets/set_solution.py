@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.columns import DISPLACEMENT, LOAD
-from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets import set_messages
@@ -18,7 +18,7 @@ from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.solution import Index, Solution, place_of
-from qsbearing.status import STATUS_OF_CODE
+from qsbearing.status import STATUS_OF_CODE, Reason
 
 LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
@@ -114,6 +114,18 @@ class SetSolution:
         return self._shaped(names[self._outcome.status])
 
     @property
+    def reason(self) -> Any:
+        """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
+        names = np.full(self._outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        names[self._outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
+        for number in np.unique(self._outcome.fault[self._outcome.fault >= 0]):
+            own = np.asarray(self.rows[number].reason).reshape(-1)
+            at = self._outcome.fault == number
+            names[at] = own[at]
+        names[self._outcome.status != NO_EQUILIBRIUM] = ""
+        return str(names[0]) if not self.shape else self._shaped(names)
+
+    @property
     def residual(self) -> Any:
         """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
         return self._shaped(self._outcome.residual)
@@ -157,10 +169,16 @@ class SetSolution:
         ]
         return np.asarray(self._shaped(self._known(np.stack(parts, axis=1)), len(parts), 5))
 
-    @property
+    @cached_property
     def load(self) -> NDArray:
-        """On the shaft, reactions of prescribed displacements included: the sum of the rows; shape (*cases, 5)."""
-        return np.asarray(self.row_loads.sum(axis=-2))
+        """On the shaft: what was prescribed, or the rows' reaction to a prescribed displacement; shape (*cases, 5)."""
+        load = self.row_loads.sum(axis=-2)
+        for i, channel in enumerate(CHANNELS):
+            given = getattr(self.set.operation, channel.load)
+            if getattr(self.set.operation, channel.displacement) is None:
+                prescribed = np.asarray(0.0 if given is None else given, float)
+                load[..., i] = np.where(np.isnan(load[..., i]), np.nan, prescribed)
+        return np.asarray(load)
 
     @cached_property
     def axial_loads(self) -> NDArray:

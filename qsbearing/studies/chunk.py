@@ -12,6 +12,9 @@ from qsbearing import quantities
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.solve import solve_set
 from qsbearing.solution import Solution
 from qsbearing.solver import solve
 from qsbearing.status import Reason
@@ -84,8 +87,16 @@ def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1) -> Ch
     chunk = empty_chunk(plan, count, ("", *map(str, Reason), *why))
     chunk.reason[:] = np.where(possible, 0, impossible + len(Reason))
     if scene is not None:
-        put(plan, chunk, np.flatnonzero(possible), solve(replace(scene, **plan.chosen or {}), threads=threads))
+        put(plan, chunk, np.flatnonzero(possible), _solved(scene, plan.chosen, threads))
     return chunk
+
+
+def _solved(
+    scene: Scene | BearingSet, chosen: dict[str, Any] | None, threads: int | None = None
+) -> Solution | SetSolution:
+    if isinstance(scene, BearingSet):
+        return solve_set(scene, threads=threads)
+    return solve(replace(scene, **chosen or {}), threads=threads)
 
 
 def empty_chunk(plan: Plan, count: int, reasons: tuple[str, ...]) -> Chunk:
@@ -99,7 +110,7 @@ def empty_chunk(plan: Plan, count: int, reasons: tuple[str, ...]) -> Chunk:
     return Chunk(status, np.zeros(count, np.int16), reasons, np.zeros(count, np.int32), residual, results)
 
 
-def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution) -> None:
+def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution | SetSolution) -> None:
     """Put the cases of a solution to these points of a chunk."""
     chunk.status[numbers] = _codes(solution.status, STATUSES)
     chunk.reason[numbers] = _codes(solution.reason, chunk.reasons)
@@ -122,16 +133,19 @@ def _codes(words: Any, known: tuple[str, ...]) -> NDArray:
     return out
 
 
-def plan_of(study: Study, scene: Scene, points: Points) -> Plan:
+def plan_of(study: Study, scene: Scene | BearingSet, points: Points) -> Plan:
     """What to keep of every point, by a look at what one of them gives.
 
     Raises:
         SceneFileError: a name that no result has, or that this scene does not call for.
     """
-    counts = next((each.values for each in study.axes if each.key == "ball_count"), (float(scene.bearing.ball_count),))  # type: ignore[arg-type]
+    own = [row.bearing for row in scene.rows] if isinstance(scene, BearingSet) else [scene.bearing]
+    of_scene = tuple(float(bearing.ball_count) for bearing in own)  # type: ignore[arg-type]
+    counts = next((each.values for each in study.axes if each.key == "ball_count"), of_scene)
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
-    chosen = None if scene.tolerance is None else _chosen_effects(study, points)
-    known = known_results(solve(replace(scene, **chosen or {})))
+    is_chosen = not isinstance(scene, BearingSet) and scene.tolerance is not None
+    chosen = _chosen_effects(study, points) if is_chosen else None
+    known = known_results(_solved(scene, chosen))
     kept: list[Result | FileErrorDetail | None]
     if study.quantities:
         kept = [_asked(study, name, known) for name in study.quantities]
@@ -139,7 +153,8 @@ def plan_of(study: Study, scene: Scene, points: Points) -> Plan:
         if errors:
             raise SceneFileError(study.file, errors)
     else:
-        names = known if points.count * ball_axis <= ALL_UP_TO else MAIN
+        is_small = points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet)
+        names = known if is_small else MAIN
         kept = [find(name, known) for name in names]
     return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
 
@@ -171,7 +186,7 @@ def _chosen_effects(study: Study, points: Points) -> dict[str, Any]:
         parts.append({key: np.broadcast_to(array, count)[some] for key, array in values.items()})
     together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
     scene = scene_of_points(study, together, next(iter(together.values())).size).scene
-    if scene is None:
+    if scene is None or isinstance(scene, BearingSet):
         return {}
     found = choose(scene).scene
     return {each.name: getattr(found, each.name) for each in fields(found) if each.name not in OWN_OF_A_POINT}

@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import quantities
+from qsbearing.sets.set_quantities import SetQuantity, set_quantities
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
 
 OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
@@ -32,8 +34,10 @@ class Result(NamedTuple):
     """Its name in a table, with the unit."""
 
 
-def known_results(solution: Solution) -> dict[str, Result]:
+def known_results(solution: Solution | SetSolution) -> dict[str, Result]:
     """Every result that this solution gives, by its name."""
+    if isinstance(solution, SetSolution):
+        return {each.name: Result(each.name, each.unit, False, each.column) for each in _of_set(solution).values()}
     found = {}
     for quantity in quantities.ALL.values():
         if quantity.read(solution) is not None:
@@ -85,8 +89,22 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     )
 
 
-def read(solution: Solution, results: Iterable[Result]) -> dict[str, NDArray]:
+def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:
+    """Results of shaft and rows, and the readings of each row that are the bearing's own."""
+    found = set_quantities(solution)
+    for number, row in enumerate(solution.rows, 1):
+        for column, (is_per_ball, values) in _readings(row).items():
+            if not is_per_ball:
+                name, unit = _without_unit(f"row_{number}_{column}")
+                found[name] = SetQuantity(name, unit, f"row_{number}_{column}", lambda values=values: values)  # type: ignore[misc]
+    return found
+
+
+def read(solution: Solution | SetSolution, results: Iterable[Result]) -> dict[str, NDArray]:
     """The values of these results over the cases, and the balls of those that each ball has."""
+    if isinstance(solution, SetSolution):
+        quantities_of_set = _of_set(solution)
+        return {result.name: quantities_of_set[result.name].read() for result in results}
     readings: dict[str, tuple[bool, NDArray]] | None = None
     found: dict[str, Any] = {}
     kept: dict[str, Any] = {}  # what is read once and shown as largest and smallest

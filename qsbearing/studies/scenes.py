@@ -12,9 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import scene_of
+from qsbearing.io.set_file import is_set, set_of
 from qsbearing.material import BY_NAME
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.studies import keys
 from qsbearing.studies.study import Study, ball_count_of
 from qsbearing.studies.variables import Axis, Distribution
@@ -27,7 +29,7 @@ distribution without limits goes where it means nothing)."""
 class PossibleScene(NamedTuple):
     """The scene of those points of a chunk that describe a bearing."""
 
-    scene: Scene | None
+    scene: Scene | BearingSet | None
     """Over the possible points, one case axis; None where no point is possible."""
     possible: NDArray
     """Which they are; shape (point,)."""
@@ -67,13 +69,13 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
     return PossibleScene(None, possible, reason, tuple(reasons))
 
 
-def _over_one_axis(scene: Scene, count: int) -> Scene:
+def _over_one_axis(scene: Scene | BearingSet, count: int) -> Scene | BearingSet:
     """The scene of so many points, even where nothing varies but what its readings take."""
     azimuth = np.broadcast_to(scene.operation.first_ball_azimuth, count)
     return replace(scene, operation=replace(scene.operation, first_ball_azimuth=azimuth))
 
 
-def base_scene(study: Study) -> Scene:
+def base_scene(study: Study) -> Scene | BearingSet:
     """The study's scene at one of its points; the first possible of its first, middle and last.
 
     Raises:
@@ -120,7 +122,7 @@ def _in_short(error: SceneFileError) -> str:
     return f"{first.key}: {first.problem}" if isinstance(first, FileErrorDetail) else str(first)
 
 
-def check(study: Study) -> Scene:
+def check(study: Study) -> Scene | BearingSet:
     """The study's scene at one point, after a look at all that can be wrong with the study as a whole.
 
     Raises:
@@ -131,13 +133,20 @@ def check(study: Study) -> Scene:
     return scene
 
 
+def label_of(scene: Scene | BearingSet) -> str:
+    """What a study is of."""
+    if isinstance(scene, BearingSet):
+        return scene.name or "a set"
+    return scene.bearing.name or "a bearing"
+
+
 def _value(variable: Axis | Distribution, at: float) -> NDArray:
     if isinstance(variable, Distribution):
         return variable.at(np.asarray(0.5))
     return np.asarray(variable.values[round(at * (len(variable.values) - 1))])
 
 
-def _scene(study: Study, values: dict[str, NDArray]) -> Scene:
+def _scene(study: Study, values: dict[str, NDArray]) -> Scene | BearingSet:
     document = copy.deepcopy(study.document)
     coefficients: dict[str, NDArray] = {}
     deviations: dict[int, NDArray] = {}
@@ -156,7 +165,8 @@ def _scene(study: Study, values: dict[str, NDArray]) -> Scene:
         diameter = _ball_diameter(document, study)
         for radius, value in coefficients.items():
             document["bearing"][radius] = _plain(value * diameter)
-    return scene_of(document, study.file, study.label)
+    made = set_of if is_set(document) else scene_of
+    return made(document, study.file, study.label)
 
 
 def _ball_diameter(document: dict[str, Any], study: Study) -> ArrayLike:
@@ -183,6 +193,8 @@ def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDAr
     table[key.path[-1]] = _plain(value)
     for path in key.replaces:
         name, _, replaced = path.partition(".")
+        if is_set(document) and name != key.path[0]:
+            continue  # a set's preload leaves the shaft its axial channel
         other = document.get(name)
         if isinstance(other, dict) and other.pop(replaced, None) is not None and not other:
             del document[name]

@@ -13,7 +13,7 @@ from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
 from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.scenes import check
+from qsbearing.studies.scenes import check, label_of
 from qsbearing.studies.study import Study
 from qsbearing.threads import thread_count
 
@@ -98,7 +98,7 @@ def _checked(study: Study, count: int) -> tuple[Plan, str]:
         errors += error.errors
     if errors:
         raise SceneFileError(study.file, errors)
-    return plan, scene.bearing.name or "a bearing"
+    return plan, label_of(scene)
 
 
 def _base_samples(study: Study, count: int) -> Iterator[dict[str, NDArray]]:

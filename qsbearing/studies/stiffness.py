@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.chooser.choose import solve
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.rotordynamics import stiffness_columns
+from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check, scene_of_points
@@ -23,7 +25,9 @@ def stiffness_of(study: Study, *, mirrored: bool = False) -> dict[str, NDArray]:
     Raises:
         SceneError: the study is wrong whatever the point; every error, at once.
     """
-    check(study)
+    if isinstance(check(study), BearingSet):
+        cause = "qs.solve_set(...).stiffness and qs.to_ross take sets"
+        raise SceneFileError(study.file, [FileErrorDetail("[[rows]]", "a table of a single bearing's", cause=cause)])
     points = Points(study)
     parts = [_of_chunk(study, points, number, mirrored) for number in range(points.chunk_count)]
     names = max(parts, key=len)
@@ -38,7 +42,7 @@ def _of_chunk(study: Study, points: Points, number: int, mirrored: bool) -> dict
     scene, possible, reason, reasons = scene_of_points(study, values, count)
     out = {key: np.broadcast_to(value, count) for key, value in values.items()}
     why = np.array(["", *reasons])[reason]
-    if scene is None:
+    if scene is None or isinstance(scene, BearingSet):
         return out | {"status": np.full(count, IMPOSSIBLE), "reason": why}
     for name, column in stiffness_columns(solve(scene), mirrored=mirrored).items():
         others = {"status": np.full(count, IMPOSSIBLE, object), "reason": why.astype(object)}

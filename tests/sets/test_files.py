@@ -219,7 +219,7 @@ def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     path = written(tmp_path, PAIR)
     pictured = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
     assert pictured.exit_code == 2
-    assert "pictures are of single bearings" in pictured.stderr and "--accuracy" in pictured.stderr
+    assert "are of single bearings" in pictured.stderr and "--accuracy" in pictured.stderr
     assert not (tmp_path / "a.png").exists()
     overloaded = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
     path = written(tmp_path, overloaded)
@@ -230,8 +230,8 @@ def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     shown: dict[str, Any] = json.loads(run(path, "--json").stdout)
     assert shown["status"] == "no_equilibrium" and shown["stiffness_SI"] is None
     assert "gives way" in shown["message"]
-    for command in ("explain", "sweep"):
-        options = ["--vary", "speed_rpm=0,1"] if command == "sweep" else []
+    for command in ("explain", "stiffness"):
+        options = ["--vary", "speed_rpm=0,1"] if command == "stiffness" else []
         other = CliRunner().invoke(cli, [command, str(path), *options])
         assert other.exit_code == 2
-        assert "Of a set of rows on one shaft" in other.stderr
+        assert "Of a set of rows on one shaft" in other.stderr or "a table of a single bearing" in other.stderr

@@ -1,0 +1,66 @@
+"""Sweeps of a set: the keys of its file over ranges, to the numbers that Python finds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from tests.sets.test_files import PAIR, written
+
+pytest.importorskip("xarray")
+
+
+def test_a_sweep_finds_what_python_does(tmp_path: Path) -> None:
+    """Preload, load and speed; a preload that varies leaves the shaft its axial load."""
+    path = written(tmp_path, PAIR + "[readings.life]\n")
+    vary = {"speed_rpm": [0, 5000, 12000], "rigid_N": [240, 720], "axial_load_N": [0, 200]}
+    found = qs.sweep(qs.Study.of(path, vary))
+    assert dict(found.sizes) == {"speed_rpm": 3, "rigid_N": 2, "axial_load_N": 2}
+    assert (found["status"] == 0).all()
+    speed = np.array([0.0, 5000.0, 12000.0])[:, None, None] * qs.rpm
+    base = qs.load_set(path)
+    operation = replace(base.operation, speed=speed, axial_load=np.array([0.0, 200.0]))
+    by_hand = qs.solve_set(replace(base, operation=operation, preload=qs.Preload(rigid=np.array([[240.0], [720.0]]))))
+    life = qs.readings.life(by_hand.rows[1]).basic_reference_rating_life
+    for name, values in {
+        "row_1_axial_load": by_hand.axial_loads[..., 0],
+        "row_2_preload_at_rest": by_hand.preload_at_rest[..., 1],  # type: ignore[index]
+        "row_2_preload_in_operation": by_hand.preload_in_operation[..., 1],  # type: ignore[index]
+        "row_2_inner_load_max": by_hand.rows[1].inner.load.max(axis=-1),
+        "shaft_displacement_axial": by_hand.displacement[..., 0] / qs.um,
+        "shaft_effective_stiffness_axial": by_hand.effective_stiffness[..., 0] * qs.um,
+        "row_2_life_basic_reference_rating_life": life / 1e6,
+    }.items():
+        np.testing.assert_allclose(found[name], values, rtol=1e-9, atol=1e-12, err_msg=name)
+    assert found["row_1_axial_load"].attrs["units"] == "N"
+
+
+def test_points_without_equilibrium_stay(tmp_path: Path) -> None:
+    sprung = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true')
+    study = qs.Study.of(written(tmp_path, sprung), {"axial_load_N": [-900, 0], "ball_diameter_mm": [12.7, 40.0]})
+    found = qs.sweep(study)
+    meanings = found["status"].attrs["flag_meanings"].split()
+    words = [[meanings[int(code)] for code in row] for row in found["status"].values]
+    assert words == [["no_equilibrium", "impossible"], ["converged", "impossible"]]
+    reasons = found["reason"].attrs["flag_meanings"].split()
+    assert reasons[int(found["reason"][0, 0])] == "open_side"
+    assert np.isnan(found["row_1_axial_load"][0]).all()
+
+
+def test_the_command_sweeps_a_set(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    path, out, picture = written(tmp_path, PAIR), tmp_path / "out.nc", tmp_path / "out.png"
+    options = ["--vary", "speed_rpm=0:12000:4", "--vary", "rigid_N=240,720", "--out", str(out), "--plot", str(picture)]
+    done = CliRunner().invoke(cli, ["sweep", str(path), *options], catch_exceptions=False)
+    assert done.exit_code == 0
+    assert "row_1_axial_load" in done.stdout
+    assert picture.stat().st_size > 10_000
+    assert qs.open_results(out)["shaft_load_axial"].values == pytest.approx(200.0, rel=1e-15)
+    wrong = CliRunner().invoke(cli, ["sweep", str(path), "--vary", "spring_N=1,2"])
+    assert wrong.exit_code == 2 and "whose outer ring it presses" in wrong.stderr
