@@ -78,7 +78,7 @@ def test_a_set_that_is_not_solved_says_so() -> None:
     rows = qs.Row(bearing), qs.Row(bearing, position=0.02)
     solution = qs.solve_set(qs.BearingSet(rows, qs.Operation(speed=SPEEDS, axial_load=-500.0)))
     said = errors(solution.to_ross, 0)["status"]
-    assert "3 of 3 cases: no_equilibrium. solution.message(0) says why" in said
+    assert "3 of 3 cases: no_equilibrium (unsupported). solution.message(0) says why" in said
     assert "row" in solution.message(0)
 
 
