@@ -340,7 +340,7 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
     try:
         folder = records or (out if records_store.read_all(out) else records_store.FOLDER)
         found = evidence.read(folder)
-        written = files.write(found, None if previous is None else evidence.read(previous), out)
+        written = files.write(found, None if previous is None else evidence.read(previous, alone=True), out)
     except (records_store.RecordError, OSError) as problem:
         refuse(str(problem))
     console = Console(soft_wrap=True, highlight=False)

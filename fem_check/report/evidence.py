@@ -87,8 +87,12 @@ class Evidence:
         yield from (each for each in (*others, self.auto_accuracy, self.scipy, self.gate) if each is not None)
 
 
-def read(records: Path = records_store.FOLDER) -> Evidence:
+def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     """All that a folder of records holds; what only the package or the repository has is taken from there.
+
+    Args:
+        records: laid out as those that come with the package.
+        alone: take what is compared row by row, the checks and the book, from this folder and from nowhere else.
 
     Raises:
         records_store.RecordError: a file that is no record, or a folder without any record of a check.
@@ -106,7 +110,7 @@ def read(records: Path = records_store.FOLDER) -> Evidence:
     return Evidence(
         records,
         checks,
-        _book(records) or _book(records_store.FOLDER),
+        _book(records) or ({} if alone else _book(records_store.FOLDER)),
         _cost(records) or _cost(records_store.FOLDER),
         _elsewhere("tests/reference/table.json", "python -m tests.reference.table"),
         _elsewhere("tests/relations.json", "python -m tests.relations"),

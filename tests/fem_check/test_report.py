@@ -145,9 +145,13 @@ def test_changes_since_other_records_are_told(records: Path, tmp_path: Path) -> 
     same = validation.document(now, without_the_rest(evidence.read(before)))
     assert "0 of them found otherwise" in Page.of(html(same)).text
     change(records, "hertz_formula", digit)
-    text = Page.of(html(validation.document(without_the_rest(evidence.read(records)), evidence.read(before)))).text
+    text = Page.of(
+        html(validation.document(without_the_rest(evidence.read(records)), evidence.read(before, alone=True)))
+    ).text
     assert "1 of them found otherwise" in text
-    assert re.search(r"New:\s+body_size: 4 rows", text)
+    assert re.search(r"New:\s+body_size, quick: 4 rows", text)
+    assert evidence.read(before).book
+    assert not evidence.read(before, alone=True).book
 
 
 def test_commits_that_differ_are_said(records: Path) -> None:

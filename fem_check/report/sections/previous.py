@@ -48,9 +48,11 @@ def section(now: Evidence, before: Evidence | None) -> Section:
 
 
 def _rows(evidence: Evidence) -> dict[tuple[str, str, str], Row]:
+    """By check and level, case, quantity: one level is not compared with another."""
+    named = [(f"{name}, {kept.data['level']}", kept) for name, kept in evidence.checks.items()]
     return {
         (name, row["case"], row["quantity"]): row
-        for name, kept in (*evidence.checks.items(), *evidence.book.items())
+        for name, kept in (*named, *evidence.book.items())
         for row in kept.data["rows"]
     }
 
