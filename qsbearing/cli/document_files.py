@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import importlib.util
 from contextlib import ExitStack
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qsbearing.cli.output import refuse
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from qsbearing.documents.model import Document
 
@@ -26,6 +26,8 @@ def check_installed(what: str, needed: tuple[str, ...] = NEEDED) -> None:
 
 def folder(target: str) -> Path:
     """The folder of that name, made if it is not there; ends with exit code 2 where there cannot be one."""
+    from pathlib import Path  # not above: it costs --help its time
+
     path = Path(target)
     try:
         path.mkdir(parents=True, exist_ok=True)

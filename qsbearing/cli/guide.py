@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -12,6 +10,8 @@ from qsbearing.cli.document_files import check_installed, folder, write
 from qsbearing.cli.output import print_table, print_text, refuse
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from qsbearing.documents.guide import Page
 
 
@@ -28,6 +28,8 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
 
     pages = topics()
     if topic is not None and topic not in pages:
+        import difflib
+
         near = difflib.get_close_matches(topic, pages, 1)
         refuse(f"no topic {topic}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
     if target is not None or is_opened:

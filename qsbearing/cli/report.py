@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -27,6 +26,8 @@ def report(scene: str, out: str) -> None:
 
     Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input.
     """
+    from pathlib import Path
+
     check_installed("report")
     asked = load(scene)
     solution = solve(asked)
