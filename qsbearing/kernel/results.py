@@ -74,34 +74,35 @@ def put(asked: int, tables: ndarray, what: int, out: ndarray, k: int, j: int, va
 
 @kernel
 def read_contact(
-    case: recarray, ball: recarray, side: float, friction: float, ellipse: tuple[float, ...], asked: int,
-    tables: ndarray, out: ndarray, k: int, j: int,
+    case: recarray, ball: recarray, side: float, friction: float, ellipse: tuple[float, ...],
+    units: tuple[float, float, float], asked: int, tables: ndarray, out: ndarray, k: int, j: int,
 ) -> None:  # fmt: skip
     """What is asked for of one contact, SI; side: INNER_SIDE or OUTER_SIDE; ellipse: of `ellipse_at`.
 
     A ball at rest that touches neither raceway has no determined position, and so no angle.
     """
+    length, force, pressure = units
     n1, n2, delta = ball.outer_sine, ball.outer_cosine, ball.outer_approach
     if side < 0:
         n1, n2, delta = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     load, _ = contact_load(groove_stiffness(case, ball, side, n1, n2)[0], delta)
     if load == 0.0 and not is_moving(case):
         n1, n2, delta = nan, nan, nan
-    put(asked, tables, LOAD, out, k, j, load * case.force)
+    put(asked, tables, LOAD, out, k, j, load * force)
     if asked & 1 << ANGLE:
         out[tables[ANGLE], k, j] = atan2(n1, n2)
     put(asked, tables, SINE, out, k, j, n1)
     put(asked, tables, COSINE, out, k, j, n2)
-    put(asked, tables, APPROACH, out, k, j, delta * case.length)
+    put(asked, tables, APPROACH, out, k, j, delta * length)
     if asked & 1 << REQUIRED_FRICTION:
         needed = 0.0
         if friction != 0.0:
             needed = friction / load if load > 0.0 else nan
         out[tables[REQUIRED_FRICTION], k, j] = needed
     root = sqrt(delta) if load > 0.0 else 0.0
-    put(asked, tables, SEMI_MAJOR_AXIS, out, k, j, ellipse[0] * root * case.length)
-    put(asked, tables, SEMI_MINOR_AXIS, out, k, j, ellipse[1] * root * case.length)
-    put(asked, tables, MAX_PRESSURE, out, k, j, ellipse[2] * root * case.force / (case.length * case.length))
+    put(asked, tables, SEMI_MAJOR_AXIS, out, k, j, ellipse[0] * root * length)
+    put(asked, tables, SEMI_MINOR_AXIS, out, k, j, ellipse[1] * root * length)
+    put(asked, tables, MAX_PRESSURE, out, k, j, ellipse[2] * root * pressure)
 
 
 @kernel
@@ -179,7 +180,9 @@ def read_cases(
             continue
         set_azimuths(case, work, balls)
         set_full_scale(case, work, balls, own[k])
-        out[:, begin + k, case.ball_count :] = nan
+        units = case.length, case.force, case.force / (case.length * case.length)
+        if case.ball_count < out.shape[2]:
+            out[:, begin + k, case.ball_count :] = nan
         for j in range(case.ball_count):
             ball = balls[j]
             restore_ball(case, ball, results[k].displacement, positions[k, j], controls[k, j])
@@ -191,9 +194,9 @@ def read_cases(
             if at_outer & ELLIPSE:
                 outer = ellipse_at(case, ball, OUTER_SIDE, outer)
             if at_inner:
-                read_contact(case, ball, INNER_SIDE, fi, inner, at_inner, tables[AT_INNER], out, begin + k, j)
+                read_contact(case, ball, INNER_SIDE, fi, inner, units, at_inner, tables[AT_INNER], out, begin + k, j)
             if at_outer:
-                read_contact(case, ball, OUTER_SIDE, fo, outer, at_outer, tables[AT_OUTER], out, begin + k, j)
+                read_contact(case, ball, OUTER_SIDE, fo, outer, units, at_outer, tables[AT_OUTER], out, begin + k, j)
             if of_ball:
                 read_motion(case, work, ball, of_ball, tables[OF_BALL], out, begin + k, j)
 

@@ -10,8 +10,18 @@ u is each contact's own entrainment speed and Rx its rolling radius at its own a
 call the first formula "central" are in circulation.)
 
 Range: elastic contacts, fully flooded with oil, isothermal, steady. The fits were computed for loads W of 1e-7 to 1e-6,
-far below a bearing's, and are used beyond by custom. How far the inlet heats by shear is told beside the film by SKF's
-factor (General Catalogue), which was made for friction and is not applied to the film.
+far below a bearing's, and are used beyond by custom.
+
+Shear heats the oil in the inlet, which thins it and the film by the factor
+
+    phi = 1/[1 + 0.1 (1 + 14.8 S^0.83) L^0.64],     L = beta eta (2 u)^2/k,   S: sliding over the sum of the speeds
+
+told beside the isothermal film. It is usually put down to W. Wilson & S. Sheu 1983, whose paper was not at hand: the
+constants and the sum of the speeds are those of github.com/PedroTayer/contact_mechanics and
+github.com/cfernandesFEUP/GEARpie, which agree. They give no range; it was made for rolling line contacts. S is zero
+here: raceway control lets the contact's centre roll, and spin drags in on one side what it holds back on the other.
+SKF's factor for the same (General Catalogue) was made for friction; it is told as well. Films starved of oil are
+thinner still: no source with constants was found.
 """
 
 from __future__ import annotations
@@ -38,7 +48,7 @@ MIXED = 1.0
 """Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""
 
 WARM_INLET = 0.9
-"""SKF's inlet shear heating factor below which the isothermal film is doubtful (chosen: 10 %)."""
+"""Reduction by the heat of the inlet, or SKF's factor for it, below which it is said (chosen: 10 %)."""
 
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis"), AXIS
@@ -54,7 +64,10 @@ class RacewayFilm:
     minimum_thickness: NDArray
     """[m]."""
     film_parameter: NDArray | None
-    """Lambda, the minimum film over the surfaces' combined roughness [-]; None without roughness."""
+    """Lambda, the minimum film over the surfaces' combined roughness [-]; None without roughness. Reduced by the heat
+    of the inlet where that is known."""
+    thermal_reduction: NDArray | None
+    """phi, by which the heat of the inlet reduces both thicknesses [-]; None without the oil's beta and k."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +92,7 @@ def film(
     """Film thickness in every contact of every case.
 
     Args:
-        oil: at its operating temperature; `Lubricant.at` makes one.
+        oil: at its operating temperature; `Lubricant.at` makes one, with the numbers of a mineral oil's heating.
         ball_roughness, raceway_roughness: Rq of the surfaces, root mean square [m]; both, or no film parameter.
 
     Raises:
@@ -138,17 +151,24 @@ def central_shape(k: float) -> float:
     return 1.0 - 0.61 * exp(-0.73 * k)
 
 
+@kernel
+def thermal_reduction(ln_L: float) -> float:
+    """phi of a contact that rolls without sliding, by the logarithm of L."""
+    return 1.0 / (1.0 + 0.1 * exp(0.64 * ln_L))
+
+
 @entry
 def _fill(
-    motion: tuple[Any, ...], side: float, gamma: NDArray, numbers: tuple[NDArray, ...], load: NDArray, sine: NDArray,
-    cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray, begin: int, stop: int, out: NDArray,
+    motion: tuple[Any, ...], side: float, at_reduction: int, at_ratio: int, gamma: NDArray,
+    numbers: tuple[NDArray, ...], load: NDArray, sine: NDArray, cosine: NDArray, semi_major_axis: NDArray,
+    semi_minor_axis: NDArray, begin: int, stop: int, out: NDArray,
 ) -> None:  # fmt: skip
-    """Central and minimum thickness, and the latter over the roughness where the tables are three."""
-    diameter, modulus, eta, xi, roughness = numbers
+    """Central and minimum thickness; tables of the heat's reduction and of the film parameter, unless below zero."""
+    diameter, modulus, eta, xi, roughness, heating = numbers
     k_before, least, central = 0.0, 0.0, 0.0
     for k in range(begin, stop):
         radius, E = 0.5 * diameter[k], modulus[k]
-        ln_G, per_load = log(xi[k] * E), eta[k] / E
+        ln_E, ln_G, ln_eta, ln_heating = log(E), log(xi[k] * E), log(eta[k]), log(4.0 * heating[k])
         for j in range(load.shape[1]):
             if not load[k, j] > 0.0:
                 for i in range(out.shape[0]):
@@ -159,12 +179,16 @@ def _fill(
                 k_before, least, central = ratio, minimum_shape(ratio), central_shape(ratio)
             pace, _, _ = contact_motion(motion, side, sine[k, j], cosine[k, j], k, j)
             Rx = radius * (1.0 + side * gamma[k] * cosine[k, j])
-            ln_U, ln_W = log(per_load * pace * radius / Rx), log(load[k, j] / (E * Rx * Rx))
+            ln_u, ln_R, ln_Q = log(pace * radius), log(Rx), log(load[k, j])
+            ln_U, ln_W = ln_eta + ln_u - ln_E - ln_R, ln_Q - ln_E - 2.0 * ln_R
             thinnest = Rx * minimum_thickness(ln_U, ln_G, ln_W, least)
             out[0, k, j] = Rx * central_thickness(ln_U, ln_G, ln_W, central)
             out[1, k, j] = thinnest
-            if out.shape[0] > 2:
-                out[2, k, j] = thinnest / roughness[k]
+            if at_reduction > 0:
+                out[at_reduction, k, j] = thermal_reduction(ln_heating + 2.0 * ln_u)
+                thinnest *= out[at_reduction, k, j]
+            if at_ratio > 0:
+                out[at_ratio, k, j] = thinnest / roughness[k]
 
 
 def inlet_shear_heating(speed: ArrayLike, pitch_diameter: ArrayLike, kinematic_viscosity: ArrayLike) -> NDArray:
@@ -184,15 +208,26 @@ def _raceway(
     solution: Solution, contacts: RacewayContacts, oil: OilState, side: float, rough: NDArray | None
 ) -> RacewayFilm:
     numbers = BearingNumbers(solution.scene.operating_bearing)
+    is_heated = oil.temperature_viscosity is not None and oil.thermal_conductivity is not None
+    heating: NDArray | float = nan
+    if is_heated:
+        beta, eta, k = (
+            np.asarray(each, float)
+            for each in (oil.temperature_viscosity, oil.dynamic_viscosity, oil.thermal_conductivity)
+        )
+        heating = beta * eta / k
     g, *given = of_cases(
         solution, gamma(solution)[..., 0], numbers.ball_diameter, numbers.modulus(), oil.dynamic_viscosity,
-        oil.pressure_viscosity, nan if rough is None else rough,
+        oil.pressure_viscosity, nan if rough is None else rough, heating,
     )  # fmt: skip
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
-    tables = 2 if rough is None else 3
-    found = filled(solution, tables, _fill, motion_arrays(solution), side, g, tuple(given), *arrays)
-    return RacewayFilm(found[0], found[1], None if rough is None else found[2])
+    at_reduction = 2 if is_heated else -1
+    at_ratio = -1 if rough is None else 2 + is_heated
+    places = side, at_reduction, at_ratio
+    found = filled(solution, max(1, *places[1:]) + 1, _fill, motion_arrays(solution), *places, g, tuple(given), *arrays)
+    parameter, reduction = (None if at < 0 else found[at] for at in (at_ratio, at_reduction))
+    return RacewayFilm(found[0], found[1], parameter, reduction)
 
 
 def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, str]]:
@@ -200,10 +235,14 @@ def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArra
     if oil.is_estimated:
         rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
         found.append((True, f"{rough}, which is 15 % of the film"))
-    if factor is not None:
+    if factor is not None and inner.thermal_reduction is None:
         hot = f"SKF's inlet shear heating factor is below {WARM_INLET:g}"
         found.append((factor < WARM_INLET, f"{hot}: the true film is thinner than this isothermal one"))
     for name, raceway in (("inner", inner), ("outer", outer)):
+        if raceway.thermal_reduction is not None:
+            heated = np.asarray(raceway.thermal_reduction < WARM_INLET).any(axis=-1)
+            much = f"the heat of an {name} contact's inlet takes more than {100 * (1 - WARM_INLET):.0f} % of its film"
+            found.append((heated, f"{much}: thermal_reduction times the isothermal thickness is left"))
         if raceway.film_parameter is not None:
             thin = np.asarray(raceway.film_parameter < MIXED).any(axis=-1)
             found.append((thin, f"a film parameter is below 1: much of that {name} contact is touched by asperities"))

@@ -90,6 +90,7 @@ CONTACT: dict[str, tuple[Shown, ...]] = {
         Shown("central_thickness_um", "central_thickness", um),
         Shown("minimum_thickness_um", "minimum_thickness", um),
         Shown("film_parameter", "film_parameter"),
+        Shown("thermal_reduction", "thermal_reduction"),
     ),
     "friction": (
         Shown("sliding_power_W", "sliding_power"),

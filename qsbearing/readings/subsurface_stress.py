@@ -5,7 +5,8 @@ passes: G. Lundberg & A. Palmgren 1947: with b/a = sqrt((t^2 - 1)(2 t - 1)),
 
     tau0/p0 = sqrt(2 t - 1)/(2 t (t + 1))          z0/b = 1/((t + 1) sqrt(2 t - 1))
 
-Dent: A. Palmgren, as Harris & Kotzalas print it for point contact of hardened bearing steel, ball and raceway together,
+Dent: A. Palmgren, as Harris & Kotzalas print it for point contact of hardened bearing steel, ball and raceway together
+(unconfirmed: the constant is from memory, no text with it was found; below it is held against ISO 76's limit),
 
     depth = 1.3e-7 (Q^2/D) rho_x rho_y             N, mm; rho: sums of both bodies' curvatures in the principal planes
 
