@@ -111,6 +111,16 @@ def test_balls_too_large_for_their_grooves_are_wedged(loads: dict[str, float]) -
     assert one.displacement == pytest.approx(same.displacement, rel=1e-5, abs=1e-15)
 
 
+def test_wedged_balls_press_each_other_without_any_load() -> None:
+    """One ball 2 um larger than six others that fill their grooves: its load is what the others return, Q cos psi."""
+    solution = solved(of(resting(DEEP_GROOVE, axial_load=0.0), [4e-6] + 6 * [2e-6]))
+    load = solution.inner.load
+    assert load.min() > 0.0
+    assert load[0] > 1.05 * load[2:6].max()
+    assert load @ np.cos(solution.azimuth) == pytest.approx(0.0, abs=1e-9 * load.max())
+    assert load @ np.sin(solution.azimuth) == pytest.approx(0.0, abs=1e-9 * load.max())
+
+
 # ------------------------------------------------------------------------------------------------ none, and symmetry
 
 
