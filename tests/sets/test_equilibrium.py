@@ -276,3 +276,28 @@ def test_a_direct_solve_is_what_its_rows_would_find() -> None:
         np.testing.assert_allclose(row.load, alone.load, rtol=1e-9, atol=1e-7)
         np.testing.assert_allclose(row.inner.angle, alone.inner.angle, rtol=1e-9)
         np.testing.assert_allclose(row.stiffness, alone.stiffness, rtol=1e-6, atol=1e-6 * np.abs(alone.stiffness).max())
+
+
+@pytest.mark.parametrize("arrangement", ["DB", "DF", "TBT", "QBC"])
+def test_ordinary_cases_are_solved_directly(monkeypatch: pytest.MonkeyPatch, arrangement: str) -> None:
+    """By the compiled method alone, in few iterations: a wrong slope in it would be slow and nothing else."""
+
+    def refuse(*given: object) -> None:
+        raise AssertionError("a case was left to the nested solve")
+
+    monkeypatch.setattr("qsbearing.sets.problem.newton", refuse)
+    generator = np.random.default_rng(3)
+    count = 200
+
+    def random(size: float) -> NDArray:
+        return size * generator.uniform(-1.0, 1.0, count)
+
+    operation = qs.Operation(
+        generator.uniform(500.0, 20_000.0, count) * qs.rpm, axial_load=random(400.0), radial_load_y=random(400.0),
+        radial_load_z=random(300.0), moment_y=random(5.0), moment_z=random(5.0),
+    )  # fmt: skip
+    of = qs.BearingSet(rows(arrangement, S6210C, S6210E), operation, qs.Preload(rigid=700.0), None, BOTH, OUTER)
+    turning = solved(of)
+    assert turning.iterations.mean() < 7.0
+    still = solved(replace(of, ball_effects=(), raceway_control=None))
+    assert still.iterations.mean() < 5.5
