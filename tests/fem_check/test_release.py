@@ -14,7 +14,7 @@ from click.testing import CliRunner, Result
 from fem_check.agreement import Level, Row
 from fem_check.checks import ALL
 from fem_check.cli import cli
-from fem_check.release import drift, gate, limits, manifest, steps, tree
+from fem_check.release import drift, gate, known, limits, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
 from qsbearing import provenance
 
@@ -447,6 +447,17 @@ def test_drift_of_a_campaign():
     (reason,) = _step("campaign wild").wrong(missed)
     assert reason.startswith("the bar is missed") and "wild/1/0/1" in reason
     assert _step("campaign wild").wrong(old) == []
+
+
+def test_known_scenes_pass_by_name_and_only_while_they_are_not_solved():
+    record = record_of("tests/campaign/records/realistic_seed_1_count_500000.json")
+    wrong = _step("campaign realistic").wrong
+    assert set(record["not_converged"]) == set(known.NOT_CONVERGED)
+    assert wrong(record) == []
+    (reason,) = wrong(record | {"not_converged": [*record["not_converged"], "realistic/1/2/3"]})
+    assert reason.startswith("the bar is missed") and "1 not converged, realistic/1/2/3" in reason
+    (reason,) = wrong(record | {"not_converged": record["not_converged"][1:]})
+    assert reason.startswith(record["not_converged"][0]) and "is solved now" in reason
 
 
 def test_drift_of_benchmarks():
