@@ -52,7 +52,9 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
         for each in kept
     )
     words = f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence."
-    return [table, Paragraph(words), Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
+    lost = [name for each in kept for name in each.data["not_converged"]]
+    named = [Paragraph(f"Not converged, by envelope, seed, chunk and number: {', '.join(lost)}.")] if lost else []
+    return [table, Paragraph(words), *named, Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
 
 
 def _hard_cases(kept: Kept | None) -> list[Block]:
