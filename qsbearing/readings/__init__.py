@@ -31,6 +31,7 @@ from qsbearing.readings.life_factors import life_modification_factor, reliabilit
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
 from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequencies
+from qsbearing.readings.pivot_points import PivotPoints, RacewayPivots, pivot_points
 from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import Overrun, RacewayOverrun, overrun
 from qsbearing.readings.shown import reading_columns
@@ -59,10 +60,12 @@ __all__ = [
     "Lubricant",
     "OilState",
     "Overrun",
+    "PivotPoints",
     "RacewayFilm",
     "RacewayFriction",
     "RacewayMotion",
     "RacewayOverrun",
+    "RacewayPivots",
     "RacewayStress",
     "Rating",
     "Series",
@@ -85,6 +88,7 @@ __all__ = [
     "life_modification_factor",
     "overrun",
     "palmgren_torque",
+    "pivot_points",
     "reading_columns",
     "reliability_factor",
     "skf_torque",

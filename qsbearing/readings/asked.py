@@ -32,6 +32,7 @@ from qsbearing.readings.life_factors import viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_errors, spectrum_life
 from qsbearing.readings.lubricant import FREEZING, Lubricant, OilState
 from qsbearing.readings.pass_frequencies import frequencies
+from qsbearing.readings.pivot_points import pivot_points
 from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import overrun, overrun_errors
 from qsbearing.readings.static_rating import static_safety, static_safety_errors
@@ -128,6 +129,7 @@ READINGS: dict[str, Reading] = {
         lambda solution, arguments, oil: friction(solution, **arguments),
         contact_friction.NEEDS,
     ),
+    "pivot_points": Reading(_no_errors, lambda solution, arguments, oil: pivot_points(solution), ball_motion.NEEDS),
     "friction_estimate": Reading(_estimate_errors, _estimates),
     "overrun": Reading(
         lambda scene, arguments, oil: overrun_errors(None if scene is None else scene.operating_bearing, **arguments),

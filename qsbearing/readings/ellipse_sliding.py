@@ -104,7 +104,11 @@ def sliding_table() -> NDArray:
 
 
 def mean_sliding_speed(
-    curvature_speed: NDArray, spin_speed: NDArray, axis_ratio: NDArray, nodes: int = NODES
+    curvature_speed: NDArray,
+    spin_speed: NDArray,
+    axis_ratio: NDArray,
+    nodes: int = NODES,
+    halvings: int = HALVINGS,
 ) -> tuple[NDArray, NDArray]:
     """Sliding speed averaged with the pressure [m/s], so that power = mu Q times it; and c, where it truly rolls.
 
@@ -113,6 +117,7 @@ def mean_sliding_speed(
         spin_speed: s = spin a [m/s].
         axis_ratio: b/a.
         nodes: of the quadrature.
+        halvings: of the interval of c.
 
     Returns:
         Without spin the contact rolls without sliding at |X| = sqrt(c) = 0.347.
@@ -126,7 +131,7 @@ def mean_sliding_speed(
         part = known[start : start + CHUNK]
         t, s, ratio = (each[part] for each in flat)
         low, high = np.zeros_like(t), np.ones_like(t)
-        for _ in range(HALVINGS):
+        for _ in range(halvings):
             c = 0.5 * (low + high)
             backward = _integrals(t, s, ratio, c, nodes)[1] < 0.0
             low, high = np.where(backward, c, low), np.where(backward, high, c)

@@ -97,6 +97,7 @@ CONTACT: dict[str, tuple[Shown, ...]] = {
         Shown("spin_moment_Nmm", "spin_moment", Nmm),
         Shown("hysteresis_power_W", "hysteresis_power"),
     ),
+    "pivot_points": (Shown("near_pivot_mm", "near", mm), Shown("far_pivot_mm", "far", mm)),
     "overrun": (Shown("edge_distance_mm", "edge_distance", mm), Shown("overrun_load_N", "overrun_load")),
     "stress": (
         Shown("max_shear_MPa", "max_shear", MPa),

@@ -127,6 +127,7 @@ READING_TABLES: dict[str, tuple[Key, ...]] = {
         Key("drag_coefficient", "drag_coefficient"),
         Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
     ),
+    "pivot_points": (),
     "friction_estimate": (
         Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
         Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
