@@ -229,7 +229,7 @@ def palmgren_torque(
         lubrication_factor: f0, as the catalogue gives it for the series and the way of lubrication: 1.1 to 4.
 
     f1 = 0.001 (P0/C0)^0.33 for angular contact and 0.0009 (P0/C0)^0.5 for deep groove; P1 = Fa - 0.1 Fr and 3.3 Fa -
-    0.1 Fr, at least Fr.
+    0.1 Fr, at least Fr. Thrust bearings, of nominal angles above 45 degrees: f1 = 0.0012 (Fa/C0)^0.33 and P1 = Fa.
 
     Raises:
         SceneError: numbers out of range; every error, at once.
@@ -248,6 +248,9 @@ def palmgren_torque(
     deep = solution.scene.bearing.kind is BearingKind.DEEP_GROOVE
     f1 = 0.0009 * relative**0.5 if deep else 0.001 * relative**0.33
     P1 = np.maximum((3.3 if deep else 1.0) * axial - 0.1 * radial, radial)
+    is_thrust = BearingNumbers(solution.scene.bearing).is_thrust
+    f1 = np.where(is_thrust, 0.0012 * (axial / static_load_rating) ** 0.33, f1)
+    P1 = np.where(is_thrust, axial, P1)
     speed_part = lubrication_factor * np.where(product >= 2000.0, product, np.nan) ** (2.0 / 3.0) * dm**3 * 1e-7
     return _estimate(solution, speed_part + f1 * P1 * dm)
 

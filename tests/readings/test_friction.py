@@ -214,6 +214,16 @@ def test_estimates_of_a_7210() -> None:
     assert np.isnan(qs.readings.palmgren_torque(slow, **size, static_load_rating=37e3, lubrication_factor=2.0).torque)
 
 
+def test_palmgren_s_estimate_of_a_thrust_bearing() -> None:
+    """By hand: f1 = 0.0012 (Fa/C0)^0.33, P1 = Fa."""
+    steep = replace(B218, free_contact_angle=60 * qs.deg)
+    size = {"bore_diameter": 90e-3, "outside_diameter": 160e-3, "kinematic_viscosity": 20e-6}
+    solution = solved(resting(steep, axial_load=9e3, speed=3000 * qs.rpm))
+    found = qs.readings.palmgren_torque(solution, **size, static_load_rating=400e3, lubrication_factor=2.0)
+    M = 2.0 * (20.0 * 3000) ** (2 / 3) * 125.0**3 * 1e-7 + 0.0012 * (9e3 / 400e3) ** 0.33 * 9e3 * 125.0
+    assert found.torque * 1e3 == pytest.approx(M, rel=1e-9)
+
+
 def test_estimate_of_a_deep_groove_bearing() -> None:
     """Thrust adds to the torque. At the least thrust SKF's own exponents change, and the torque by 14 %."""
     size = {"bore_diameter": 25e-3, "outside_diameter": 62e-3, "kinematic_viscosity": 20e-6}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
 
+import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies.paper import figures
 from qsbearing.studies.paper.statements import HERE, Statement, Verdict, both, falls, judge, rises
@@ -99,6 +101,23 @@ def test_what_the_paper_states_is_judged(results: dict) -> None:
     assert fit.where == "ball_count 8 to 17"
     others = set(verdicts) - {backwards, stiffness.statement.sentence, fit.statement.sentence}
     assert {verdicts[sentence].verdict for sentence in others} == {Verdict.HOLDS}
+
+
+@pytest.mark.parametrize("name", ["life_groove_radius", "life_ball_count"])
+def test_lives_are_those_of_the_reading(name: str) -> None:
+    """At one point of each, and what is stated of them holds."""
+    results = figures.sweep(FIGURES[name].study)
+    assert {judge(statement, results).verdict for statement in FIGURES[name].statements} == {Verdict.HOLDS}
+    scene = qs.load_scene("b218")
+    scene = replace(scene, operation=qs.Operation(speed=10_000 * qs.rpm, axial_load=10 * qs.kN))
+    if name == "life_ball_count":
+        bearing, point = replace(scene.bearing, ball_count=14), results.sel(ball_count=14)
+    else:
+        radius = 0.52 * scene.bearing.ball_diameter
+        bearing = replace(scene.bearing, inner_groove_radius=radius, outer_groove_radius=radius)
+        point = results.sel(groove_radius_coefficient=0.52, method="nearest")
+    life = qs.readings.life(qs.solve(replace(scene, bearing=bearing)))
+    assert float(point["life_inner_life"]) == pytest.approx(float(life.inner_life) / 1e6, rel=1e-9)
 
 
 def test_verdicts_look_at_solved_points_only() -> None:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 SPEED, COUNT, COEFFICIENT, RADIAL = "speed_rpm", "ball_count", "groove_radius_coefficient", "radial_load_y_N"
+LIVES = ("life_basic_reference_rating_life", "life_inner_life", "life_outer_life")
 LITTLE = 0.05
 """A result that moves by less than this part over a whole figure hardly moves (chosen)."""
 
@@ -107,6 +108,29 @@ FIGURES = (
                 lambda results: abs(results["inner_load"] / results["inner_load"].median() - 1.0).isel(ball=0) < LITTLE,
             ),
             Statement("With wider grooves the pressure rises", HERE, rises("inner_max_pressure", COEFFICIENT)),
+        ),
+    ),
+    PaperFigure(
+        "life_groove_radius",
+        "Beyond the paper: rating life of the bearing and of each raceway against the groove radius coefficient",
+        LIVES,
+        statements=(
+            Statement("With wider grooves the life falls", HERE, falls(LIVES[0], COEFFICIENT)),
+            Statement(
+                "The inner raceway lives longer than the outer one",
+                HERE,
+                lambda results: results[LIVES[1]] > results[LIVES[2]],
+            ),
+        ),
+    ),
+    PaperFigure(
+        "life_ball_count",
+        "Beyond the paper: rating life of the bearing and of each raceway against the number of balls",
+        LIVES,
+        statements=(
+            Statement("With more balls the life rises", HERE, rises(LIVES[0], COUNT)),
+            Statement("With more balls the inner raceway's life rises", HERE, rises(LIVES[1], COUNT)),
+            Statement("With more balls the outer raceway's life rises", HERE, rises(LIVES[2], COUNT)),
         ),
     ),
     PaperFigure(
