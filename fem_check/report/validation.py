@@ -110,7 +110,7 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
     )
     return [
         ("Version", _listed(kept.version for kept in records)),
-        ("Commit", _listed(each["commit"] for each in found)),
+        ("Commit", _listed((each["commit"] or "")[:12] for each in found)),
         ("Dates", f"{dates[0]} to {dates[-1]}" if dates else NOT_RECORDED),
         ("Machine", "; ".join(machines) or NOT_RECORDED),
         ("Packages", _packages(records)),
