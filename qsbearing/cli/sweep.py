@@ -104,8 +104,12 @@ def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
     if scheduler is None:
         return None
     _need("distributed")
+    import logging
+
     from distributed import Client
 
+    for name in ("distributed", "distributed.client"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what concerns the user is said in a sentence
     try:
         client = stack.enter_context(Client(scheduler, timeout=5))
     except (OSError, ValueError) as error:
@@ -138,10 +142,27 @@ def _solved(study: Study, executor: Executor | None, out: str | None, resume: bo
             results = solve_all(study, executor, out=place, resume=resume, progress=progress)
     except KeyboardInterrupt:
         _interrupted(out)
+    except _losses(executor) as error:
+        refuse(f"--scheduler: the cluster was lost ({str(error) or type(error).__name__}){_kept(out)}")
     return stack.enter_context(results)
 
 
+def _losses(executor: Executor | None) -> tuple[type[Exception], ...]:
+    """What a cluster raises that is no more there, or whose workers die of a chunk."""
+    if executor is None:
+        return ()
+    from concurrent.futures import CancelledError
+
+    from distributed import KilledWorker
+    from distributed.comm import CommClosedError
+
+    return CancelledError, CommClosedError, KilledWorker
+
+
+def _kept(out: str | None) -> str:
+    return f": finished points are kept in {out}.parts; --resume goes on" if out else ""
+
+
 def _interrupted(out: str | None) -> NoReturn:
-    kept = f": finished points are kept in {out}.parts; --resume goes on" if out else ""
-    note(f"interrupted{kept}")
+    note(f"interrupted{_kept(out)}")
     sys.exit(INTERRUPTED)

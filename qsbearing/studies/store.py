@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,8 @@ import numpy as np
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan
-from qsbearing.studies.points import BLOCK, SAMPLE, Points
+from qsbearing.studies.netcdf import write_netcdf
+from qsbearing.studies.points import Points
 
 if TYPE_CHECKING:
     import xarray
@@ -50,9 +52,10 @@ class Store:
             if not resume:
                 problem = f"an unfinished run has {len(self.finished())} of {points.chunk_count} chunks done"
                 raise _refused(self.folder, problem, "--resume goes on with it; or delete that folder")
-            if json.loads(kept.read_text("utf-8")) != json.loads(json.dumps(identity)):
+            if _json_of(kept) != json.loads(json.dumps(identity)):
                 problem = "holds chunks of another study, or of another version of qsbearing"
                 raise _refused(self.folder, problem, "Delete that folder, or choose another --out")
+            self._drop_damaged()
             return
         try:
             self.folder.mkdir(exist_ok=True)
@@ -69,32 +72,63 @@ class Store:
             problem = f"needs {needed / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left"
             raise _refused(self.out, problem, "Name fewer quantities, or fewer points")
 
+    def _drop_damaged(self) -> None:
+        """Remove chunks that a crash of the whole machine has left incomplete, and what was being written."""
+        for file in self.folder.glob("*.part"):
+            file.unlink()
+        for number in self.finished():
+            try:
+                self.get(number)
+            except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+                (self.folder / f"{number}.npz").unlink()
+
     def finished(self) -> set[int]:
         """Numbers of the chunks that are there."""
         return {int(file.stem) for file in self.folder.glob("*.npz") if file.stem.isdecimal()}
 
     def put(self, number: int, chunk: Chunk) -> None:
-        """Keep a finished chunk."""
+        """Keep a finished chunk.
+
+        Raises:
+            SceneFileError: it cannot be written, as where the disk is full.
+        """
         fields: dict[str, Any] = chunk._asdict() | {"reasons": np.array(chunk.reasons)}
         fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
         temporary = self.folder / f"{number}.part"
-        with temporary.open("wb") as file:
-            np.savez(file, **fields)
-        temporary.replace(self.folder / f"{number}.npz")
+        try:
+            with temporary.open("wb") as file:
+                np.savez(file, **fields)
+            temporary.replace(self.folder / f"{number}.npz")
+        except OSError as error:
+            raise self._unwritten(error) from None
+        finally:
+            temporary.unlink(missing_ok=True)
+
+    def _unwritten(self, error: Exception) -> SceneFileError:
+        why = error.strerror if isinstance(error, OSError) else ""
+        cause = f"Finished points are kept in {self.folder}: make room, then --resume goes on"
+        return _refused(self.out, f"cannot be written: {why or error}", cause)
 
     def get(self, number: int) -> Chunk:
         """A chunk that was kept."""
-        with np.load(self.folder / f"{number}.npz") as file:
+        # Opened here: numpy leaves a damaged file open.
+        with (self.folder / f"{number}.npz").open("rb") as opened, np.load(opened) as file:
             fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons")}
             results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
             return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
 
     def join(self, label: str) -> None:
-        """Write the file from all chunks, in one step as its reader sees it, and remove them."""
+        """Write the file from all chunks, in one step as its reader sees it, and remove them.
+
+        Raises:
+            SceneFileError: it cannot be written, as where the disk is full; the chunks are kept.
+        """
         temporary = self.out.with_name(f".{self.out.name}.part")
         try:
-            self._write_netcdf(temporary, label)
+            write_netcdf(temporary, self.plan, self.points, self._chunks, label)
             temporary.replace(self.out)
+        except (OSError, RuntimeError) as error:  # HDF5 has errors of both kinds
+            raise self._unwritten(error) from None
         finally:
             temporary.unlink(missing_ok=True)
         shutil.rmtree(self.folder)
@@ -102,45 +136,6 @@ class Store:
     def _chunks(self) -> Iterator[tuple[int, Chunk]]:
         for number in range(self.points.chunk_count):
             yield number, self.get(number)
-
-    def _write_netcdf(self, place: Path, label: str) -> None:
-        import h5netcdf
-
-        plan, points = self.plan, self.points
-        reasons = dataset.all_reasons(chunk.reasons for _, chunk in self._chunks())
-        with h5netcdf.File(place, "w") as file:
-            for name, length in zip(points.dims, points.shape, strict=True):
-                file.dimensions[name] = length
-            file.dimensions[dataset.BALL] = plan.ball_axis
-            file.attrs.update(dataset.attributes(plan, label))
-            beside = self._write_coordinates(file)
-            variables = dataset.variables_of(plan, points)
-            for name, (dims, kind, attrs) in variables.items():
-                variable = file.create_variable(name, dims, kind)
-                variable.attrs.update(attrs | (dataset.reason_attributes(reasons) if name == "reason" else {}))
-                if beside:
-                    variable.attrs["coordinates"] = beside
-            for number, chunk in self._chunks():
-                block = points.chunk(number)
-                shape = tuple(part.stop - part.start for part in block)
-                for name, values in dataset.arrays_of(chunk, reasons).items():
-                    file[name][block] = values.reshape(*shape, *values.shape[1:])
-
-    def _write_coordinates(self, file: Any) -> str:
-        """The varied keys; and the names of those that are not an axis themselves."""
-        beside = []
-        for name, (dims, values, attrs) in dataset.coordinates(self.points).items():
-            variable = file.create_variable(name, dims, np.float64)
-            variable.attrs.update(attrs)
-            if dims != (name,):
-                beside.append(name)
-            if dims != (SAMPLE,):
-                variable[...] = values
-        for start in range(0, self.points.study.samples, BLOCK):
-            part = slice(start, min(start + BLOCK, self.points.study.samples))
-            for name, values in self.points.samples(part).items():
-                file[name][part] = values
-        return " ".join(beside)
 
 
 def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
@@ -164,6 +159,14 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
         made = found.attrs.get("qsbearing_version", "another program")
         raise _refused(place, f"is no results file of this version (made by {made})", "Run the sweep again")
     return found
+
+
+def _json_of(place: Path) -> Any:
+    """What a file holds; None where that cannot be read."""
+    try:
+        return json.loads(place.read_text("utf-8"))
+    except ValueError:
+        return None
 
 
 def _write(place: Path, data: bytes) -> None:

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.studies.points import Points
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -41,19 +42,28 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.heavy
 def test_killed_at_ten_moments_and_resumed_gives_the_identical_file(whole: Path, tmp_path: Path) -> None:
-    out = tmp_path / "r.nc"
+    out, parts = tmp_path / "r.nc", tmp_path / "r.nc.parts"
     moments = random.Random(1)
-    for _ in range(10):
+    chunks = Points(Study.of("b218", VARY, samples=SAMPLES)).chunk_count
+    began = time.monotonic()
+    subprocess.run([*COMMAND, "--out", str(tmp_path / "first.nc")], capture_output=True, check=True)
+    duration = time.monotonic() - began
+    (tmp_path / "first.nc").unlink()
+    kept: list[int] = []
+    while len(kept) < 10:
         running = subprocess.Popen(
             [*COMMAND, "--out", str(out), "--resume"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         try:
-            running.wait(moments.uniform(1.5, 4.0))
+            running.wait(moments.uniform(0.4, 1.0) * duration)
         except subprocess.TimeoutExpired:
             running.send_signal(signal.SIGKILL)
             running.wait()
-        if out.exists():
-            break
+            kept.append(len(list(parts.glob("*.npz"))))
+        else:  # it was through before it was killed: once more from the beginning
+            assert out.read_bytes() == whole.read_bytes()
+            out.unlink()
+    assert any(0 < count < chunks for count in kept), "killed in the middle"
     done = subprocess.run([*COMMAND, "--out", str(out), "--resume"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert out.read_bytes() == whole.read_bytes()
@@ -74,7 +84,7 @@ def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen]]]:
         time.sleep(0.1)
     for _ in range(2):
         started.append(subprocess.Popen([*worker, "--scheduler-file", str(contact)], **quiet))  # type: ignore[call-overload]
-    yield json.loads(contact.read_text())["address"], started[1:]
+    yield json.loads(contact.read_text())["address"], started
     for process in reversed(started):
         process.kill()
         process.wait()
@@ -85,7 +95,7 @@ def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen]]]:
 def test_a_cluster_gives_the_same_although_a_worker_dies(
     whole: Path, scheduler: tuple[str, list[subprocess.Popen]], tmp_path: Path
 ) -> None:
-    address, workers = scheduler
+    address, processes = scheduler
     out = tmp_path / "r.nc"
     given = [*COMMAND, "--out", str(out), "--scheduler", address]
     running = subprocess.Popen(given, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -93,10 +103,32 @@ def test_a_cluster_gives_the_same_although_a_worker_dies(
     deadline = time.monotonic() + 240
     while len(list(parts.glob("*.npz"))) < 2 and time.monotonic() < deadline and running.poll() is None:
         time.sleep(0.02)
-    workers[0].kill()
+    processes[1].kill()
     _, said = running.communicate(timeout=300)
     assert running.returncode == 0, said
     with qs.open_results(out) as found, qs.open_results(whole) as expected:
         assert dict(found.sizes) == dict(expected.sizes)
         for name, values in expected.data_vars.items():
             np.testing.assert_array_equal(found[name], values, err_msg=str(name))
+
+
+@pytest.mark.heavy
+@pytest.mark.filterwarnings("ignore")
+def test_a_scheduler_that_is_lost_is_said_and_finished_points_are_kept(
+    whole: Path, scheduler: tuple[str, list[subprocess.Popen]], tmp_path: Path
+) -> None:
+    address, processes = scheduler
+    out, parts = tmp_path / "r.nc", tmp_path / "r.nc.parts"
+    given = [*COMMAND, "--out", str(out), "--scheduler", address]
+    running = subprocess.Popen(given, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 240
+    while len(list(parts.glob("*.npz"))) < 2 and time.monotonic() < deadline and running.poll() is None:
+        time.sleep(0.02)
+    processes[0].kill()
+    _, said = running.communicate(timeout=300)
+    assert running.returncode == 2, said
+    assert "the cluster was lost" in said
+    assert "Traceback" not in said
+    assert len(list(parts.glob("*.npz"))) >= 2
+    subprocess.run([*COMMAND, "--out", str(out), "--resume"], capture_output=True, check=True)
+    assert out.read_bytes() == whole.read_bytes()

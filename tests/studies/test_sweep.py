@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import copy
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -12,8 +14,9 @@ import pytest
 import qsbearing as qs
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
-from qsbearing.studies import keys, points
+from qsbearing.studies import dataset, keys, points
 from qsbearing.studies.results import reading_of
+from qsbearing.studies.store import Store
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -242,6 +245,62 @@ def test_an_interrupted_sweep_goes_on_to_the_identical_file(
     assert (tmp_path / "r.nc").read_bytes() == (tmp_path / "whole.nc").read_bytes()
 
 
+def test_what_a_crash_has_damaged_is_solved_again(
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = Study.of(COMBINED, MANY, samples=20)
+    sweep(study, out=tmp_path / "whole.nc").close()
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            sweep(study, out=tmp_path / "r.nc")
+    parts = tmp_path / "r.nc.parts"
+    for number, left in ((0, 0), (1, 100), (2, 2000)):  # empty, cut at its beginning, cut later
+        file = parts / f"{number}.npz"
+        file.write_bytes(file.read_bytes()[:left])
+    (parts / "3.part").write_bytes(b"half")
+    told: list[int] = []
+    sweep(study, out=tmp_path / "r.nc", resume=True, progress=lambda done, count: told.append(done)).close()
+    assert told[0] == 4 * 20 - (7 + 7 + 6)
+    assert (tmp_path / "r.nc").read_bytes() == (tmp_path / "whole.nc").read_bytes()
+    parts.mkdir()
+    (parts / "plan.json").write_text("{", "utf-8")
+    with pytest.raises(qs.SceneError, match="another study"):
+        sweep(study, out=tmp_path / "r.nc", resume=True)
+
+
+LIMITED = """
+import resource, signal, sys
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
+from qsbearing.cli import cli
+cli(sys.argv[2:])
+"""
+"""The command where no file can grow beyond a size, as on a disk that is full."""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such limit")
+def test_a_disk_that_fills_loses_nothing_finished(tmp_path: Path) -> None:
+    given = ["sweep", "b218", "--samples", "20000", "--vary", "ball_diameter_mm=normal(22.225,0.001)", "--resume"]
+
+    def run(limit: int, out: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-c", LIMITED, str(limit), *given, "--out", str(tmp_path / out)]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+
+    assert run(1 << 40, "whole.nc").returncode == 0
+    for limit, kept in ((1_000_000, {"plan.json", "1.npz"}), (2_000_000, {"plan.json", "0.npz", "1.npz"})):
+        done = run(limit, "r.nc")  # first a chunk of 16,384 points is too large, then only the whole file
+        assert done.returncode == 2, done.stderr
+        assert "cannot be written: File too large" in done.stderr
+        assert "--resume goes on" in done.stderr
+        assert "Traceback" not in done.stderr
+        assert {file.name for file in (tmp_path / "r.nc.parts").iterdir()} <= kept
+        assert {file.name for file in tmp_path.iterdir()} == {"whole.nc", "r.nc.parts"}
+    assert (tmp_path / "r.nc.parts" / "0.npz").exists()
+    assert run(1 << 40, "r.nc").returncode == 0
+    assert (tmp_path / "r.nc").read_bytes() == (tmp_path / "whole.nc").read_bytes()
+
+
 def list_chunks(study: Study) -> range:
     return range(points.Points(study).chunk_count)
 
@@ -270,6 +329,10 @@ def test_files_that_are_no_results_are_refused(tmp_path: Path) -> None:
     xarray.Dataset({"x": 1}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
     with pytest.raises(qs.SceneError, match="another program"):
         qs.open_results(tmp_path / "other.nc")
+    later = xarray.Dataset({"x": 1}, attrs={"qsbearing_format": dataset.FORMAT + 1, "qsbearing_version": "9.0"})
+    later.to_netcdf(tmp_path / "later.nc", engine="h5netcdf")
+    with pytest.raises(qs.SceneError, match=r"no results file of this version \(made by 9.0\)"):
+        qs.open_results(tmp_path / "later.nc")
 
 
 def test_a_solution_as_a_labelled_dataset() -> None:
