@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
-from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -130,9 +130,8 @@ def test_tables_and_columns(tmp_path: Path) -> None:
 
 def test_the_scene_file_of_the_guide() -> None:
     page = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding="utf-8")
-    lines = page[page.index("    [readings]\n") :].splitlines()
-    block = "\n".join(line[4:] for line in takewhile(lambda line: not line or line.startswith("    "), lines))
-    solution = qs.solve(scene_of(BASE | tomllib.loads(block), "the guide"))
+    block = re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)[0]
+    solution = qs.solve(scene_of(tomllib.loads(block), "the guide"))
     assert set(qs.readings.take_asked(solution)) == OF_ONE_POINT
 
 

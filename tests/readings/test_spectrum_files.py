@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
-from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -22,9 +22,7 @@ GUIDE = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding=
 
 def guide_s_file() -> str:
     """The file of the guide's section."""
-    lines = GUIDE[GUIDE.index("## Load spectra") :].splitlines()
-    start = next(i for i, line in enumerate(lines) if line.startswith("    "))
-    return "\n".join(line[4:] for line in takewhile(lambda line: not line or line.startswith("    "), lines[start:]))
+    return re.findall(r"```toml\n(.*?)```", GUIDE[GUIDE.index("## Load spectra") :], flags=re.DOTALL)[0]
 
 
 def document(**changes: Any) -> dict[str, Any]:

@@ -279,6 +279,7 @@ cli(sys.argv[2:])
 """The command where no file can grow beyond a size, as on a disk that is full."""
 
 
+@pytest.mark.heavy
 @pytest.mark.skipif(sys.platform == "win32", reason="no such limit")
 def test_a_disk_that_fills_loses_nothing_finished(tmp_path: Path) -> None:
     given = ["sweep", "b218", "--samples", "20000", "--vary", "ball_diameter_mm=normal(22.225,0.001)", "--resume"]
