@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.kernel.case import CASE, RESULT
+from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
@@ -47,13 +47,13 @@ def solve(
     maker = CaseMaker(scene, _preloaded(scene, mounted))
     count = maker.count
     found = _start(start, maker)
-    cases = np.empty(count, CASE) if count <= KEPT else None
+    made: dict[int, NDArray] = {}
     workers = thread_count(threads)
 
     def solve_stretch(part: slice) -> None:
         records = maker.make(part.start, part.stop)
-        if cases is not None:
-            cases[part] = records
+        if count <= KEPT:
+            made[part.start] = records
         results, positions, controls = (array[part] for array in found)
         memory, own = working_memory(maker.ball_axis), maker.own_balls(records, part.start)
         given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
@@ -64,6 +64,7 @@ def solve(
             solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)
 
     in_threads(solve_stretch, count, workers)
+    cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
     return Solution(maker, cases, *found, time.perf_counter() - began, workers, mounted)
 
 
