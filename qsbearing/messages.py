@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
+from qsbearing.case_index import Index
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
@@ -23,7 +24,7 @@ from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Index, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import MPa, mrad, um
 
 STATIC_PRESSURE_LIMIT = 4200e6

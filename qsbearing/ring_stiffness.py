@@ -9,7 +9,8 @@ effective   the reciprocal of the compliance's diagonal: how its load grows whil
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import fields, is_dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from qsbearing.kernel.results import stiffness_of_cases
 
 if TYPE_CHECKING:
+    from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
 
 SOFTEST = 1e-9
@@ -27,7 +29,7 @@ stiffness, 1e-13, and far below any bearing's ratio of stiffnesses)."""
 def tangents(solution: Solution, part: slice, cases: NDArray) -> NDArray:
     """Stiffness (case, 5, 5), SI, of a stretch of flattened cases."""
     out = np.empty((cases.size, 5, 5))
-    stiffness_of_cases(*solution._given(part, cases), out)
+    stiffness_of_cases(*solution._solved.given(part, cases), out)
     return out
 
 
@@ -41,10 +43,10 @@ def scaled_tangents(solution: Solution, part: slice, cases: NDArray) -> tuple[ND
     return matrix * scale[:, :, None] * scale[:, None, :], scale
 
 
-def stiffness(solution: Solution) -> NDArray:
+def tangents_of_all(solution: Solution) -> NDArray:
     """Stiffness (case, 5, 5), SI, of all flattened cases."""
     out = np.empty((solution._maker.count, 5, 5))
-    for part, cases in solution._stretches():
+    for part, cases in solution._solved.stretches():
         out[part] = tangents(solution, part, cases)
     return out
 
@@ -53,7 +55,7 @@ def compliance(solution: Solution) -> NDArray:
     """Inverse of the stiffness over the free channels (case, 5, 5), SI, of all flattened cases; else NaN."""
     out = np.full((solution._maker.count, 5, 5), np.nan)
     free = solution._free_channels
-    for part, cases in solution._stretches():
+    for part, cases in solution._solved.stretches():
         scaled, scale = scaled_tangents(solution, part, cases)
         regular = np.isfinite(scaled).all((-1, -2))
         regular[regular] = np.linalg.cond(scaled[regular]) < 1.0 / SOFTEST if free.size else False
@@ -61,3 +63,25 @@ def compliance(solution: Solution) -> NDArray:
         inverse = np.linalg.inv(scaled[regular]) * (scale[:, :, None] * scale[:, None, :])[regular]
         out[np.ix_(numbers, free, free)] = inverse
     return out
+
+
+def stiffness(scene: Scene, solution: Solution) -> NDArray:
+    """`solution.stiffness`, after a look at whether the solution is one of this scene.
+
+    Raises:
+        ValueError: the solution belongs to another scene.
+    """
+    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
+        raise ValueError(
+            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
+        )
+    return solution.stiffness
+
+
+def _is_equal(one: Any, other: Any) -> bool:
+    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_equal, one, other))
+    if is_dataclass(one) and type(one) is type(other):
+        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
+    return np.array_equal(one, other)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import fields, is_dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,17 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import ring_stiffness
+from qsbearing.case_index import Index, Place, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
-from qsbearing.kernel.workspace import working_memory
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.scene import Scene
+from qsbearing.solved_cases import SolvedCases
 from qsbearing.status import STATUS_OF_CODE, reasons
-from qsbearing.threads import in_threads
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
@@ -29,17 +28,6 @@ if TYPE_CHECKING:
     import xarray
 
     from qsbearing.judgement import Choice
-
-Place = tuple[int, ...]
-"""The index of one case along each case axis of its solution."""
-Index = int | Place | None
-"""One case, along the case axes of its solution; None where there is a single case."""
-
-CHUNK = 4096
-"""Cases whose records exist at a time while something is read off a large solution."""
-KEPT = 5 * CHUNK
-"""Solutions of up to this many cases keep all their records, 5 MB: most are read for several things, and making records
-takes as long as reading a result."""
 
 CODES = {
     name: getattr(readings, name.upper())
@@ -82,8 +70,7 @@ class Solution:
         self.shape = maker.shape
         self._maker = maker
         self._mounted = mounted
-        self._cases = cases
-        self._own: NDArray | None = None
+        self._solved = SolvedCases(maker, cases, results, positions, controls, threads)
         self._results = results
         self._positions = positions
         self._controls = controls
@@ -91,7 +78,6 @@ class Solution:
         """Wall time of the solve [s]."""
         self.threads = threads
         """At most so many solved it, and read it off."""
-        self._known: dict[tuple[int, int], NDArray] = {}
         self.choice: Choice | None = None
         """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
 
@@ -158,30 +144,6 @@ class Solution:
         place = tuple(map(int, np.unravel_index(number, self.shape)))
         return str(place[0] if len(place) == 1 else place)
 
-    def _stretches(self) -> Any:
-        """(slice, case records) of all cases, some at a time."""
-        self._keep_records()
-        if self._cases is not None:
-            yield slice(0, self._maker.count), self._cases
-            return
-        for start in range(0, self._maker.count, CHUNK):
-            stop = min(start + CHUNK, self._maker.count)
-            yield slice(start, stop), self._maker.make(start, stop)
-
-    def _keep_records(self) -> None:
-        if self._cases is None and self._maker.count <= KEPT:
-            self._cases = self._maker.make()
-        if self._cases is not None and self._own is None:
-            self._own = self._maker.own_balls(self._cases)
-
-    def _given(
-        self, part: slice, cases: NDArray
-    ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
-        """What the kernel reads of a stretch of cases."""
-        memory = working_memory(self._maker.ball_axis)
-        own = self._maker.own_balls(cases, part.start) if self._own is None else self._own[part]
-        return cases, *memory, self._results[part], self._positions[part], self._controls[part], own
-
     def read_at_once(self, contacts: Iterable[str] = (), balls: Iterable[str] = ()) -> None:
         """Read several arrays off in one pass, which takes less time than one after the other as they are asked for.
 
@@ -191,34 +153,14 @@ class Solution:
         """
         of_contacts = [(row, name) for row in (readings.AT_INNER, readings.AT_OUTER) for name in contacts]
         asked = [*of_contacts, *((readings.OF_BALL, name) for name in balls)]
-        self._read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
+        self._solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
 
     def _has(self, name: str) -> bool:
         """Whether the scene calls for an array of contacts or balls."""
         return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
 
-    def _read_all(self, asked: Iterable[tuple[int, int]]) -> None:
-        """Read off, in threads, what is not known yet of these quantities, each by its row and number."""
-        missing = [each for each in asked if each not in self._known]
-        if not missing:
-            return
-        self._keep_records()
-        tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)
-        for table, place in enumerate(missing):
-            tables[place] = table
-        out = np.empty((len(missing), self._maker.count, self._maker.ball_axis))
-
-        def read_stretch(part: slice) -> None:
-            cases = self._maker.make(part.start, part.stop) if self._cases is None else self._cases[part]
-            readings.read_cases(*self._given(part, cases), tables, out, part.start)
-
-        in_threads(read_stretch, self._maker.count, self.threads)
-        for place, values in zip(missing, out, strict=True):
-            self._known[place] = self._shaped(values, self._maker.ball_axis)
-
     def _read(self, row: int, what: int) -> NDArray:
-        self._read_all([(row, what)])
-        return self._known[row, what]
+        return self._solved.read(row, what)
 
     def _read_if(self, asked: object, row: int, what: int) -> NDArray | None:
         return None if asked is None else self._read(row, what)
@@ -275,7 +217,7 @@ class Solution:
         Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
         """
         out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["displacement"], np.nan)
-        for part, cases in self._stretches():
+        for part, cases in self._solved.stretches():
             out[part, :3] *= cases["length"][:, None]
         out[:, 0] += self._maker.axial_datum_shift()
         return self._shaped(out, 5)
@@ -284,7 +226,7 @@ class Solution:
     def load(self) -> NDArray:
         """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
         out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["load"], np.nan)
-        for part, cases in self._stretches():
+        for part, cases in self._solved.stretches():
             out[part] *= cases["force"][:, None]
             out[part, 3:] *= cases["length"][:, None]
         return self._shaped(out, 5)
@@ -400,7 +342,7 @@ class Solution:
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        return self._shaped(ring_stiffness.stiffness(self), 5, 5)
+        return self._shaped(ring_stiffness.tangents_of_all(self), 5, 5)
 
     @cached_property
     def compliance(self) -> NDArray:
@@ -475,39 +417,3 @@ class Solution:
         from qsbearing.rotordynamics import ross_bearing
 
         return ross_bearing.of_solution(self, self.scene.operation.speed, n, index, **arguments)
-
-
-def place_of(index: Index, shape: Place) -> Place:
-    """The index of one case along each case axis of a solution of this shape.
-
-    Raises:
-        ValueError: the index is missing or does not name one case.
-    """
-    given = () if index is None else index if isinstance(index, tuple) else (index,)
-    if len(given) != len(shape) or not all(-n <= i < n for i, n in zip(given, shape, strict=True)):
-        hint = f"{shape} cases; give index, such as {tuple(n - 1 for n in shape)}"
-        found = hint if shape else "a single case; leave index out"
-        raise ValueError(f"index = {index!r} names none of its cases: this solution has {found}")
-    return tuple(int(i) % n for i, n in zip(given, shape, strict=True))
-
-
-def stiffness(scene: Scene, solution: Solution) -> NDArray:
-    """`solution.stiffness`, after a look at whether the solution is one of this scene.
-
-    Raises:
-        ValueError: the solution belongs to another scene.
-    """
-    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
-        raise ValueError(
-            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
-        )
-    return solution.stiffness
-
-
-def _is_equal(one: Any, other: Any) -> bool:
-    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
-    if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(map(_is_equal, one, other))
-    if is_dataclass(one) and type(one) is type(other):
-        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
-    return np.array_equal(one, other)

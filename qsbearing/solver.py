@@ -14,7 +14,8 @@ from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import KEPT, Solution
+from qsbearing.solution import Solution
+from qsbearing.solved_cases import KEPT
 from qsbearing.threads import in_threads, thread_count
 
 TOLERANCE = 1e-12

@@ -8,7 +8,8 @@ from typing import Any
 
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
 from qsbearing.io import catalogue
-from qsbearing.io.scene_file import MODIFIED, load_scene
+from qsbearing.io.bearing_table import MODIFIED
+from qsbearing.io.scene_file import load_scene
 from qsbearing.scene.keys import (
     BEARING,
     EFFECT_TABLES,

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
+from qsbearing.case_index import Place
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Place, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import deg, um
 
 

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.case_index import Place
 from qsbearing.readings.shown import ball_values, case_values
-from qsbearing.solution import Place, Solution
+from qsbearing.solution import Solution
 
 
 def readings_record(solution: Solution, readings: Mapping[str, Any], index: Place = ()) -> dict[str, Any]:

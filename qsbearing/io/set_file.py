@@ -7,10 +7,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from qsbearing.io.effect_tables import find_unused_expansion, ring_effect
+from qsbearing.io.bearing_table import bearing_of
+from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
-from qsbearing.io.scene_file import AUTO, bearing_of, document_of, effects_of, operation_of, preload_of, scene_of
+from qsbearing.io.scene_file import document_of, operation_of, preload_of, scene_of
 from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model
 from qsbearing.io.unknown_key import near, suggest
 from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS, SHAFT

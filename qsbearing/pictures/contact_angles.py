@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from qsbearing.case_index import Place
 from qsbearing.pictures.style import GREY, balls, line_style, mark_lost, plain, raceways
-from qsbearing.solution import Place, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import deg
 
 if TYPE_CHECKING:

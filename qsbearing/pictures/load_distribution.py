@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.case_index import Place
 from qsbearing.pictures.style import balls, line_style, mark_lost, raceways
-from qsbearing.solution import Place, Solution
+from qsbearing.solution import Solution
 
 
 def draw_loads(axes: Any, solution: Solution, place: Place) -> None:

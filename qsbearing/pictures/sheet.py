@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.case_index import Index, Place
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
 from qsbearing.pictures.style import figure_of_size, legend, write_title
-from qsbearing.solution import Index, Place, Solution
+from qsbearing.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

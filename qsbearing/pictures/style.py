@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.ball_messages import FRICTION_BEYOND, FRICTION_IN_DOUBT
+from qsbearing.case_index import Place
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import Place, Solution
+from qsbearing.solution import Solution
 from qsbearing.units import rpm
 
 if TYPE_CHECKING:

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import messages
+from qsbearing.case_index import Index
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import Row
-from qsbearing.solution import Index
 from qsbearing.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.case_index import Index, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.ring_stiffness import SOFTEST
@@ -17,7 +18,7 @@ from qsbearing.sets import set_messages
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
-from qsbearing.solution import Index, Solution, place_of
+from qsbearing.solution import Solution
 from qsbearing.status import STATUS_OF_CODE, Reason
 
 LENGTH_OF_TILTS = 0.1

@@ -203,9 +203,9 @@ def as_left(solution: qs.Solution) -> qs.Solution:
     left = copy.copy(solution)
     for name in [name for name in vars(left) if isinstance(getattr(type(left), name, None), cached_property)]:
         del left.__dict__[name]  # what was read off the cases before
-    left._known = {}
     left._results = solution._results.copy()
     left._results["status"] = 0
+    left._solved = solution._solved.with_results(left._results)
     return left
 
 

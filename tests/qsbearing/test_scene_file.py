@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.io import scene_file
+from qsbearing.io import bearing_table, effects_table, scene_file
 from qsbearing.io.scene_file import load_scene
 from qsbearing.scene import keys as scene_keys
 
@@ -157,7 +157,7 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     # A radial interference is what ring effects leave of a bearing; no file gives one.
     numbers = bearing - {"kind", "name", "radial_interference"} | {"diametral_clearance"}
     assert {key.field for key in scene_keys.BEARING} == numbers
-    models = (scene_file._BEARING, scene_file._OPERATION, scene_file._EFFECTS)
+    models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
         elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES}
         assert set(model.model_fields) == set(scene_keys.SECTIONS[section]) - elsewhere

@@ -1,0 +1,113 @@
+"""The table [bearing] of a scene file becomes a bearing, with a catalogue entry's numbers where it names one."""
+
+from __future__ import annotations
+
+from math import nan
+from typing import Any
+
+import numpy as np
+
+from qsbearing.io import catalogue
+from qsbearing.io.file_errors import FileErrorDetail, translate
+from qsbearing.io.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
+from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.scene.keys import BEARING, MATERIALS
+from qsbearing.units import deg, mm
+from qsbearing.validation import SceneError
+
+MODIFIED = ", modified"
+"""After the name of a catalogue entry of which a scene changes some number."""
+AGREEMENT = 0.005
+"""A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
+tables print both to three or four digits)."""
+
+_BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
+
+
+def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
+    """The bearing of a file's table [bearing]; None where errors were found and added."""
+    if "bearing" not in document:
+        cause = f'At the least name = "{catalogue.entries()[0].name}"'
+        errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
+    table = document.get("bearing")
+    if table is None:
+        return None
+    before = len(errors)
+    numbers = {key: value for key, value in table.items() if key not in MATERIALS} if isinstance(table, dict) else table
+    good, unusable = checked(_BEARING, "bearing", numbers, errors)
+    if not isinstance(table, dict):
+        return None
+    good |= {side: table[side] for side in MATERIALS if side in table}
+    entry = catalogue.find(good["name"]) if "name" in good else None
+    from_entry: dict[str, Any] = {}
+    if entry is not None:
+        label = f"{entry.name}{MODIFIED}" if set(good) - {"name"} else entry.name
+        either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
+        replaced = set(good) | unusable | (either if either & set(table) else set())
+        from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
+        good = from_entry | good
+    elif "name" in good:
+        cause = (
+            f"{catalogue.nearest(good['name'])} For a bearing of your own leave the name out and give every other key"
+        )
+        errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
+    if entry is not None or "name" not in table:
+        _find_missing(set(good) | unusable, errors)
+    materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
+    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | si(BEARING, good)
+    fields |= materials
+    fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
+    bearing, wrong = _made(fields, good)
+    for error in wrong:
+        key = error.key.partition(".")[2]
+        note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
+        errors.append(FileErrorDetail(**{**vars(error), "note": note}))
+    return bearing if len(errors) == before else None
+
+
+def _find_missing(present: set[str], errors: Errors) -> None:
+    """Keys that a bearing needs, from the file or its catalogue entry."""
+    for name in (*(key.name for key in BEARING[:5]), *MATERIALS):
+        if name not in present:
+            cause = "'steel', 'silicon nitride', or a table" if name in MATERIALS else ""
+            errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
+    if not present & {"free_contact_angle_deg", "diametral_clearance_mm"}:
+        errors.append(
+            FileErrorDetail("bearing.free_contact_angle_deg", "missing", cause="Or give diametral_clearance_mm")
+        )
+
+
+def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | None, Errors]:
+    """The bearing of these fields in SI, or what is wrong with it."""
+    angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
+    has_angle, has_clearance = "free_contact_angle_deg" in good, "diametral_clearance_mm" in good
+    unwanted = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
+    fields = {name: value for name, value in fields.items() if name != unwanted}
+    make = BallBearing.from_diametral_clearance if unwanted == "free_contact_angle" else BallBearing
+    try:
+        bearing = make(**fields)
+    except SceneError as error:
+        return None, list(map(translate, judged(error)))
+    wrong: Errors = []
+    if np.ndim(angle) or np.ndim(clearance):
+        return bearing, wrong  # of a study, which varies one of the two alone
+    if has_angle and bearing.kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle / deg <= FREE_ANGLE_MAX:
+        given = good["free_contact_angle_deg"]
+        cause = (
+            f"Given in radians? {given:.6g} rad = {given / deg:.5g} deg. "
+            "If so small an angle is meant, give diametral_clearance_mm instead"
+        )
+        problem = "is no angle of an angular-contact bearing"
+        wrong.append(FileErrorDetail("bearing.free_contact_angle_deg", problem, given, "deg", cause=cause))
+    elif has_angle and has_clearance and abs(bearing.diametral_clearance - clearance) > AGREEMENT * abs(clearance):
+        implied = float(free_angle_from_clearance(clearance, bearing.groove_centre_distance)) / deg
+        meant = f"this clearance makes {implied:.6g} deg" if implied == implied else "no angle has this clearance"
+        problem = (
+            f"does not agree with free_contact_angle_deg = {angle / deg:.6g}: that angle makes "
+            f"{float(bearing.diametral_clearance) / mm:.6g} mm, {meant}"
+        )
+        cause = "Either defines the other: keep one, or correct one"
+        given = good["diametral_clearance_mm"]
+        wrong.append(FileErrorDetail("bearing.diametral_clearance_mm", problem, given, "mm", cause=cause))
+    return bearing, wrong
