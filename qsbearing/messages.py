@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +29,9 @@ from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, mrad, um
 
+if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
+
 STATIC_PRESSURE_LIMIT = 4200e6
 """Contact pressure of the static load rating of ball bearings (ISO 76) [Pa]: a permanent dent of 1e-4 D."""
 
@@ -38,8 +43,8 @@ SEPARATED = 0.01
 made for axial load works at its free angle; 1 % of it is 1 % of the axial load that its balls could carry)."""
 
 
-def message(solution: Solution, index: Index = None) -> str:
-    """One sentence on how a case ended; of several cases without an index, how many ended how.
+def message(solution: Solution | SetSolution, index: Index = None) -> str:
+    """One sentence on how a case of a bearing or set ended; of several cases without an index, how many ended how.
 
     Args:
         index: the case, along the solution's case axes; negative numbers count from the end.
@@ -47,6 +52,8 @@ def message(solution: Solution, index: Index = None) -> str:
     Raises:
         ValueError: the index does not name one case of this solution.
     """
+    if not isinstance(solution, Solution):
+        return solution.message(index)
     if index is None and solution.shape:
         return f"{solution._maker.count} cases: {solution._counts()}."
     k = solution._flat_index(index)
@@ -141,8 +148,8 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     return said
 
 
-def warnings(solution: Solution, index: Index = None) -> list[str]:
-    """Sentences on what to beware of in a case's numbers; empty where there is nothing.
+def warnings(solution: Solution | SetSolution, index: Index = None) -> list[str]:
+    """Sentences on what to beware of in the numbers of a case of a bearing or set; empty where there is nothing.
 
     Of several cases without an index, one sentence for each kind of warning: how many cases have it, which is the
     first, and what there is to say about that one.
@@ -153,6 +160,8 @@ def warnings(solution: Solution, index: Index = None) -> list[str]:
     Raises:
         ValueError: the index does not name one case of this solution.
     """
+    if not isinstance(solution, Solution):
+        return solution.warnings(index)
     solved = solution._results["status"] == CONVERGED
     if index is not None or not solution.shape:
         k = solution._flat_index(index)

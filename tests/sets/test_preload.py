@@ -144,6 +144,8 @@ def test_a_load_that_no_row_carries() -> None:
     found = qs.solve_set(pair("DT", axial_load=-200.0))
     assert found.status == "no_equilibrium"
     assert "The axial load acts in -x, in which no row carries." in found.message()
+    assert qs.message(found) == found.message()
+    assert qs.warnings(found) == found.warnings()
 
 
 def test_speeds_at_which_a_preload_runs_away() -> None:
