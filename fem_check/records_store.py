@@ -7,6 +7,7 @@ import os
 import shlex
 import sys
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -67,17 +68,15 @@ def record(
             "reference": check.reference,
             "tolerance": check.tolerance,
         }
-    command = _command(check, name, level, scene)
+    command = command_of(name, level, scene) if check else shlex.join(["fem-check", *sys.argv[1:]])
     entry["provenance"] = provenance.of_run(command, str(level), PACKAGES)
     entry["notes"] = findings.notes
     entry["pictures"] = findings.pictures
     return entry
 
 
-def _command(check: Check | None, name: str, level: str, scene: str) -> str:
-    """What makes a record anew."""
-    if check is None:
-        return shlex.join(["fem-check", *sys.argv[1:]])
+def command_of(name: str, level: str, scene: str) -> str:
+    """What makes a check's record anew."""
     bearing = [] if scene == EXAMPLE else ["--scene", scene]
     return shlex.join(["fem-check", "run", name, "--level", level, *bearing])
 
@@ -121,12 +120,27 @@ def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for level in (Level.QUICK, Level.RELEASE):
         for path in sorted((folder / level).glob("*.json")):
-            try:
-                entry = json.loads(path.read_text())
-                missing = [field for field in FIELDS if field not in entry]
-            except (ValueError, OSError) as problem:
-                raise RecordError(f"{path} is no record ({problem}); run its check again") from problem
-            if missing:
-                raise RecordError(f"{path} lacks {', '.join(missing)}; run its check again")
+            entry = read(path, FIELDS, "no record", "run its check again")
             found[entry["check"]] = entry
     return found
+
+
+def read(path: Path, fields: Iterable[str], unfit: str, remedy: str) -> dict[str, Any]:
+    """The record in a file.
+
+    Args:
+        fields: which it must have.
+        unfit: what to say of a file that cannot be read as a record, such as "no record".
+        remedy: what makes it anew.
+
+    Raises:
+        RecordError: the file is damaged, or lacks a field.
+    """
+    try:
+        entry: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        missing = [field for field in fields if field not in entry]
+    except (ValueError, OSError, TypeError) as problem:
+        raise RecordError(f"{path} is {unfit} ({problem}); {remedy}") from problem
+    if missing:
+        raise RecordError(f"{path} lacks {', '.join(missing)}; {remedy}")
+    return entry

@@ -8,7 +8,6 @@ from typing import Any
 
 from fem_check import records_store
 from fem_check.book.case import EVIDENCE, Case, Result, plain
-from fem_check.records_store import RecordError
 
 Record = dict[str, Any]
 
@@ -82,12 +81,6 @@ def read_all(records: Path = records_store.FOLDER) -> dict[str, Record]:
     """
     found = {}
     for path in sorted(folder_of(records).glob("*.json")):
-        try:
-            entry = json.loads(path.read_text(encoding="utf-8"))
-            missing = [field for field in FIELDS if field not in entry]
-        except (ValueError, OSError, TypeError) as problem:
-            raise RecordError(f"{path} is no record of the book ({problem}); run `fem-check book` again") from problem
-        if missing:
-            raise RecordError(f"{path} lacks {', '.join(missing)}; run `fem-check book` again")
+        entry = records_store.read(path, FIELDS, "no record of the book", "run `fem-check book` again")
         found[entry["case"]] = entry
     return found

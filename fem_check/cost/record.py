@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 from fem_check import records_store
 from fem_check.agreement import Level
-from fem_check.records_store import RecordError
 
 FIELDS = ("level", "made_by", "machine", "contact", "ellipticity", "solver", "meshes", "closed_forms", "seconds")
 
@@ -26,14 +24,6 @@ def read(records: Path = records_store.FOLDER) -> dict[str, Any] | None:
     """
     for level in (Level.RELEASE, Level.QUICK):
         path = path_of(level, records)
-        if not path.is_file():
-            continue
-        try:
-            found = json.loads(path.read_text(encoding="utf-8"))
-            missing = [field for field in FIELDS if field not in found]
-        except (ValueError, OSError, TypeError) as problem:
-            raise RecordError(f"{path} is no cost record ({problem}); run `fem-check cost` again") from problem
-        if missing:
-            raise RecordError(f"{path} lacks {', '.join(missing)}; run `fem-check cost` again")
-        return dict(found)
+        if path.is_file():
+            return records_store.read(path, FIELDS, "no cost record", "run `fem-check cost` again")
     return None

@@ -102,7 +102,9 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     if not entries:
         raise records_store.RecordError(f"no records in {records}: run `fem-check run --out {records}` first")
     checks = {
-        name: Kept(f"{label}/{each['level']}/{name}.json", each, _check_command(name, each))
+        name: Kept(
+            f"{label}/{each['level']}/{name}.json", each, records_store.command_of(name, each["level"], each["scene"])
+        )
         for name, each in entries.items()
     }
     gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
@@ -130,11 +132,6 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
 def _label(folder: Path) -> str:
     """What a folder of records is called in the report."""
     return "fem_check/records" if folder == records_store.FOLDER else folder.resolve().name
-
-
-def _check_command(name: str, entry: dict[str, Any]) -> str:
-    scene = "" if entry["scene"] == "b218" else f" --scene {entry['scene']}"
-    return f"fem-check run {name} --level {entry['level']}{scene}"
 
 
 def _load(path: Path) -> dict[str, Any]:

@@ -110,15 +110,17 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
             f"Preload ({preload['kind'].replace('_', ' ')}): {preload['at_rest_N']:.6g} N at rest and cold, "
             f"{preload['in_operation_N']:.6g} N in operation\n"
         )
-    lines.append(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
-    if solved:
-        lines.append(
-            f" in {found['iterations']} iterations, {duration(found['seconds'])}; largest imbalance "
-            f"{found['residual']:.1e} of the largest force"
-        )
-    else:
-        lines.append(f"\n{found['message']}")
-    return lines
+    return lines.append(ending(found))
+
+
+def ending(found: dict[str, Any]) -> Text:
+    """How the case of a record ended."""
+    solved = found["status"] == "converged"
+    text = Text(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
+    if not solved:
+        return Text.assemble(text, f"\n{found['message']}")
+    took = f" in {found['iterations']} iterations, {duration(found['seconds'])}"
+    return Text.assemble(text, f"{took}; largest imbalance {found['residual']:.1e} of the largest force")
 
 
 def asked_for(found: dict[str, Any]) -> str:

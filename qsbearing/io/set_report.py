@@ -16,7 +16,7 @@ from qsbearing.io.report import (
     contacts_table,
     digits,
     distinct,
-    duration,
+    ending,
     stiffness_matrix_table,
     stiffness_table,
 )
@@ -57,16 +57,7 @@ def _heading(solution: SetSolution, found: dict[str, Any]) -> Text:
     )
     if of.preload is not None:
         lines.append(f"Preload ({of.preload.kind.replace('_', ' ')})\n")
-    solved = found["status"] == "converged"
-    lines.append(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
-    if solved:
-        lines.append(
-            f" in {found['iterations']} iterations, {duration(found['seconds'])}; largest imbalance "
-            f"{found['residual']:.1e} of the largest force"
-        )
-    else:
-        lines.append(f"\n{found['message']}")
-    return lines
+    return lines.append(ending(found))
 
 
 def _shaft(solution: SetSolution, found: dict[str, Any]) -> Table:

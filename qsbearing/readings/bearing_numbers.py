@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.contact.hertz import effective_modulus, point_contact
+from qsbearing.contact.hertz import point_contact
 from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.units import deg
 
@@ -84,7 +84,3 @@ def load_at_pressure(
 
     area: Any = np.vectorize(ellipse_area, otypes=[float])(rolling, transverse, modulus)
     return np.asarray((2.0 * pi / 3.0 * area * np.asarray(max_pressure, float)) ** 3)
-
-
-STANDARD_MODULUS = effective_modulus(207e9, 0.3, 207e9, 0.3)
-"""E' of the steel that ISO 76 and ISO 281 take [Pa]: 207 GPa, 0.3."""

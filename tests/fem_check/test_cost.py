@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 from skfem import MeshHex
 
-from fem_check import half_space_contact, memory, meshing
+from fem_check import half_space_contact, memory, meshing, records_store
 from fem_check.agreement import Level, Row
 from fem_check.cli import cli
 from fem_check.cost import measurement, mesh_choice, picture, record, table
@@ -131,10 +131,10 @@ def test_a_damaged_cost_record_is_named(tmp_path):
     path = record.path_of("quick", tmp_path)
     path.parent.mkdir()
     path.write_text('{"level": "quick"}')
-    with pytest.raises(record.RecordError, match=r"quick.json lacks made_by"):
+    with pytest.raises(records_store.RecordError, match=r"quick.json lacks made_by"):
         record.read(tmp_path)
     path.write_text("{")
-    with pytest.raises(record.RecordError, match=r"quick.json is no cost record"):
+    with pytest.raises(records_store.RecordError, match=r"quick.json is no cost record"):
         record.read(tmp_path)
 
 

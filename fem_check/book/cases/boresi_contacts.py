@@ -8,11 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-import qsbearing as qs
 from fem_check import references
 from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.checks.hertz_formula import of_qsbearing
 from fem_check.contact_problem import ContactProblem, ElasticConstants
-from qsbearing.contact.hertz import effective_modulus
 
 SOURCE = "Boresi & Schmidt, Advanced Mechanics of Materials, chapter 17"
 STEEL = ElasticConstants(200e9, 0.29)
@@ -82,31 +81,12 @@ UNITS = {
 }
 
 
-def found(example: Example) -> dict[str, float]:
-    """qsbearing's contact."""
-    modulus = float(effective_modulus(*(STEEL.elastic_modulus, STEEL.poisson_ratio) * 2))
-    contact = qs.point_contact(example.load, example.curvature_x, example.curvature_y, modulus)
-    shear = qs.subsurface_shear(contact.ellipticity, STEEL.poisson_ratio)
-    return {
-        "approach": contact.approach,
-        "semi_major_axis": contact.semi_major_axis,
-        "semi_minor_axis": contact.semi_minor_axis,
-        "max_pressure": contact.max_pressure,
-        "max_shear_stress": shear.stress * contact.max_pressure,
-        "max_shear_depth": shear.depth * contact.semi_minor_axis,
-    }
-
-
 def run() -> Result:
     """Both examples: against exact integrals, and against the book's charts."""
     rows, panels = [], []
     for example in EXAMPLES:
-        exact = asdict(
-            references.hertz(
-                ContactProblem(example.name, example.curvature_x, example.curvature_y, STEEL, STEEL, example.load)
-            )
-        )
-        here = found(example)
+        problem = ContactProblem(example.name, example.curvature_x, example.curvature_y, STEEL, STEEL, example.load)
+        exact, here = asdict(references.hertz(problem)), of_qsbearing(problem)
         for name, unit in UNITS.items():
             shear = name.startswith("max_shear")
             rows.append(
