@@ -18,7 +18,7 @@ import numpy as np
 import qsbearing
 from fem_check.contact_problem import Array
 from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene
-from fem_check.solids import body_mesh
+from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
 
@@ -168,7 +168,7 @@ def place(
 def compare(scene_name: str, point: OperatingPoint, sector: BearingSector, *, positions: int = POSITIONS) -> Compared:
     """Compare one operating point on one mesh, made for it."""
     gyroscopic_moment = sector.friction
-    cell = ROOM[sector.support] * body_mesh.PATCH / body_mesh.cells(sector.geometry.elements)
+    cell = ROOM[sector.support] * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
     factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
     deviations: list[Array] = []
     worst = 0.0

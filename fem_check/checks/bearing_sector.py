@@ -13,7 +13,7 @@ from fem_check import convergence, meshing, sector_comparison, sector_pictures
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact import ContactError
 from fem_check.sector_comparison import QUANTITIES, Compared, OperatingPoint, own_point
-from fem_check.solids import body_mesh
+from fem_check.solids import bodies, contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
 from fem_check.solids.sector_geometry import SectorGeometry
 
@@ -101,7 +101,7 @@ def study(
                 if elements != ELEMENTS[level][0] or len(ELEMENTS[level]) < 4:
                     raise
                 continue
-            sizes.append(body_mesh.PATCH / body_mesh.cells(elements))
+            sizes.append(contact_block.PATCH / contact_block.cells(elements))
     except ContactError as problem:
         raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
     last = meshes[-1]
@@ -297,7 +297,7 @@ def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
 
 NOTE = (
     "Ring sections follow the 218 series (bore 90, outside diameter 160, width 30 mm), shoulders at "
-    f"{body_mesh.HIGH_SHOULDER * 180.0 / pi:.0f} and {body_mesh.LOW_SHOULDER * 180.0 / pi:.0f} degrees. The axial "
+    f"{bodies.HIGH_SHOULDER * 180.0 / pi:.0f} and {bodies.LOW_SHOULDER * 180.0 / pi:.0f} degrees. The axial "
     "displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and largest "
     "pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is exact: what "
     "the mesh does to both cancels. Without the step 'gyroscopic moment', model and elements have the centrifugal "

@@ -3,7 +3,7 @@
 How one contact, or several, are solved; SI units throughout, the plane of symmetry through the ball's centre is z = 0:
 
     frame = ContactFrame(Sphere(...), Torus(...), normal, Patch(...), elements, ball_share)   # both exact surfaces
-    mesh = body_mesh.ball(radius, [frame.patch, ...], elements)        # gmsh, about the origin; or body_mesh.ring(...)
+    mesh = bodies.ball(radius, [frame.patch, ...], elements)        # gmsh, about the origin; or bodies.ring(...)
     body = TetrahedralBody(mesh.shifted(centre), material)
     loads = frame.loads(body, on_ball=True)                            # one column per pressure basis function
     solid = condense_free(body, loads)                                 # or condense_supported(body, loads, fixed)

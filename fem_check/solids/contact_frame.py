@@ -18,8 +18,8 @@ import scipy.sparse as sp
 
 from fem_check.contact_problem import Array
 from fem_check.pressure_basis import PressureBasis
-from fem_check.solids import body_mesh
-from fem_check.solids.body_mesh import Patch
+from fem_check.solids import contact_block
+from fem_check.solids.contact_block import Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 
@@ -72,7 +72,7 @@ class ContactFrame:
     def basis(self) -> PressureBasis:
         """Hat functions over half the patch, eta >= 0."""
         x, y = self.patch.half_length, self.patch.half_width
-        along, across = body_mesh.cells(self.patch.along * self.elements), body_mesh.cells(self.elements)
+        along, across = contact_block.cells(self.patch.along * self.elements), contact_block.cells(self.elements)
         return PressureBasis(np.linspace(-x, x, 2 * along + 1), np.linspace(0.0, y, across + 1))
 
     def ball_height(self, xi: Array, eta: Array, ball: Sphere | None = None) -> tuple[Array, Array]:

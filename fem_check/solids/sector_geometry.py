@@ -13,8 +13,10 @@ import numpy as np
 from fem_check import meshing
 from fem_check.contact_problem import Array
 from fem_check.drawing import Drawing
-from fem_check.solids import body_mesh
-from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
+from fem_check.solids import bodies, contact_block
+from fem_check.solids.bodies import RingSection
+from fem_check.solids.body_mesh import BodyMesh
+from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 
 # Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
@@ -138,11 +140,11 @@ class SectorGeometry:
                 return BodyMesh.read(folder / file)
         path = meshing.cache_folder() / file
         if name == "ball":
-            mesh = body_mesh.ball(self.bearing.ball_radius, [inner.patch, outer.patch], self.elements)
+            mesh = bodies.ball(self.bearing.ball_radius, [inner.patch, outer.patch], self.elements)
         else:
             frame = inner if name == "inner" else outer
             section = self.bearing.section(frame.groove.centre, inner=name == "inner")
-            mesh = body_mesh.ring(section, frame.patch, pi / self.bearing.ball_count, self.elements)
+            mesh = bodies.ring(section, frame.patch, pi / self.bearing.ball_count, self.elements)
         path.parent.mkdir(parents=True, exist_ok=True)
         mesh.save(path)
         return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
@@ -150,16 +152,16 @@ class SectorGeometry:
 
 def _mesh_constants() -> list[float]:
     return [
-        body_mesh.REVISION,
-        body_mesh.PATCH,
-        body_mesh.DEPTH,
-        body_mesh.WIDTH,
-        body_mesh.FIRST_LAYER,
-        body_mesh.ALONG,
-        body_mesh.depth_growth(1),
-        body_mesh.side_growth(1),
-        *body_mesh.free_size(1),
-        body_mesh.FAR,
+        contact_block.REVISION,
+        contact_block.PATCH,
+        contact_block.DEPTH,
+        contact_block.WIDTH,
+        contact_block.FIRST_LAYER,
+        contact_block.ALONG,
+        contact_block.depth_growth(1),
+        contact_block.side_growth(1),
+        *contact_block.free_size(1),
+        bodies.FAR,
         BORE_BELOW_PITCH,
         OUTSIDE_ABOVE_PITCH,
         WIDTH,

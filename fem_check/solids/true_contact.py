@@ -30,9 +30,11 @@ from fem_check.elastic_body import silent
 from fem_check.groove import BallInGroove
 from fem_check.measuring import central_pressure
 from fem_check.references import hertz
-from fem_check.solids import body_mesh
-from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
+from fem_check.solids import bodies, contact_block
+from fem_check.solids.bodies import RingSection
+from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.condensation import NEAR, condense_supported
+from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 from fem_check.solids.sector_geometry import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH
 from fem_check.solids.tetrahedral_body import TetrahedralBody
@@ -122,9 +124,9 @@ class TrueContact:
         patch = self.frame.patch
         if body == "ball":
             towards_y = replace(patch, normal=np.array([0.0, 1.0]))
-            made = body_mesh.quarter_ball(self.groove.ball_radius, towards_y, self.elements)
+            made = bodies.quarter_ball(self.groove.ball_radius, towards_y, self.elements)
         else:
-            made = body_mesh.ring(self.section, patch, self.half_pitch, self.elements)
+            made = bodies.ring(self.section, patch, self.half_pitch, self.elements)
         path.parent.mkdir(parents=True, exist_ok=True)
         made.save(path)
         return BodyMesh.read(path)  # so that a mesh just made and one read again are the same
@@ -198,10 +200,10 @@ class TrueContact:
 
 
 def _mesh_choices(elements: int) -> list[float]:
-    """What `body_mesh` settles: a mesh made under another choice is another file."""
-    choices = [body_mesh.PATCH, body_mesh.WIDTH, body_mesh.DEPTH, body_mesh.FIRST_LAYER, body_mesh.FAR]
-    choices += [body_mesh.depth_growth(elements), body_mesh.side_growth(elements), *body_mesh.free_size(elements)]
-    return [elements, body_mesh.REVISION, *choices]
+    """What `contact_block` and `bodies` settle: a mesh made under another choice is another file."""
+    lengths = [contact_block.PATCH, contact_block.WIDTH, contact_block.DEPTH, contact_block.FIRST_LAYER, bodies.FAR]
+    growth = [contact_block.depth_growth(elements), contact_block.side_growth(elements)]
+    return [elements, contact_block.REVISION, *lengths, *growth, *contact_block.free_size(elements)]
 
 
 def _nearest(body: TetrahedralBody, point: Array) -> int:

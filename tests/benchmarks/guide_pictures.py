@@ -17,7 +17,7 @@ import qsbearing as qs
 from fem_check import records_store
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
-from fem_check.report.figures import bearing_sector
+from fem_check.report.figures.sector import bearing_sector
 from qsbearing.pictures.life import LifePanel, life_against
 from qsbearing.pictures.study import picture
 from qsbearing.studies.cost import figures

@@ -12,7 +12,7 @@ import qsbearing
 from fem_check import meshing, sector_comparison, sector_pictures
 from fem_check.agreement import Level
 from fem_check.checks import bearing_sector
-from fem_check.report import figures
+from fem_check.report.figures import sector as figures
 from fem_check.scenes import SceneProblemError
 from fem_check.sector_comparison import OperatingPoint
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion

@@ -119,7 +119,7 @@ def test_a_lost_mesh_is_exit_2_and_leaves_the_record(tmp_path, monkeypatch):
     (tmp_path / "meshes").mkdir()
     committed = meshing.committed_folder()
     (tmp_path / "meshes" / meshing.MANIFEST).write_text((committed / meshing.MANIFEST).read_text())
-    monkeypatch.setattr(meshing, "committed_folder", lambda: tmp_path / "meshes")
+    monkeypatch.setattr(meshing.files, "committed_folder", lambda: tmp_path / "meshes")
     (tmp_path / "quick").mkdir()
     (tmp_path / "quick" / "patch_test.json").write_text("earlier")
     result = call("run", "patch_test", "--out", str(tmp_path))

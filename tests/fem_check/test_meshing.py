@@ -70,7 +70,7 @@ def test_untagged_and_wrongly_tagged_files(tmp_path):
 
 def test_a_lost_committed_mesh_is_named(tmp_path, monkeypatch):
     (tmp_path / meshing.MANIFEST).write_text((meshing.committed_folder() / meshing.MANIFEST).read_text())
-    monkeypatch.setattr(meshing, "committed_folder", lambda: tmp_path)
+    monkeypatch.setattr(meshing.files, "committed_folder", lambda: tmp_path)
     with pytest.raises(MeshError, match=r"half_space_04\.msh is missing: bring it back"):
         meshing.load(meshing.half_space(4))
 

@@ -11,9 +11,11 @@ from fem_check.contact_problem import ElasticConstants
 from fem_check.meshing import MeshError
 from fem_check.references import hertz
 from fem_check.scenes import groove_contact
-from fem_check.solids import body_mesh, contact_results, normal_contact
-from fem_check.solids.body_mesh import BodyMesh, Patch, RingSection
+from fem_check.solids import bodies, contact_results, normal_contact
+from fem_check.solids.bodies import RingSection
+from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.condensation import condense_free
+from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
@@ -34,7 +36,7 @@ def frame():
 
 @pytest.fixture(scope="module")
 def ball():
-    mesh = body_mesh.ball(RADIUS, [Patch(UP, 2.0e-3, 0.29e-3), Patch(-UP, 2.0e-3, 0.25e-3)], 2)
+    mesh = bodies.ball(RADIUS, [Patch(UP, 2.0e-3, 0.29e-3), Patch(-UP, 2.0e-3, 0.25e-3)], 2)
     return TetrahedralBody(mesh, STEEL)
 
 
@@ -75,9 +77,7 @@ def test_a_rigid_motion_costs_nothing_and_shows_nothing(ball):
 
 @needs_gmsh
 def test_surface_loads_add_up_to_the_pressure(ball, frame):
-    centred = TetrahedralBody(
-        body_mesh.ball(RADIUS, [frame.patch], 2).shifted(np.array([*frame.ball.centre, 0.0])), STEEL
-    )
+    centred = TetrahedralBody(bodies.ball(RADIUS, [frame.patch], 2).shifted(np.array([*frame.ball.centre, 0.0])), STEEL)
     x, y = frame.basis.points
     pressure = np.maximum(0.0, 1.0 - (x / frame.patch.half_length) ** 2 - (y / frame.patch.half_width) ** 2)
     forces = (frame.loads(centred, on_ball=True) @ pressure).reshape(-1, 3).sum(axis=0)
@@ -145,7 +145,7 @@ def test_hertz_pressure_is_read_back(frame):
 def test_a_contact_over_the_shoulder_is_refused():
     section = RingSection(np.array([0.0, 62e-3]), 11.6e-3, 80e-3, 30e-3, is_inner=False)
     with pytest.raises(MeshError, match="does not fit a groove"):
-        body_mesh.ring(section, Patch(section.direction(radians(65.0)), 2e-3, 0.3e-3), pi / 16, 2)
+        bodies.ring(section, Patch(section.direction(radians(65.0)), 2e-3, 0.3e-3), pi / 16, 2)
 
 
 def test_a_damaged_mesh_is_named(tmp_path):

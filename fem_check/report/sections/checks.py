@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from fem_check.report import figures
 from fem_check.report.evidence import Kept
+from fem_check.report.figures.drawn import draw_all
 from fem_check.report.rows import agreement, number
 from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Remark, Section
 
@@ -25,7 +25,7 @@ def section(name: str, kept: Kept) -> Section:
     for rows, caption in ((gated, "Against the reference"), (findings, "Findings, without a tolerance")):
         blocks += agreement(rows, caption) if rows else []
     blocks += [Paragraph(note) for note in entry["notes"]]
-    blocks += figures.draw_all(entry)
+    blocks += draw_all(entry)
     blocks += _reasons(gated)
     return Section(name.replace("_", " ").capitalize(), [*blocks, kept.trace], f"check-{name.replace('_', '-')}")
 

@@ -1,0 +1,5 @@
+"""Pictures, drawn from the numbers in the records."""
+
+import matplotlib
+
+matplotlib.use("Agg")

@@ -1,0 +1,97 @@
+"""Which picture a record has numbers for, with the words for those who do not see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+from fem_check.report.figures import contact, sector, series
+from fem_check.report.figures.style import Entry
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Picture
+
+
+class Drawing(NamedTuple):
+    """What draws a picture, its caption, and what it shows."""
+
+    draw: Callable[[Entry], Figure]
+    caption: str
+    alt: str
+
+
+DRAWN = {
+    "contact": Drawing(
+        contact.pressure_map,
+        "Pressure over the ellipse, Hertz's outline in white",
+        "Map of the contact pressure: elliptic contours, highest in the middle, ending at Hertz's outline.",
+    ),
+    "contact profiles": Drawing(
+        contact.profiles,
+        "Pressure along both axes",
+        "Pressure along both axes of the ellipse: points of the finite elements on Hertz's half circle.",
+    ),
+    "contact shear": Drawing(
+        contact.shear_map,
+        "Largest shear stress below the surface",
+        "Map of the shear stress below the contact, with its largest value on the axis where theory has it.",
+    ),
+    "mesh": Drawing(
+        contact.mesh,
+        "Mesh",
+        "Lines of the mesh from above and from the side, finest at the contact, coarser away from it.",
+    ),
+    "load_series": Drawing(
+        series.load_series,
+        "Deviation over the load",
+        "Deviation of five quantities from Hertz over the load, level: one mesh serves every load.",
+    ),
+    "body_size": Drawing(
+        series.body_size,
+        "Approach of clamped boxes",
+        "Approach against the inverse size of the box: a straight line to the value with the exact far field.",
+    ),
+    "convergence": Drawing(
+        series.convergence,
+        "Convergence",
+        "Errors of four quantities falling with the element size, in double logarithms.",
+    ),
+    "true_geometry": Drawing(
+        series.true_geometry,
+        "True bodies against Hertz",
+        "Deviation of approach, semi-axes and pressure from Hertz over the load, for the exact gap and true bodies.",
+    ),
+    "conformity": Drawing(
+        series.conformity,
+        "Closing grooves",
+        "Worst deviation from Hertz over the load, one line for each groove radius: the closer the groove, the larger.",
+    ),
+    "sector bodies": Drawing(
+        sector.sector_bodies,
+        "What was solved: half a ball and its segments of both rings, as meshed",
+        "The meshed half ball between segments of both rings, and the ball alone with its contact in colour.",
+    ),
+    "sector contacts": Drawing(
+        sector.sector_contacts,
+        "Pressure and gap of both contacts of the ball",
+        "Pressure maps of the inner and the outer contact, and pressure and gap across the groove.",
+    ),
+    "bearing_sector": Drawing(
+        sector.bearing_sector,
+        "One ball between two elastic rings: deviation from the quasi-static model",
+        "Six panels of deviations over the axial load, with the outside diameter rigid and free, at rest and at speed.",
+    ),
+}
+
+
+def draw_all(entry: Entry) -> list[Picture]:
+    """Every picture that a record has numbers for."""
+    found = []
+    for key, drawing in DRAWN.items():
+        if key.split()[0] in entry["pictures"]:
+            figure = drawing.draw(entry)
+            found.append(picture(figure, drawing.alt, drawing.caption, min(1.0, figure.get_size_inches()[0] / 9.0)))
+            plt.close(figure)
+    return found

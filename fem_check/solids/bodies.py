@@ -1,0 +1,144 @@
+"""A ball and ring segments: gmsh's OpenCASCADE solids, meshed.
+
+Half of each body is meshed, z >= 0; x is the bearing's axis, y radial, z tangential. Below each contact stands a block
+of slender elements, part of the solid.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, pi, radians, sin
+from typing import Any
+
+import numpy as np
+
+from fem_check.contact_problem import Array
+from fem_check.meshing import MeshError
+from fem_check.solids.body_mesh import BodyMesh
+from fem_check.solids.contact_block import Patch, block_face, block_solids
+from fem_check.solids.gmsh_model import gmsh_model, millimetres, revolved
+from fem_check.solids.tetrahedra import meshed
+
+FAR = 0.25
+"""Largest element, in ball radii."""
+HIGH_SHOULDER, LOW_SHOULDER = radians(70.0), radians(20.0)
+"""The groove's arc ends here, on the loaded and on the other side of the radial plane."""
+
+
+@dataclass(frozen=True)
+class RingSection:
+    """Cross-section of a ring: a rectangle with the groove and two shoulders."""
+
+    groove_centre: Array
+    """Centre of the groove's profile (axial, radial) [m]."""
+    groove_radius: float
+    """[m]"""
+    back_radius: float
+    """Of the cylinder away from the groove: bore of an inner, outside of an outer ring [m]."""
+    width: float
+    """[m], centred on the groove."""
+    is_inner: bool
+
+    @property
+    def side(self) -> float:
+        """-1 for the inner ring, which has the ball above it, +1 for the outer ring."""
+        return -1.0 if self.is_inner else 1.0
+
+    def direction(self, angle: float) -> Array:
+        """From the groove's centre to its profile at a contact angle [rad]."""
+        return self.side * np.array([sin(angle), cos(angle)])
+
+
+def ball(radius: float, patches: Sequence[Patch], elements: int) -> BodyMesh:
+    """Half a ball about the origin.
+
+    Args:
+        radius: [m].
+        patches: its contacts; they must not overlap.
+        elements: per semi-axis of each contact.
+    """
+    with gmsh_model() as gmsh:
+        occ = gmsh.model.occ
+        solid = occ.addSphere(0, 0, 0, millimetres(radius), -1, -0.5 * pi, 0.5 * pi, pi)
+        occ.rotate([(3, solid)], 0, 0, 0, 1, 0, 0, 0.5 * pi)
+        # The sphere's poles, where its parametrisation is singular, go as far from all contacts as they can.
+        normals = np.array([patch.normal for patch in patches])
+        pole = np.linalg.eigh(normals.T @ normals)[1][:, 0]
+        occ.rotate([(3, solid)], 0, 0, 0, 0, 0, 1, float(np.arctan2(-pole[0], pole[1])))
+        return _with_blocks(gmsh, solid, radius, patches, elements)
+
+
+def quarter_ball(radius: float, patch: Patch, elements: int) -> BodyMesh:
+    """Half of `ball` that is left of its equator, the plane through its centre normal to the contact.
+
+    Args:
+        radius: [m].
+        patch: its contact.
+        elements: per semi-axis of the contact.
+    """
+    with gmsh_model() as gmsh:
+        occ = gmsh.model.occ
+        solid = occ.addSphere(0, 0, 0, millimetres(radius), -1, -0.5 * pi, 0.5 * pi, 0.5 * pi)
+        # From a quarter round the z axis to one round the contact's tangent: no pole comes near the contact.
+        occ.rotate([(3, solid)], 0, 0, 0, 1, 0, 0, 0.5 * pi)
+        occ.rotate([(3, solid)], 0, 0, 0, 0, 0, 1, float(np.arctan2(patch.normal[1], patch.normal[0])))
+        return _with_blocks(gmsh, solid, radius, [patch], elements)
+
+
+def _with_blocks(gmsh: Any, solid: int, radius: float, patches: Sequence[Patch], elements: int) -> BodyMesh:
+    occ = gmsh.model.occ
+    blocks = []
+    for patch in patches:
+        face = block_face(occ, np.zeros(2), patch, millimetres(radius), inward=True)
+        # About the contact's tangent (x') through the centre, from the plane of symmetry towards z > 0.
+        axis = np.cross([*patch.normal, 0.0], [0.0, 0.0, 1.0])
+        blocks += block_solids(occ, face, axis, patch, radius)
+    occ.fragment([(3, solid)], [(3, block) for block in blocks])
+    occ.synchronize()
+    positions = [millimetres(radius) * patch.normal for patch in patches]
+    return meshed(gmsh, patches, positions, [-1.0] * len(patches), elements, FAR * millimetres(radius))
+
+
+def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -> BodyMesh:
+    """Half a pitch of a ring about the x axis, its groove's bottom above z = 0.
+
+    Args:
+        section: cross-section.
+        patch: its contact.
+        half_pitch: angle of the segment [rad].
+        elements: per semi-axis of the contact.
+
+    Raises:
+        MeshError: the contact reaches over a shoulder.
+    """
+    angle = float(np.arctan2(section.side * patch.normal[0], section.side * patch.normal[1]))
+    reach = patch.half_length / section.groove_radius
+    if angle + reach > HIGH_SHOULDER or angle - reach < -LOW_SHOULDER:
+        raise MeshError(
+            f"a contact at {np.degrees(angle):.1f} deg that needs {np.degrees(reach):.1f} deg to either side does not "
+            f"fit a groove from -{np.degrees(LOW_SHOULDER):.0f} to {np.degrees(HIGH_SHOULDER):.0f} deg"
+        )
+    with gmsh_model() as gmsh:
+        occ = gmsh.model.occ
+        solid = revolved(occ, _section_face(occ, section), np.array([1.0, 0.0, 0.0]), half_pitch)
+        centre, radius = millimetres(section.groove_centre), millimetres(section.groove_radius)
+        position = centre + radius * patch.normal
+        face = block_face(occ, centre, patch, radius, inward=False)
+        block = block_solids(occ, face, np.array([1.0, 0.0, 0.0]), patch, 1e-3 * position[1])
+        occ.fragment([(3, tag) for tag in solid], [(3, tag) for tag in block])
+        occ.synchronize()
+        return meshed(gmsh, [patch], [position], [1.0], elements, FAR * radius)
+
+
+def _section_face(occ: Any, section: RingSection) -> int:
+    centre, radius = millimetres(section.groove_centre), millimetres(section.groove_radius)
+    high, low = (centre + radius * section.direction(angle) for angle in (HIGH_SHOULDER, -LOW_SHOULDER))
+    half = 0.5 * section.side * millimetres(section.width)
+    back = millimetres(section.back_radius)
+    corners = [low, (centre[0] - half, low[1]), (centre[0] - half, back), (centre[0] + half, back)]
+    points = [occ.addPoint(x, y, 0.0) for x, y in (*corners, (centre[0] + half, high[1]), high)]
+    lines = [occ.addLine(first, second) for first, second in itertools.pairwise(points)]
+    lines.append(occ.addCircleArc(points[-1], occ.addPoint(*centre, 0.0), points[0]))
+    return int(occ.addPlaneSurface([occ.addCurveLoop(lines)]))
