@@ -1,0 +1,64 @@
+"""`fem-check cost`: what accuracy costs."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from pathlib import Path
+
+import click
+from rich.box import SIMPLE
+from rich.console import Console
+from rich.table import Table
+
+from fem_check.cli.output import load_checks, progress_bar, refuse
+
+
+@click.command("cost")
+@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default="fem_check_results",
+    show_default=True,
+    help="Folder of results; the record and its picture are written into its folder `cost`.",
+)
+@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+def cost(level: str, out: Path, as_json: bool) -> None:
+    """Measure error, time and memory for element families and meshes."""
+    load_checks()
+    from concurrent.futures.process import BrokenProcessPool
+
+    from fem_check import meshing, records_store, runner
+    from fem_check.agreement import Level
+    from fem_check.cost import measurement, picture, record, table
+
+    path = record.path_of(level, out)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=path.parent).close()  # before the work, not after it
+        finest = max(max(counts) for counts in measurement.MESHES[Level(level)].values())
+        runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
+        with progress_bar(as_json) as reporter:
+            found = measurement.measure(Level(level), reporter("cost"))
+        records_store.replace(path, records_store.text(found))
+        records_store.replace(path.with_suffix(".png"), picture.png(found))
+    except BrokenProcessPool:
+        refuse("a process that solved a contact was ended from outside, as it is when memory runs out")
+    except (meshing.MeshError, runner.BadInputError, ValueError) as problem:
+        refuse(str(problem))
+    except OSError as problem:
+        refuse(f"{path.parent} cannot be written: {problem}")
+    if as_json:
+        print(json.dumps(found))
+        return
+    console = Console()
+    for each in (table.measured(found), table.mesh_choices(found)):
+        shown_table = Table(title=each.title, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
+        for index, heading in enumerate(each.headings):
+            shown_table.add_column(heading, justify="right" if index else "left", overflow="fold")
+        for row in each.rows:
+            shown_table.add_row(*row)
+        console.print(shown_table)
+    plain = Console(soft_wrap=True, highlight=False, markup=False)
+    plain.print(table.remark(found), f"wrote {path}", sep="\n")

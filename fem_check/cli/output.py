@@ -1,0 +1,59 @@
+"""What the commands share: exit codes, refusals, the checks' own packages, a progress bar."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, NoReturn
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+RESULTS = "fem_check_results"
+"""The working folder's own folder, unless another is named."""
+
+OUT_OF_TOLERANCE = 1
+BAD_INPUT = 2
+
+
+def refuse(message: str) -> NoReturn:
+    """Say what is wrong, on stderr, and stop with the exit code for bad input."""
+    Console(stderr=True, soft_wrap=True, highlight=False, markup=False).print(f"fem-check: {message}")
+    sys.exit(BAD_INPUT)
+
+
+def load_checks() -> dict[str, Any]:
+    try:
+        from fem_check.checks import ALL
+    except ImportError as problem:
+        refuse(f"{problem}: the finite-element checks need `pip install qsbearing[fem]`")
+    return dict(ALL)
+
+
+@contextmanager
+def progress_bar(quiet: bool) -> Iterator[Any]:
+    """A progress bar on stderr; yields a function that makes a progress callback for a named task."""
+    console = Console(stderr=True)
+    bar = Progress(
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.fields[stage]}"),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+        disable=quiet or not console.is_terminal,
+    )
+    with bar:
+        tasks: dict[str, Any] = {}
+
+        def reporter(name: str) -> Any:
+            tasks[name] = bar.add_task(name, total=1.0, stage="")
+
+            def report(stage: str, part: float) -> None:
+                bar.update(tasks[name], completed=part, stage=stage)
+
+            return report
+
+        yield reporter

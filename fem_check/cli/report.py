@@ -1,0 +1,51 @@
+"""`fem-check report`: the validation report."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from fem_check.cli.output import RESULTS, load_checks, refuse
+
+
+@click.command("report")
+@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--records",
+    default=None,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder of records; unless named, that of --out, or where it has none, those that came with the package.",
+)
+@click.option(
+    "--previous",
+    default=None,
+    type=click.Path(path_type=Path, file_okay=False, exists=True),
+    help="Folder of an earlier release's records, to be compared with.",
+)
+def report(out: Path, records: Path | None, previous: Path | None) -> None:
+    """Write the validation report, HTML and PDF, from records alone; runs no check.
+
+    Exit codes: 0 written, whatever the verdict in it; 2 no records, or a missing dependency.
+    """
+    load_checks()
+    _check_documents()
+    from fem_check import records_store
+    from fem_check.report import evidence, files
+
+    try:
+        folder = records or (out if records_store.read_all(out) else records_store.FOLDER)
+        found = evidence.read(folder)
+        written = files.write(found, None if previous is None else evidence.read(previous, alone=True), out)
+    except (records_store.RecordError, OSError) as problem:
+        refuse(str(problem))
+    console = Console(soft_wrap=True, highlight=False)
+    console.print(*(f"wrote {path}" for path in written), f"from the records in {folder}", sep="\n")
+
+
+def _check_documents() -> None:
+    missing = [name for name in ("jinja2", "typst", "markdown_it") if importlib.util.find_spec(name) is None]
+    if missing:
+        refuse(f"the report needs {', '.join(missing)}: pip install 'qsbearing[report]'")
