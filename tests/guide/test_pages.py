@@ -33,6 +33,28 @@ def test_a_page_runs_with_its_long_commands(page: Path, tmp_path: Path) -> None:
         pytest.skip("the page has no long commands")
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "```sh\n.venv/bin/qsbearing catalogue no_such_bearing\n```\n",
+        "```sh\nqsbearing rum b218\n```\n",
+        "```sh\nls\n```\n",
+        "Or `qsbearing catalogue no_such_bearing` shows it.\n",
+        "```python\nprint(1 + 1)  # -> 3\n```\n",
+        "```python\nraise ValueError\n```\n",
+    ],
+    ids=["refused", "misspelt", "another program", "in a sentence", "another result", "raises"],
+)
+def test_a_page_that_does_not_run_is_found(wrong: str, tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    right = "```sh\nqsbearing catalogue > list.txt\n```\n```python\nprint(1 + 1)  # -> 2\n```\n"
+    page.write_text(right, encoding="utf-8")
+    run_page(page, tmp_path, heavy=False)
+    page.write_text(right + wrong, encoding="utf-8")
+    with pytest.raises((AssertionError, ValueError)):
+        run_page(page, tmp_path, heavy=False)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_scripts_of_the_repository_exist(page: Path) -> None:
     for name in re.findall(r"python -m ([\w.]+)", page.read_text(encoding="utf-8")):

@@ -118,6 +118,9 @@ def test_a_preload_that_no_row_carries() -> None:
     found = qs.solve_set(qs.BearingSet(both, preload=qs.Preload(rigid=np.array([500.0, 1e8]))))
     assert list(found.status) == ["converged", "no_equilibrium"]
     assert "row 2 (S 619/5 C, carries -x) cannot carry it" in found.message(1)
+    assert [qs.message(found, k) for k in (0, 1, None)] == [found.message(k) for k in (0, 1, None)]
+    assert len({qs.message(found, k) for k in (0, 1, None)}) == 3
+    assert qs.warnings(found, 0) == found.warnings(0)
     assert np.isnan(found.row_loads[1]).all()
     assert found.row_loads[0, 0, 0] == pytest.approx(500.0, rel=1e-9)
 
