@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet, Row
+    from qsbearing.sets.preload_loads import preload_loads
     from qsbearing.sets.preload_speeds import preload_speeds
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.sets.solve import solve_set
@@ -82,6 +83,7 @@ _HOMES = {
     "raceway_contacts": ("RacewayContacts",),
     "rotordynamics": ("stiffness_table", "to_ross"),
     "sets.bearing_set": ("BearingSet", "Row"),
+    "sets.preload_loads": ("preload_loads",),
     "sets.preload_speeds": ("preload_speeds",),
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),
@@ -103,9 +105,9 @@ __all__ = [
     "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload",
     "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError",
     "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "kN", "kg", "kg_m3",
-    "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_speeds", "rad",
-    "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear",
-    "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
+    "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads",
+    "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table",
+    "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

@@ -1,4 +1,4 @@
-"""A picture of a study's results, to a file."""
+"""A picture to a file, of a solution or of a study's results."""
 
 from __future__ import annotations
 
@@ -10,7 +10,26 @@ from qsbearing.cli.output import refuse
 if TYPE_CHECKING:
     import xarray
 
+    from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.solution import Solution
+
 PICTURES = (".png", ".svg", ".pdf")
+
+
+def form_of(target: str) -> str:
+    """The ending of a file's name, which says how to draw."""
+    return os.path.splitext(target)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+
+
+def drawn(solution: Solution | SetSolution, target: str) -> bytes:
+    """The picture of one case, in the form that the file's name asks for."""
+    from io import BytesIO
+
+    from qsbearing.pictures import overview
+
+    picture = BytesIO()
+    overview(solution).savefig(picture, format=form_of(target)[1:])
+    return picture.getvalue()
 
 
 def draw_to(results: xarray.Dataset, target: str, **chosen: Any) -> None:
@@ -21,7 +40,7 @@ def draw_to(results: xarray.Dataset, target: str, **chosen: Any) -> None:
     from qsbearing.pictures.study import PictureError, picture
 
     data = BytesIO()
-    form = os.path.splitext(target)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+    form = form_of(target)
     if form not in PICTURES:
         refuse(f"{target}: the name must end in one of {', '.join(PICTURES)}")
     try:

@@ -7,12 +7,12 @@ import json
 import os
 import sys
 from contextlib import ExitStack
-from io import BytesIO
 from typing import TYPE_CHECKING
 
 import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.picture_file import PICTURES, drawn, form_of
 from qsbearing.cli.run_set import run_set
 from qsbearing.cli.run_spectrum import show_spectrum
 from qsbearing.cli.scene import load_scene_or_set, solve
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
-
-PICTURES = (".png", ".svg", ".pdf")
 
 
 @click.command(short_help="Solve a scene; show loads, angles, stiffness.")
@@ -39,7 +37,8 @@ PICTURES = (".png", ".svg", ".pdf")
     "--plot",
     "plot_target",
     metavar="FILE",
-    help="Also draw loads, contact angles and contact ellipses; .png, .svg or .pdf.",
+    help="Also draw loads, contact angles and contact ellipses, of a set loads and angles of each row; .png, .svg or "
+    ".pdf.",
 )
 @click.option(
     "--accuracy",
@@ -82,7 +81,7 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
             if csv_target is not None:
                 write["--csv"](_csv(solution))
             if plot_target is not None:
-                write["--plot"](_picture(solution, _extension(plot_target)[1:]))
+                write["--plot"](drawn(solution, plot_target))
         except OSError as error:  # a disk that filled up meanwhile
             refuse(f"cannot write: {error}")
 
@@ -95,7 +94,7 @@ def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, W
 
     problems = []
     if "--plot" in targets:
-        if _extension(targets["--plot"]) not in PICTURES:
+        if form_of(targets["--plot"]) not in PICTURES:
             problems.append(f"--plot {targets['--plot']}: the name must end in one of {', '.join(PICTURES)}")
         if importlib.util.find_spec("matplotlib") is None:
             problems.append("--plot needs matplotlib: pip install 'qsbearing[plot]'")
@@ -113,10 +112,6 @@ def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, W
     if problems:
         refuse("\nqsbearing: ".join(problems))
     return writers
-
-
-def _extension(target: str) -> str:
-    return os.path.splitext(target)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
 
 
 def _check(accuracy: float) -> None:
@@ -156,11 +151,3 @@ def _csv(solution: Solution) -> bytes:
 
         found |= reading_columns(solution, take_asked(solution))
     return csv_text({name: values.tolist() for name, values in found.items()}).encode("utf-8")
-
-
-def _picture(solution: Solution, form: str) -> bytes:
-    from qsbearing.pictures import overview
-
-    picture = BytesIO()
-    overview(solution).savefig(picture, format=form)
-    return picture.getvalue()

@@ -8,11 +8,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.picture_file import drawn
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
     from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.sets.set_solution import SetSolution
 
 
 def run_set(
@@ -21,13 +23,8 @@ def run_set(
     """Solve a set and show it; ends with the exit code where it is not solved."""
     from qsbearing.sets.solve import solve_set
 
-    problems = []
-    if "--plot" in targets:
-        problems.append("--plot: pictures of a run are of single bearings; --csv writes every ball of every row")
     if accuracy is not None:
-        problems.append("--accuracy: the effects of a set are those that its file names")
-    if problems:
-        refuse("\nqsbearing: ".join(problems))
+        refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
     with solving():
         solution = solve_set(of)
     if as_json:
@@ -42,12 +39,17 @@ def run_set(
         for target in targets.values():
             note(f"{target} is not written: there is no solution to write")
         sys.exit(UNSOLVED)
-    if "--csv" in targets:
-        from qsbearing.io.csv_table import csv_text
-        from qsbearing.io.set_record import set_columns
+    try:
+        if "--csv" in targets:
+            write["--csv"](_csv(solution))
+        if "--plot" in targets:
+            write["--plot"](drawn(solution, targets["--plot"]))
+    except OSError as error:  # a disk that filled up meanwhile
+        refuse(f"cannot write: {error}")
 
-        text = csv_text({name: values.tolist() for name, values in set_columns(solution).items()})
-        try:
-            write["--csv"](text.encode("utf-8"))
-        except OSError as error:  # a disk that filled up meanwhile
-            refuse(f"cannot write: {error}")
+
+def _csv(solution: SetSolution) -> bytes:
+    from qsbearing.io.csv_table import csv_text
+    from qsbearing.io.set_record import set_columns
+
+    return csv_text({name: values.tolist() for name, values in set_columns(solution).items()}).encode("utf-8")

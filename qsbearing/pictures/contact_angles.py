@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.case_index import Place
-from qsbearing.pictures.style import GREY, balls, line_style, mark_lost, plain, raceways
+from qsbearing.pictures.style import GREY, Span, balls, line_style, mark_lost, plain, raceways
 from qsbearing.solution import Solution
 from qsbearing.units import deg
 
@@ -15,22 +15,32 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def draw_angles(axes: Axes, solution: Solution, place: Place) -> None:
+def angle_span(solution: Solution, place: Place) -> Span:
+    """Of the loaded contact angles and the free one [deg]."""
+    _, present = balls(solution, place)
+    angles = [_free(solution, place)]
+    for _, contacts in raceways(solution):
+        loaded = contacts.load[place][present] > 0.0
+        angles += list(contacts.angle[place][present][loaded] / deg)
+    return min(angles), max(angles)
+
+
+def draw_angles(axes: Axes, solution: Solution, place: Place, span: Span | None = None) -> None:
+    """Args:
+    span: of the angles that share a scale with these; None: their own.
+    """
     azimuth, present = balls(solution, place)
     turned = np.degrees(azimuth) % 360.0
     order = np.argsort(turned)
     # Once round and a little more: the last ball stands before the start, the first after the end.
     order = np.concatenate([order[-1:], order, order[:1]])
     along = turned[order] + np.concatenate([[-360.0], np.zeros(order.size - 2), [360.0]])
-    free = float(np.broadcast_to(solution.scene.bearing.free_contact_angle, solution.shape)[place]) / deg
-    axes.axhline(free, color=GREY, linewidth=0.9, linestyle=":", label="free contact angle")
-    values = [free]
+    axes.axhline(_free(solution, place), color=GREY, linewidth=0.9, linestyle=":", label="free contact angle")
     for side, contacts in raceways(solution):
         loaded = contacts.load[place][present] > 0.0
         angle = np.where(loaded, contacts.angle[place][present] / deg, np.nan)
-        values += list(angle[loaded])
         axes.plot(along, angle[order], **line_style(side, azimuth.size))
-    low, high = min(values), max(values)
+    low, high = span or angle_span(solution, place)
     margin = max(0.08 * (high - low), 1.0)
     bottom = low - 2.2 * margin
     axes.set_ylim(bottom, high + margin)
@@ -41,3 +51,7 @@ def draw_angles(axes: Axes, solution: Solution, place: Place) -> None:
     axes.set_ylabel("contact angle, deg", fontsize=9)
     axes.set_title("Contact angles", fontsize=10)
     plain(axes)
+
+
+def _free(solution: Solution, place: Place) -> float:
+    return float(np.broadcast_to(solution.scene.bearing.free_contact_angle, solution.shape)[place]) / deg

@@ -7,11 +7,20 @@ from typing import Any
 import numpy as np
 
 from qsbearing.case_index import Place
-from qsbearing.pictures.style import balls, line_style, mark_lost, raceways
+from qsbearing.pictures.style import Span, balls, line_style, mark_lost, raceways
 from qsbearing.solution import Solution
 
 
-def draw_loads(axes: Any, solution: Solution, place: Place) -> None:
+def load_span(solution: Solution, place: Place) -> Span:
+    """From nothing to the largest contact load [N]."""
+    _, present = balls(solution, place)
+    return 0.0, max(float(contacts.load[place][present].max()) for _, contacts in raceways(solution))
+
+
+def draw_loads(axes: Any, solution: Solution, place: Place, span: Span | None = None) -> None:
+    """Args:
+    span: of the loads that share a scale with these; None: their own.
+    """
     from matplotlib.ticker import MaxNLocator
 
     azimuth, present = balls(solution, place)
@@ -19,7 +28,7 @@ def draw_loads(axes: Any, solution: Solution, place: Place) -> None:
     loads = {side: contacts.load[place][present] for side, contacts in raceways(solution)}
     for side, load in loads.items():
         axes.plot(np.append(azimuth, azimuth[0]), np.append(load, load[0]), **line_style(side, azimuth.size))
-    top = 1.12 * (max(float(load.max()) for load in loads.values()) or 1.0)
+    top = 1.12 * ((span or load_span(solution, place))[1] or 1.0)
     axes.set_ylim(0.0, top)
     mark_lost(axes, solution, place, 0.96 * top)
     axes.set_thetagrids(range(0, 360, 45), ["y  0°", "45°", "z  90°", "135°", "180°", "225°", "270°", "315°"])

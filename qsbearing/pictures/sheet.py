@@ -1,44 +1,70 @@
-"""The pictures of one case: each drawing on a sheet of its own, or all on one."""
+"""The pictures of one case: each drawing on a sheet of its own, or all on one; of a set, a panel for each row."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qsbearing.case_index import Index, Place
-from qsbearing.pictures.contact_angles import draw_angles
+from qsbearing.case_index import Index, Place, place_of
+from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
-from qsbearing.pictures.load_distribution import draw_loads
-from qsbearing.pictures.style import figure_of_size, legend, write_title
+from qsbearing.pictures.load_distribution import draw_loads, load_span
+from qsbearing.pictures.style import Span, figure_of_size, legend, write_title, write_title_of_set
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Drawing = Callable[[Any, Solution, Place], None]
+
+class Drawing(NamedTuple):
+    """A drawing of one bearing, which the rows of a set repeat to one scale."""
+
+    draw: Callable[..., None]
+    """Takes axes, solution, place and the span to show."""
+    span: Callable[[Solution, Place], Span]
+    size: tuple[float, float]
+    """Alone on a sheet [inches]."""
+    panel: tuple[float, float]
+    """As one of several [inches]."""
+    projection: str | None = None
 
 
-def load_distribution(solution: Solution, index: Index = None) -> Figure:
-    """Contact loads of all balls around the bearing, as a polar picture.
+LOADS = Drawing(draw_loads, load_span, (5.6, 5.6), (3.6, 3.8), "polar")
+ANGLES = Drawing(draw_angles, angle_span, (7.0, 4.2), (3.6, 2.9))
+PER_LINE = 4
+"""Rows of a set side by side."""
+
+
+def load_distribution(solution: Solution | SetSolution, index: Index = None) -> Figure:
+    """Contact loads of all balls around the bearing, as a polar picture; of a set, one for each row.
 
     Args:
         index: the case, along the solution's case axes; nothing for a single case.
     """
-    return _alone(draw_loads, (5.6, 5.6), solution, index, "polar")
+    return _rows([LOADS], solution, index) if isinstance(solution, SetSolution) else _alone(LOADS, solution, index)
 
 
-def contact_angles(solution: Solution, index: Index = None) -> Figure:
-    """Inner and outer contact angles by azimuth."""
-    return _alone(draw_angles, (7.0, 4.2), solution, index)
+def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Figure:
+    """Inner and outer contact angles by azimuth; of a set, of each row."""
+    return _rows([ANGLES], solution, index) if isinstance(solution, SetSolution) else _alone(ANGLES, solution, index)
 
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their greatest pressure."""
-    return _alone(draw_ellipses, (10.0, 4.6), solution, index)
+    place = solution._place(index)
+    figure = figure_of_size(10.0, 4.6)
+    axes = figure.add_subplot()
+    draw_ellipses(axes, solution, place)
+    legend(figure, axes)
+    write_title(figure, solution, place)
+    return figure
 
 
-def overview(solution: Solution, index: Index = None) -> Figure:
-    """Loads, angles and ellipses on one sheet."""
+def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
+    """Loads, angles and ellipses on one sheet; of a set, loads and angles of each row."""
+    if isinstance(solution, SetSolution):
+        return _rows([LOADS, ANGLES], solution, index)
     place = solution._place(index)
     figure = figure_of_size(11.0, 8.2)
     grid = figure.add_gridspec(2, 2, width_ratios=(1.0, 1.25), height_ratios=(1.1, 1.0))
@@ -52,13 +78,37 @@ def overview(solution: Solution, index: Index = None) -> Figure:
     return figure
 
 
-def _alone(
-    draw: Drawing, size: tuple[float, float], solution: Solution, index: Index, projection: str | None = None
-) -> Figure:
+def _alone(drawing: Drawing, solution: Solution, index: Index) -> Figure:
     place = solution._place(index)
-    figure = figure_of_size(*size)
-    axes = figure.add_subplot(projection=projection)
-    draw(axes, solution, place)
+    figure = figure_of_size(*drawing.size)
+    axes = figure.add_subplot(projection=drawing.projection)
+    drawing.draw(axes, solution, place)
     legend(figure, axes)
     write_title(figure, solution, place)
+    return figure
+
+
+def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> Figure:
+    """A column for each row, below each other where there are many; one scale for all rows."""
+    place = place_of(index, solution.shape)
+    count = len(solution.rows)
+    lines = -(-count // PER_LINE)
+    columns = -(-count // lines)
+    heights = [drawing.panel[1] for drawing in drawings] * lines
+    figure = figure_of_size(max(columns * drawings[0].panel[0], 6.0), sum(heights) + 0.7)
+    grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
+    drawn: list[Any] = []
+    for k, drawing in enumerate(drawings):
+        spans = [drawing.span(row, place) for row in solution.rows]
+        span = min(low for low, _ in spans), max(high for _, high in spans)
+        for number, row in enumerate(solution.rows):
+            line, column = divmod(number, columns)
+            axes = figure.add_subplot(grid[line * len(drawings) + k, column], projection=drawing.projection)
+            drawing.draw(axes, row, place, span)
+            own = solution.set.rows[number]
+            name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))
+            axes.set_title(f"Row {number + 1} ({name})\n{axes.get_title()}", fontsize=10, pad=18 if k == 0 else 6)
+            drawn.append(axes)
+    legend(figure, *reversed(drawn))
+    write_title_of_set(figure, solution, place)
     return figure

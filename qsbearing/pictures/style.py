@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from qsbearing.ball_messages import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.case_index import Place
 from qsbearing.raceway_contacts import RacewayContacts
-from qsbearing.scene.operation import CHANNELS
+from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
 from qsbearing.units import rpm
 
@@ -30,6 +31,18 @@ STYLE: dict[str, dict[str, Any]] = {
 }
 _MARKER_SIZE = {"inner": 4.0, "outer": 7.0}
 GREY = "0.35"
+Span = tuple[float, float]
+"""The least and the largest of what an axis shows."""
+
+ROW_LINES: tuple[tuple[str, Any], ...] = (
+    ("#000000", "-"),
+    ("#d55e00", "--"),
+    ("#0072b2", "-."),
+    ("#009e73", ":"),
+    ("#cc79a7", (0, (8, 2))),
+    ("#e69f00", (0, (5, 1, 1, 1, 1, 1))),
+)
+"""Colour and line of the rows of a set, in turn: each line differs from all others without its colour."""
 
 SLIP = (FRICTION_IN_DOUBT, FRICTION_BEYOND)
 """Coefficients of friction of lubricated contacts: between them, gyroscopic slip begins."""
@@ -97,8 +110,19 @@ def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> Non
 
 def write_title(figure: Figure, solution: Solution, place: Place) -> None:
     """What was solved, in a line: the bearing, its speeds, and the loads that the ring carries."""
-    operation = solution.scene.operation
-    parts = [solution.scene.bearing.name or "Ball bearing"]
+    _write_title(figure, solution.scene.bearing.name or "Ball bearing", solution.scene.operation, solution, place)
+
+
+def write_title_of_set(figure: Figure, solution: SetSolution, place: Place) -> None:
+    """Likewise: the set, its speeds, and the loads on the shaft."""
+    of = solution.set
+    _write_title(figure, f"{of.name or 'Set'}, {of.arrangement}", of.operation, solution, place)
+
+
+def _write_title(
+    figure: Figure, what: str, operation: Operation, solution: Solution | SetSolution, place: Place
+) -> None:
+    parts = [what]
     for name, speed in (("", operation.speed), ("outer ring ", operation.outer_speed)):
         if speed is not None:
             parts.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[place]) / rpm:.6g} rpm")

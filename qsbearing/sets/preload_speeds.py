@@ -1,21 +1,14 @@
-"""Up to which speed a set keeps its preload: found by solving it over speeds, and again where it changes."""
+"""Up to which speed a set keeps its preload."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from qsbearing.scene.operation import Operation
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_messages import RUN_AWAY, PreloadState, capital, row_name, states
-from qsbearing.sets.solve import solve_set
+from qsbearing.sets.preload_search import first_changes, opposed_errors
+from qsbearing.sets.set_messages import RUN_AWAY, PreloadState, capital, row_name
 from qsbearing.units import rpm
-from qsbearing.validation import SPEED, ErrorDetail, SceneError, within
-
-SPEEDS = 65
-"""Solved at a time: two rounds find a speed to 1/4096 of the range."""
-ROUNDS = 2
+from qsbearing.validation import SPEED, SceneError, within
 
 
 @dataclass(frozen=True)
@@ -44,48 +37,14 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
     Raises:
         SceneError: a highest speed that is none, arrays in the set, or rows that all carry in one direction.
     """
-    errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7)
-    if not of.is_opposed:
-        cause = "Rows that carry in opposite directions press each other"
-        errors.append(ErrorDetail("rows", "have no preload: all carry in one direction", cause=cause))
+    errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7) + opposed_errors(of)
     if errors:
         raise SceneError(errors)
-    found: dict[tuple[int, str], float] = {}
-    _search(of, 0.0, float(highest_speed), ROUNDS, found, threads)
+    found = first_changes(
+        lambda speeds: replace(of, operation=replace(of.operation, speed=speeds), readings={}),
+        *(0.0, float(highest_speed), threads),
+    )
     return [_result(of, speed, *what) for what, speed in sorted(found.items(), key=lambda each: each[1])]
-
-
-def _search(
-    of: BearingSet, low: float, high: float, rounds: int, found: dict[tuple[int, str], float], threads: int | None
-) -> None:
-    """The first speed of each new state in (low, high], refined between the two speeds where it comes."""
-    speeds = np.linspace(low, high, SPEEDS)
-    solution = solve_set(replace(of, operation=_at(of.operation, speeds), readings={}), threads=threads)
-    if solution.shape != speeds.shape:
-        raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
-    words = states(solution)
-    assert words is not None  # the set is opposed
-    status, faults = np.asarray(solution.status), np.asarray(solution.row_that_gives_way)
-    first: dict[tuple[int, str], int] = {}
-    for k in range(speeds.size):
-        if status[k] != "converged":
-            first.setdefault((int(faults[k]), str(status[k])), k)
-        for number, word in enumerate(words[k]):
-            if word in (PreloadState.LOST, PreloadState.RUN_AWAY):
-                first.setdefault((number, str(word)), k)
-    for what, k in first.items():
-        if what in found and rounds == ROUNDS:
-            continue
-        if rounds > 1 and k > 0:
-            inner: dict[tuple[int, str], float] = {}
-            _search(of, float(speeds[k - 1]), float(speeds[k]), rounds - 1, inner, threads)
-            found[what] = inner.get(what, float(speeds[k]))
-        else:
-            found[what] = float(speeds[k])
-
-
-def _at(operation: Operation, speed: np.ndarray) -> Operation:
-    return replace(operation, speed=speed)
 
 
 def _result(of: BearingSet, speed: float, row: int, state: str) -> PreloadSpeed:

@@ -1,0 +1,76 @@
+"""Up to how many times its loads a set keeps its preload."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.preload_search import first_changes, opposed_errors
+from qsbearing.sets.set_messages import PreloadState, capital, row_name
+from qsbearing.validation import RATIO, ErrorDetail, SceneError, within
+
+MOST = 10.0
+"""Times the loads of the set: further nobody asks."""
+
+
+@dataclass(frozen=True)
+class PreloadLoad:
+    """The least multiple of the loads at which a row's preload is no longer kept."""
+
+    factor: float
+    """Times every load and moment on the shaft; 0: speed alone does it."""
+    row: int
+    """From 0; -1 where the set has no equilibrium and no row is to blame."""
+    state: str
+    """lost; no_equilibrium or not_converged where the set is not solved any more."""
+    sentence: str
+
+
+def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None = None) -> list[PreloadLoad]:
+    """The multiples of the loads on the shaft, up to the highest given, above which some row loses its preload.
+
+    All loads and moments grow together, the preload and all else stay. A preload counts as lost below 1 % of that at
+    rest. What changes and changes back between two of the 64 multiples tried is not seen.
+
+    Returns:
+        At most one of each row and state, the least first; empty where all rows keep their preload.
+
+    Raises:
+        SceneError: a highest multiple that is none, arrays in the set, no load, or rows that all carry in one
+            direction.
+    """
+    errors = within("highest", highest, RATIO, 1e-6, 1e6) + opposed_errors(of)
+    if not loads_of(of):
+        errors.append(ErrorDetail("operation", "has no load or moment that could grow"))
+    if errors:
+        raise SceneError(errors)
+    found = first_changes(lambda factors: loaded(of, factors), 0.0, float(highest), threads)
+    found = {what: factor for what, factor in found.items() if what[1] != PreloadState.RUN_AWAY}
+    return [_result(of, factor, *what) for what, factor in sorted(found.items(), key=lambda each: each[1])]
+
+
+def loads_of(of: BearingSet) -> dict[str, Any]:
+    """The loads and moments on the shaft that are not zero, by their fields."""
+    given = {channel.load: getattr(of.operation, channel.load) for channel in CHANNELS}
+    return {name: value for name, value in given.items() if value is not None and np.any(np.asarray(value) != 0.0)}
+
+
+def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
+    """The set under these multiples of its loads, without its readings."""
+    loads = {name: np.asarray(value, float) * factors for name, value in loads_of(of).items()}
+    return replace(of, operation=replace(of.operation, **loads), readings={})
+
+
+def _result(of: BearingSet, factor: float, row: int, state: str) -> PreloadLoad:
+    at = f"at {factor:.3g} times the loads" if factor else "before any load acts"
+    name = capital(row_name(of.rows[row], row)) if row >= 0 else "The set"
+    said = {
+        str(PreloadState.LOST): f"{name} loses its preload {at}.",
+        "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
+    }
+    return PreloadLoad(factor, row, state, said.get(state, f"{name}: not solved any more {at}."))
