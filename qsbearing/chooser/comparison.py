@@ -10,20 +10,24 @@ Each error is relative to a size that cannot vanish while the bearing carries lo
     ring load (reactions)               the largest, moments over dm/2
     stiffness, diagonal                 its own, at least a tenth of the largest of its kind (per length, per angle)
 
-Contacts below a tenth of the largest load, and stiffnesses below a tenth of the largest: `LIGHT`.
+Contacts below a tenth of the largest load, and stiffnesses below a tenth of the largest: `LIGHT`. Of a set the ring is
+the shaft, dm the mean of the rows', and the balls are those of all rows.
 
 Of several balls or channels the worst counts. The same definitions hold for what the indicators of effects predict.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.effects.operating_point import LIGHT, SMALLEST_ANGLE
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
+
+T = TypeVar("T", Solution, SetSolution)
 
 RACEWAYS = ("inner", "outer")
 CONTACT = ("load", "angle", "semi_major_axis", "semi_minor_axis", "max_pressure")
@@ -45,10 +49,12 @@ Results = dict[str, NDArray]
 """Arrays (*cases, balls or channels) by name, SI."""
 
 
-def read(solution: Solution) -> Results:
+def read(solution: Solution | SetSolution) -> Results:
     """The results of a solution; NaN in cases that are not solved and for balls that are not there."""
     displacement, load = solution.displacement, solution.load
-    lever = 0.5 * np.asarray(solution.scene.bearing.pitch_diameter, float)[..., None]
+    rows = solution.rows if isinstance(solution, SetSolution) else (solution,)
+    pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
+    lever = 0.5 * np.mean(pitch, axis=0)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
     found: Results = {
         "axial_displacement": displacement[..., :1],
@@ -58,11 +64,12 @@ def read(solution: Solution) -> Results:
         "radial_stiffness": tangent[..., 1:3],
         "tilt_stiffness": tangent[..., 3:],
         "ring_load": np.concatenate([load[..., :3], load[..., 3:] / lever], axis=-1),
-        "approach": np.maximum(solution.inner.approach, 0.0) + np.maximum(solution.outer.approach, 0.0),
     }
     for side in RACEWAYS:
-        for name in CONTACT:
-            found[f"{side}_{name}"] = getattr(getattr(solution, side), name)
+        for name in (*CONTACT, "approach"):
+            of_rows = [getattr(getattr(row, side), name) for row in rows]
+            found[f"{side}_{name}"] = np.concatenate(of_rows, axis=-1)
+    found["approach"] = sum(np.maximum(found.pop(f"{side}_approach"), 0.0) for side in RACEWAYS)
     return found
 
 
@@ -96,7 +103,7 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
     return judged
 
 
-def by_quantity(solution: Solution, full: Solution) -> Results:
+def by_quantity(solution: T, full: T) -> Results:
     """Error of each quantity that people read, against another solution of the same cases; shape (*cases).
 
     Zero where neither is solved, infinite where one alone is.

@@ -71,14 +71,14 @@ def _row(entry: Entry, solution: Solution, tolerance: float, verify: bool) -> Ro
     if judged is not None and finer is not coarser:
         ratio = _time_ratio(finer, coarser)
         actual = by_quantity(solve(coarser), solve(finer)) if verify else None
-    (indicator,) = (_floats({"": judged.indicator}) or {}).values() if judged else (None,)
-    predicted = _floats(None if judged is None else judged.errors)
-    verdict, why = _verdict(entry, solution, judged, actual, tolerance)
+    (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
+    predicted = as_floats(None if judged is None else judged.errors)
+    found, why = _verdict(entry, solution, judged, actual, tolerance)
     lines = lines_to_add(scene, [entry])
-    return Row(entry.name, entry.what, is_in, indicator, predicted, _floats(actual), ratio, verdict, why, lines)
+    return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines)
 
 
-def _floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
+def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
     """Plain numbers; null for what is none."""
     return None if errors is None else {name: float(x) if np.isfinite(x) else None for name, x in errors.items()}
 
@@ -86,20 +86,37 @@ def _floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
 def _verdict(
     entry: Entry, solution: Solution, judged: Judgement | None, actual: dict[str, Any] | None, tolerance: float
 ) -> tuple[str, str]:
-    if not solution.converged:
-        return CANNOT_BE_JUDGED, "the scene has no solution to judge by"
-    if entry.needs and not entry.is_in(solution.scene):
-        told = f"; what stands here is {entry.without_parameters}" if judged else ""
+    error = None
+    if judged is not None:
+        error = float(judged.largest) if actual is None else float(max(actual.values()))
+    is_solved, is_in = bool(solution.converged), entry.is_in(solution.scene)
+    found = verdict(entry, "scene", is_solved, is_in, judged is not None, error, tolerance)
+    point = solution.operating_point
+    if found[0] == NOT_NEEDED and judged is not None and actual is None and bool(point.has_light_ball):
+        is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
+        return found if is_nothing else (CANNOT_BE_JUDGED, LIGHT_BALL)
+    return found
+
+
+def verdict(
+    entry: Entry, of: str, is_solved: bool, is_in: bool, is_told: bool, error: float | None, tolerance: float
+) -> tuple[str, str]:
+    """Whether it is needed, and why not so where that cannot be judged.
+
+    Args:
+        of: what has it or not, in a word.
+        is_told: whether there are numbers for what lacks its parameters.
+        error: the largest change of all that is read; None where there is none to tell.
+    """
+    if not is_solved:
+        return CANNOT_BE_JUDGED, f"the {of} has no solution to judge by"
+    if entry.needs and not is_in:
+        told = f"; what stands here is {entry.without_parameters}" if is_told else ""
         return CANNOT_BE_JUDGED, f"needs {entry.needs}{told}"
-    if judged is None:
-        return CANNOT_BE_JUDGED, "the scene states another choice, or has nothing that it acts on"
-    error = float(judged.largest) if actual is None else float(max(actual.values()))
+    if error is None:
+        return CANNOT_BE_JUDGED, f"the {of} states another choice, or has nothing that it acts on"
     if error > tolerance and entry.hypothesis:
         return CANNOT_BE_JUDGED, entry.hypothesis
-    point = solution.operating_point
-    if error <= tolerance and actual is None and bool(point.has_light_ball):
-        is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
-        return (NOT_NEEDED, "") if is_nothing else (CANNOT_BE_JUDGED, LIGHT_BALL)
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 

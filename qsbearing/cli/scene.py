@@ -25,12 +25,7 @@ def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.io.scene_file import load_scene
 
-    scene = _loaded(load_scene, source)
-    if "spectrum" in scene.readings:
-        refuse(
-            f"{source}: [[spectrum]] holds several operating points, which `qsbearing run` solves; leave it out here"
-        )
-    return scene
+    return _of_one_point(_loaded(load_scene, source), source)
 
 
 def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:
@@ -40,6 +35,20 @@ def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:
 
     found = _loaded(load_scene_or_set, source)
     return (found, None) if isinstance(found, Scene) else (None, found)
+
+
+def load_one(source: str) -> tuple[Scene | None, BearingSet | None]:
+    """Likewise, of one operating point."""
+    scene, of_set = load_scene_or_set(source)
+    return None if scene is None else _of_one_point(scene, source), of_set
+
+
+def _of_one_point(scene: Scene, source: str) -> Scene:
+    if "spectrum" in scene.readings:
+        refuse(
+            f"{source}: [[spectrum]] holds several operating points, which `qsbearing run` solves; leave it out here"
+        )
+    return scene
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:

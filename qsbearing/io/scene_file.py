@@ -37,7 +37,9 @@ from qsbearing.validation import SceneError, printable
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-SETS_ARE_READ_BY = "Of a set of rows on one shaft, which `qsbearing run`, `sweep` and `qs.load_set` read"
+SETS_ARE_READ_BY = (
+    "Of a set of rows on one shaft, which `qsbearing run`, `explain`, `sweep`, `report` and `qs.load_set` read"
+)
 _OPERATION = table_model("operation", OPERATION, {})
 _PRELOAD = table_model("preload", PRELOAD, {})
 

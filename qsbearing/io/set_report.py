@@ -31,9 +31,9 @@ from qsbearing.units import rpm
 def set_result(solution: SetSolution) -> Group:
     """The report on a single case of a set."""
     found = set_record(solution)
-    parts: list[RenderableType] = [_heading(solution, found)]
+    parts: list[RenderableType] = [heading(solution, found)]
     if found["status"] == "converged":
-        tables = [_shaft(solution, found), _rows(found), stiffness_table(found), stiffness_matrix_table(found)]
+        tables = [_shaft(solution, found), rows_table(found), stiffness_table(found), stiffness_matrix_table(found)]
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
         for number, row in enumerate(found["rows"]):
             table = contacts_table(distinct(row["balls"]), len(row["balls"]))
@@ -48,7 +48,8 @@ def set_result(solution: SetSolution) -> Group:
     return Group(*parts)
 
 
-def _heading(solution: SetSolution, found: dict[str, Any]) -> Text:
+def heading(solution: SetSolution, found: dict[str, Any]) -> Text:
+    """What a set is, and how its case ended."""
     of = solution.set
     lines = Text.assemble((of.name or "Set", "bold"))
     lines.append(
@@ -72,7 +73,8 @@ def _shaft(solution: SetSolution, found: dict[str, Any]) -> Table:
     return table
 
 
-def _rows(found: dict[str, Any]) -> Table:
+def rows_table(found: dict[str, Any]) -> Table:
+    """What each row of a record carries, and what has become of its preload."""
     heading = (
         "row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "preload\nat rest N",
         "preload in\noperation N", "", "largest\nball N",

@@ -1,0 +1,87 @@
+"""What a preload does in a set, in sentences: what presses the rows, what speed makes of it, and where it is lost."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.preload_loads import MOST, PreloadLoad, loads_of, preload_loads
+from qsbearing.sets.preload_speeds import PreloadSpeed, preload_speeds
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.units import rpm, um
+
+FASTER = 1.5
+"""Times the speed of the set, up to which its preload is followed."""
+UNCHANGED = 0.005
+"""Relative; a preload that changes by less is said to stay."""
+
+
+def preload_summary(solution: SetSolution) -> list[str]:
+    """Sentences on the preload of a solved set, a single case."""
+    of = solution.set
+    if not of.is_opposed:
+        return [f"All rows carry in {of.rows[0].carries}: no row presses another, the axial load alone presses them."]
+    return [_kind(solution), *_at_speed(solution), *_limits(of)]
+
+
+def limits(of: BearingSet) -> tuple[list[PreloadSpeed], list[PreloadLoad]]:
+    """Where the preload is lost or runs away, over speed and over loads; empty where nothing varies with them."""
+    turning = float(np.asarray(of.operation.speed)) != 0.0 and depends_on_speed(of)
+    highest = FASTER * abs(float(np.asarray(of.operation.speed)))
+    return (
+        preload_speeds(of, highest) if turning and of.is_opposed else [],
+        preload_loads(of) if loads_of(of) and of.is_opposed else [],
+    )
+
+
+def depends_on_speed(of: BearingSet) -> bool:
+    """Whether anything in the set does."""
+    return bool(of.ball_effects) or any(of.effects_of(row) for row in of.rows)
+
+
+def _kind(solution: SetSolution) -> str:
+    of = solution.set
+    preload = of.preload
+    if preload is None:
+        if any(np.any(np.asarray(row.offset) != 0.0) for row in of.rows):
+            return "No preload is given: the offsets of the rows press them against each other."
+        return "No preload is given: at rest and cold the rows just touch."
+    if preload.spring is not None:
+        sprung = " and ".join(f"row {number}" for number, row in enumerate(of.rows, 1) if row.sprung)
+        slid = float(solution.slide) / um
+        return (
+            f"A spring presses {sprung} with {float(np.asarray(preload.spring)):.6g} N, whatever speed, heat and loads "
+            f"do; the outer rings have slid by {slid:.4g} um."
+        )
+    if preload.rigid is not None:
+        pressed = f"where {float(np.asarray(preload.rigid)):.6g} N took the rows of either direction at rest and cold"
+    else:
+        pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} um"  # type: ignore[arg-type]
+    return f"Rings are held {pressed}: speed, heat and loads change what presses the rows."
+
+
+def _at_speed(solution: SetSolution) -> list[str]:
+    at_rest, alone = solution.preload_at_rest, solution.preload_in_operation
+    assert at_rest is not None and alone is not None  # the set is opposed
+    pressed = at_rest > 0.0
+    if not depends_on_speed(solution.set) or not pressed.any() or not np.isfinite(alone).all():
+        return []
+    ratios = alone[pressed] / at_rest[pressed]
+    if np.abs(ratios - 1.0).max() < UNCHANGED:
+        return ["In operation, without external loads, each row keeps what presses it at rest."]
+    span = " to ".join(dict.fromkeys(f"{each:.3g}" for each in (ratios.min(), ratios.max())))
+    return [f"In operation, without external loads, rows are pressed by {span} times what presses them at rest."]
+
+
+def _limits(of: BearingSet) -> list[str]:
+    speeds, loads = limits(of)
+    said = [each.sentence for each in (*speeds, *loads)]
+    speed = float(np.asarray(of.operation.speed))
+    kept = []
+    if not speeds and speed != 0.0 and depends_on_speed(of):
+        kept.append(f"up to {FASTER * abs(speed) / rpm:.6g} rpm ({FASTER:g} times the speed)")
+    if not loads and loads_of(of):
+        kept.append(f"up to {MOST:g} times the loads")
+    if kept:
+        said.append(f"All rows keep their preload {' and '.join(kept)}.")
+    return said
