@@ -83,8 +83,8 @@ def missing(solution: Solution) -> list[Judgement]:
     return [judge(entry, solution) for entry in EFFECTS if not entry.hypothesis and entry.can_be_added(scene)]
 
 
-def lines_to_add(scene: Scene, entries: list[Entry]) -> list[str]:
-    """What a scene file says under [effects] to ask for these besides."""
+def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:
+    """What the file of a scene or set says under [effects] to ask for these besides."""
     finer = scene
     for entry in entries:
         finer = entry.finer(finer)
@@ -92,7 +92,7 @@ def lines_to_add(scene: Scene, entries: list[Entry]) -> list[str]:
     return [f"{key} = {_toml(value)}" for key, value in after.items() if value != before[key]]
 
 
-def _effects_table(scene: Scene) -> dict[str, Any]:
+def _effects_table(scene: Any) -> dict[str, Any]:
     return {"ball": [effect.name for effect in scene.ball_effects]} | {name: getattr(scene, name) for name in CHOICES}
 
 

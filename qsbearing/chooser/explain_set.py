@@ -72,4 +72,5 @@ def _is_held(of: BearingSet) -> bool:
 
 def _largest(of_rows: list[Judgement]) -> dict[str, np.ndarray]:
     named = [name for name in QUANTITIES if any(name in each.errors for each in of_rows)]
-    return {name: np.max([each.errors.get(name, 0.0) for each in of_rows], axis=0) for name in named}
+    nothing = np.zeros(())
+    return {name: np.max([each.errors.get(name, nothing) for each in of_rows], axis=0) for name in named}

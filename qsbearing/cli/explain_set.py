@@ -11,6 +11,8 @@ from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from qsbearing.sets.bearing_set import BearingSet
 
 
@@ -36,8 +38,8 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
         print_text(json.dumps(of_set, indent=1, allow_nan=False) + "\n")
     elif solution.converged:
         warnings = [Text.assemble(("Warning: ", "bold yellow"), each) for each in found["warnings"]]
-        tables = rows_table(found), Text("\n".join(said)), found_table(rows, tolerance)
-        parts = [*tables, Group(*remarks(rows)), *warnings]
+        parts: list[RenderableType] = [rows_table(found), Text("\n".join(said)), found_table(rows, tolerance)]
+        parts += [Group(*remarks(rows)), *warnings]
         print_table(Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts)))
     else:
         print_table(heading(solution, found))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ from qsbearing.solver import solve
 from qsbearing.units import MPa, deg, rpm, um
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 POINTS = 41
@@ -103,15 +105,25 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
     is_free = 0 in swept._free_channels
     axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
     displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
-    for channel, colour, line in ((0, "#009e73", "-"), (1, "#cc79a7", "--")):
-        values = np.where(solved, swept.locked_stiffness[:, channel], np.nan) * um
-        stiffness.plot(along, values, color=colour, linestyle=line, label=CHANNELS[channel].label)
-    stiffness.legend(fontsize=8, frameon=False)
+    mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
     names = ("contact angle, deg", "greatest pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
-    for axes, name in zip((angles, pressures, displacement, stiffness), names, strict=True):
+    finish((angles, pressures, displacement, stiffness), names, own, label)
+    legend(figure, angles)
+    return figure
+
+
+def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArray) -> None:
+    """Axial and radial stiffness of the cases that are solved; stiffness of shape (case, 5)."""
+    for channel, colour, line in ((0, "#009e73", "-"), (1, "#cc79a7", "--")):
+        values = np.where(solved, stiffness[:, channel], np.nan) * um
+        axes.plot(along, values, color=colour, linestyle=line, label=CHANNELS[channel].label)
+    axes.legend(fontsize=8, frameon=False)
+
+
+def finish(panels: Sequence[Axes], names: Sequence[str], own: float, label: str) -> None:
+    """What each panel shows, over what, and where along it the operating point is."""
+    for axes, name in zip(panels, names, strict=True):
         axes.set_title(name, fontsize=10)
         axes.axvline(own, color=GREY, linewidth=0.8, linestyle=":")
         axes.set_xlabel(label, fontsize=9)
         plain(axes)
-    legend(figure, angles)
-    return figure

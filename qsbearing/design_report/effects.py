@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from qsbearing.chooser.explain import Row, explain
+from qsbearing.chooser.explain_set import explain_set
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.effects import QUANTITIES
 from qsbearing.judgement import WORDS
 from qsbearing.messages import chosen
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.solution import Solution
+
+DEFAULT_TOLERANCE = 0.01
 
 ASSUMED = (
     "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
     "load.",
     "Rings are rigid but for their contacts, and contacts are elastic: Hertz's ellipses in grooves of constant radius.",
     "The geometry is exact: all balls alike, evenly spaced, grooves round and true.",
+)
+OF_SETS = (
+    "Shaft and housing are rigid: rows keep their distance, nothing bends, and nothing grows along the shaft with heat."
 )
 SPINNING = (
     "The axis of each ball follows from raceway control, a hypothesis; friction carries the gyroscopic moment, and the "
@@ -32,9 +41,19 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
     """
     _, rows = explain(solution.scene, tolerance, verify=True)
     assumed = [*ASSUMED, *([SPINNING] if solution.scene.ball_effects else [])]
-    blocks: list[Block] = [Paragraph("What holds for every scene of this model:"), Bullets(assumed)]
-    if solution.choice is not None:
-        blocks += [Paragraph(each) for each in chosen(solution, asked)]
+    said = [] if solution.choice is None else chosen(solution, asked)
+    return _section("What holds for every scene of this model:", assumed, said, rows, tolerance)
+
+
+def section_of_set(of: BearingSet) -> Section:
+    """Likewise of a set."""
+    _, rows = explain_set(of, DEFAULT_TOLERANCE)
+    assumed = [OF_SETS, *ASSUMED, *([SPINNING] if of.ball_effects else [])]
+    return _section("What holds for every set of this model:", assumed, [], rows, DEFAULT_TOLERANCE)
+
+
+def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
+    blocks: list[Block] = [Paragraph(first), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "Each effect and choice of the model, found by solving with and without it: the relative change of what people "
         f"read. Above {100 * tolerance:g} % it is needed."

@@ -5,9 +5,9 @@ A statement stands here only with the condition under which it holds, judged fro
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -17,7 +17,9 @@ from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.messages import STATIC_PRESSURE_LIMIT
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.solution import Solution
+from qsbearing.units import deg
 
 
 class Facts(NamedTuple):
@@ -32,15 +34,18 @@ class Facts(NamedTuple):
     """The greatest [Pa]."""
 
 
+Asked = TypeVar("Asked")
+
+
 @dataclass(frozen=True)
-class Statement:
-    """What a check covers, and when."""
+class Statement(Generic[Asked]):
+    """What a check covers, and when: judged from the facts of a scene, or from a set."""
 
     says: str
     command: str
-    applies: Callable[[Facts], bool]
-    """Whether the scene has what is checked at all."""
-    covers: Callable[[Facts], bool] = lambda facts: True
+    applies: Callable[[Asked], bool]
+    """Whether there is what is checked at all."""
+    covers: Callable[[Asked], bool] = lambda asked: True
     """Whether it lies within what was checked."""
 
 
@@ -52,7 +57,7 @@ def _is_b218(facts: Facts) -> bool:
     return (facts.scene.bearing.name or "").upper() == "B218"
 
 
-STATEMENTS = (
+STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         "The equations, to ten digits: fifty-digit solutions of scenes with every ball effect and raceway control, "
         "Hertz in exact form, tilts about the circle of groove centres.",
@@ -120,25 +125,61 @@ STATEMENTS = (
     ),
 )
 
+OF_SETS: tuple[Statement[BearingSet], ...] = (
+    Statement(
+        "Statics of sets at rest, to 1e-8: the balls of two to four rows as springs between points in three "
+        "dimensions, under every load at once.",
+        "pytest tests/sets/test_equilibrium.py",
+        lambda of: True,
+        lambda of: not of.ball_effects and not any(of.effects_of(row) for row in of.rows) and len(of.rows) <= 4,
+    ),
+    Statement(
+        "Relations of sets at rest and at speed: rows add up to the load, mirror images, stiffness against "
+        "differences; up to four rows.",
+        "pytest tests/sets/test_equilibrium.py",
+        lambda of: True,
+        lambda of: len(of.rows) <= 4,
+    ),
+    Statement(
+        "Axial rigidities of rigidly preloaded pairs at rest, as a maker prints them (GMN S 6210, 15 and 25 degrees).",
+        "pytest tests/sets/test_preload.py",
+        lambda of: len(of.rows) == 2 and of.is_opposed,
+        lambda of: _is_printed_pair(of),
+    ),
+)
 
-def section(solution: Solution) -> Section:
-    """The statements that apply, with whether this scene lies within what was checked."""
-    facts = _facts(solution)
-    rows: list[list[Cell]] = [
-        [
-            each.says,
-            Md(f"`{each.command}`"),
-            Badge("covered", "pass") if each.covers(facts) else Badge("outside", "finding"),
-        ]
-        for each in STATEMENTS
-        if each.applies(facts)
-    ]
+
+def _is_printed_pair(of: BearingSet) -> bool:
+    angles = [float(np.asarray(row.bearing.free_contact_angle)) / deg for row in of.rows]
+    is_rigid = of.preload is not None and of.preload.spring is None
+    return is_rigid and float(np.asarray(of.operation.speed)) == 0.0 and min(angles) >= 15.0 and max(angles) <= 25.0
+
+
+def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Section:
+    """The statements that apply, with whether this scene or set lies within what was checked.
+
+    Args:
+        solutions: of the scene, or of each row of the set.
+    """
+    facts = [_facts(solution) for solution in solutions]
+    rows: list[list[Cell]] = []
+    for each in STATEMENTS:
+        concerned = [one for one in facts if each.applies(one)]
+        if concerned:
+            rows.append(_line(each, all(each.covers(one) for one in concerned)))
+    rows += [] if of is None else [_line(each, each.covers(of)) for each in OF_SETS if each.applies(of)]
+    what = "scene" if of is None else "set"
     words = (
-        "What was checked and applies to a scene like this. Outside: the scene lies beyond what was checked, which "
+        f"What was checked and applies to a {what} like this. Outside: the {what} lies beyond what was checked, which "
         "does not make it wrong. The validation report, `fem-check report`, has the numbers."
     )
-    blocks: list[Block] = [Paragraph(Md(words)), Table(("what was checked", "again by", "this scene"), rows, "lll")]
+    blocks: list[Block] = [Paragraph(Md(words)), Table(("what was checked", "again by", f"this {what}"), rows, "lll")]
     return Section("Evidence that applies", blocks, "evidence")
+
+
+def _line(statement: Statement[Any], is_covered: bool) -> list[Cell]:
+    verdict = Badge("covered", "pass") if is_covered else Badge("outside", "finding")
+    return [statement.says, Md(f"`{statement.command}`"), verdict]
 
 
 def _facts(solution: Solution) -> Facts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -10,6 +10,7 @@ from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Ta
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.scene_file import load_scene
+from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -40,11 +41,11 @@ def section(scene: Scene, source: str) -> Section:
     """
     rows: list[Line | Group] = []
     for title, lines in (
-        ("Bearing", _bearing(scene)),
-        ("Operation", _numbers(OPERATION, scene.operation)),
-        ("Preload", _numbers(PRELOAD, scene.preload)),
-        ("Effects and choices", _effects(scene)),
-        ("Readings", _readings(scene.readings)),
+        ("Bearing", bearing_lines(scene.bearing, "scene")),
+        ("Operation", numbers(OPERATION, scene.operation)),
+        ("Preload", numbers(PRELOAD, scene.preload)),
+        ("Effects and choices", [*effect_lines((*scene.ring_effects, *scene.ball_effects)), *choice_lines(scene)]),
+        ("Readings", reading_lines(scene.readings)),
     ):
         if lines:
             rows += [Group(title), *lines]
@@ -58,34 +59,39 @@ def section(scene: Scene, source: str) -> Section:
     return Section("Input", blocks)
 
 
-def _bearing(scene: Scene) -> list[Line]:
-    bearing = scene.bearing
+def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
+    """A bearing and its materials.
+
+    Args:
+        given_by: a word for where numbers come from that are not a catalogue's.
+    """
     entry = catalogue.find((bearing.name or "").removesuffix(MODIFIED))
     published = None if entry is None else load_scene(entry.name).bearing
 
     def origin(key: str, same: bool) -> str:
-        """Of a number: the catalogue's source where the scene has the catalogue's number."""
+        """Of a number: the catalogue's source where it is the catalogue's number."""
         if entry is None or not same:
-            return "scene"
+            return given_by
         return entry.provenance.get(key) or FOLLOWS.get(key, "")
 
     found: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
     found += [
-        (*line[:3], origin(line[0], published is not None and line in _numbers(BEARING, published)))
-        for line in _numbers(BEARING, bearing)
+        (*line[:3], origin(line[0], published is not None and line in numbers(BEARING, published)))
+        for line in numbers(BEARING, bearing)
     ]
     for material in MATERIALS:
         same = published is not None and getattr(published, material) == getattr(bearing, material)
-        lines = _numbers(MATERIAL, getattr(bearing, material))
+        lines = numbers(MATERIAL, getattr(bearing, material))
         found += [(f"{material}.{line[0]}", *line[1:3], origin(material, same)) for line in lines]
     if entry is not None:
         found.append(("catalogue entry", entry.name, "", entry.source))
     return found
 
 
-def _effects(scene: Scene) -> list[Line]:
+def effect_lines(effects: Iterable[Any]) -> list[Line]:
+    """Effects with their numbers and choices."""
     found: list[Line] = []
-    for effect in (*scene.ring_effects, *scene.ball_effects):
+    for effect in effects:
         found.append((effect.name, "on", "", ""))
         for each in fields(effect):
             value = getattr(effect, each.name)
@@ -94,11 +100,15 @@ def _effects(scene: Scene) -> list[Line]:
                 found.append((f"{effect.name}.{key.name}", _text(key.in_file(float(value))), key.unit, ""))
             elif value is not None and isinstance(value, str):
                 found.append((each.name, str(value), "", ""))
-    found += [(name, str(getattr(scene, name)), "", "") for name in CHOICES if getattr(scene, name) is not None]
     return found
 
 
-def _readings(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
+def choice_lines(holder: Any) -> list[Line]:
+    """What a scene or set chooses among several models."""
+    return [(name, str(getattr(holder, name)), "", "") for name in CHOICES if getattr(holder, name) is not None]
+
+
+def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
     """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
     found: list[Line] = []
     for name, arguments in asked.items():
@@ -112,7 +122,7 @@ def _readings(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
     return found
 
 
-def _numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:
+def numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:
     """The numbers that an object holds, by the keys of a scene file."""
     found = []
     for key in keys:

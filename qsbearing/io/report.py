@@ -52,10 +52,20 @@ def tables(solution: Solution) -> Group:
     return Group(*_tables(solution, record(solution)))
 
 
+def tables_of_balls(solution: Solution) -> Group:
+    """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion."""
+    found = record(solution)
+    return Group(*_expansion(solution, found), *_of_balls(solution, found))
+
+
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    rows, count = distinct(found["balls"]), len(found["balls"])
     tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(found)]
-    tables += [stiffness_matrix_table(found), contacts_table(rows, count), _ellipses(rows, count)]
+    return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
+
+
+def _of_balls(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    rows, count = distinct(found["balls"]), len(found["balls"])
+    tables = [contacts_table(rows, count), _ellipses(rows, count)]
     return [*tables, _motion(rows, count, found)] if solution.scene.ball_effects else tables
 
 

@@ -33,19 +33,33 @@ def set_result(solution: SetSolution) -> Group:
     found = set_record(solution)
     parts: list[RenderableType] = [heading(solution, found)]
     if found["status"] == "converged":
-        tables = [_shaft(solution, found), rows_table(found), stiffness_table(found), stiffness_matrix_table(found)]
-        parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
+        parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
         for number, row in enumerate(found["rows"]):
             table = contacts_table(distinct(row["balls"]), len(row["balls"]))
             table.title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
             parts.append(Padding(table, (1, 0, 0, 0)))
             if solution.rows[number].scene.readings:
                 parts += _readings(solution, number)
-        if found["system_life_h"] is not None:
-            parts.append(Padding(Text(f"Life of all rows together: {found['system_life_h']:.5g} h"), (1, 0, 0, 0)))
+        parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     for sentence in found["warnings"]:
         parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
     return Group(*parts)
+
+
+def tables(solution: SetSolution) -> Group:
+    """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
+    in hours."""
+    found = set_record(solution)
+    return Group(*_tables(solution, found), *_system_life(found))
+
+
+def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
+    return [_shaft(solution, found), rows_table(found), stiffness_table(found), stiffness_matrix_table(found)]
+
+
+def _system_life(found: dict[str, Any]) -> list[Text]:
+    hours = found["system_life_h"]
+    return [] if hours is None else [Text(f"Life of all rows together: {hours:.5g} h")]
 
 
 def heading(solution: SetSolution, found: dict[str, Any]) -> Text:

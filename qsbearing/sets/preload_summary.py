@@ -56,7 +56,7 @@ def _kind(solution: SetSolution) -> str:
     if preload.rigid is not None:
         pressed = f"where {float(np.asarray(preload.rigid)):.6g} N took the rows of either direction at rest and cold"
     else:
-        pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} um"  # type: ignore[arg-type]
+        pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} um"
     return f"Rings are held {pressed}: speed, heat and loads change what presses the rows."
 
 
@@ -75,7 +75,7 @@ def _at_speed(solution: SetSolution) -> list[str]:
 
 def _limits(of: BearingSet) -> list[str]:
     speeds, loads = limits(of)
-    said = [each.sentence for each in (*speeds, *loads)]
+    said = [each.sentence for each in speeds] + [each.sentence for each in loads]
     speed = float(np.asarray(of.operation.speed))
     kept = []
     if not speeds and speed != 0.0 and depends_on_speed(of):

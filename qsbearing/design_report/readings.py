@@ -1,0 +1,34 @@
+"""The readings that a scene, or a row of a set, asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from qsbearing.documents.from_rich import blocks as from_rich
+from qsbearing.documents.model import Block
+from qsbearing.solution import Solution
+
+
+def taken(solution: Solution) -> dict[str, Any]:
+    """The readings by their names; none where none is asked for."""
+    if not solution.scene.readings:
+        return {}
+    from qsbearing.readings.asked import take_asked
+
+    return dict(take_asked(solution))
+
+
+def warnings_of(readings: Mapping[str, Any]) -> list[str]:
+    """What there is to beware of in them."""
+    return [each for reading in readings.values() for each in getattr(reading, "warnings", ())]
+
+
+def tables(readings: Mapping[str, Any]) -> list[Block]:
+    """Their tables, warnings below each."""
+    if not readings:
+        return []
+    from qsbearing.io.readings_report import readings_tables
+
+    found: list[Any] = readings_tables(readings)
+    return [block for each in found for block in from_rich(each)]

@@ -1,0 +1,130 @@
+"""Curves of a set around its operating point: over speed, loads and preload, with where a row loses its preload."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Block, Paragraph, Remark, Section
+from qsbearing.pictures.style import ROW_LINES, figure_of_size, legend
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.preload_loads import MOST, PreloadLoad, loaded, loads_of
+from qsbearing.sets.preload_speeds import PreloadSpeed
+from qsbearing.sets.preload_summary import depends_on_speed, limits
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.solve import solve_set
+from qsbearing.units import MPa, rpm, um
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+BEYOND = 1.15
+"""Times the load at which a row loses its preload: so far loads are shown, if that is not too far."""
+Mark = tuple[float, str]
+"""Where a row no longer keeps its preload, along the curve, and what happens there."""
+
+
+def section(solution: SetSolution) -> Section:
+    """The sweeps that there are; what cannot be varied is said."""
+    of = solution.set
+    speeds, loads = limits(of)
+    words = (
+        "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
+        "row loses its preload or runs away with it. Points without a solution are left out."
+    )
+    blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
+    return Section("Around the operating point", blocks, "curves")
+
+
+def _speed(of: BearingSet, changes: Sequence[PreloadSpeed]) -> list[Block]:
+    own = float(np.asarray(of.operation.speed))
+    if own == 0.0 or not depends_on_speed(of):
+        return [Remark("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
+    speeds = own * np.linspace(*SPEED_RANGE, POINTS)
+    swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
+    marks = [(np.sign(own) * each.speed / rpm, _what(each)) for each in changes]
+    figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
+    return _shown(swept, figure, "the speed of the shaft", [each.sentence for each in changes])
+
+
+def _load(of: BearingSet, changes: Sequence[PreloadLoad]) -> list[Block]:
+    if not loads_of(of):
+        return [Remark("No curve over the loads: no load or moment acts on the shaft.")]
+    marks = [(each.factor, _what(each)) for each in changes]
+    top = max([LOAD_RANGE[1], *(min(BEYOND * factor, MOST) for factor, _ in marks[:1])])
+    factors = np.linspace(0.0, top, POINTS)
+    swept = solve_set(loaded(of, factors))
+    figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
+    return _shown(swept, figure, "all loads in proportion, the preload as it is", [each.sentence for each in changes])
+
+
+def _preload(of: BearingSet) -> list[Block]:
+    if of.preload is None:
+        return []
+    kind = of.preload.kind
+    own = float(np.asarray(getattr(of.preload, kind)))
+    if own == 0.0:
+        return []
+    name, size = ("spring force, N", 1.0) if kind == "spring" else ("preload as mounted, N", 1.0)
+    if kind == "axial_displacement":
+        name, size = "preload as mounted, µm", um
+    values = own * np.linspace(*LOAD_RANGE, POINTS)
+    swept = solve_set(replace(of, preload=replace(of.preload, **{kind: values}), readings={}))
+    return _shown(swept, _figure(swept, values / size, own / size, name, []), "the preload, the loads as they are", [])
+
+
+def _what(change: PreloadSpeed | PreloadLoad) -> str:
+    name = f"row {change.row + 1}" if change.row >= 0 else "set"
+    ends = {"lost": "preload lost", "run_away": "preload runs away", "no_equilibrium": "gives way"}
+    return f"{name}: {ends.get(change.state, 'not solved')}"
+
+
+def _shown(swept: SetSolution, figure: Figure, along: str, said: Sequence[str]) -> list[Block]:
+    lost = int((~swept.converged).sum())
+    alt = (
+        f"Curves over {along}: axial load and greatest pressure of each row, displacement and stiffness of the shaft; "
+        "the operating point is marked."
+    )
+    blocks: list[Block] = [picture(figure, alt, f"Over {along}"), *map(Paragraph, said)]
+    return [*blocks, Remark(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
+
+
+def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
+    figure = figure_of_size(9.0, 6.4)
+    panels = list(figure.subplots(2, 2).ravel())
+    loads, pressures, displacement, stiffness = panels
+    solved = np.asarray(swept.converged)
+    for number, (row, (colour, line)) in enumerate(zip(swept.rows, _lines(len(swept.rows)), strict=True)):
+        carries = swept.set.rows[number].carries
+        style: dict[str, Any] = {"color": colour, "linestyle": line, "label": f"row {number + 1} ({carries})"}
+        loads.plot(along, swept.axial_loads[:, number], **style)
+        greatest = np.fmax.reduce([np.fmax.reduce(side.max_pressure, axis=-1) for side in (row.inner, row.outer)])
+        pressures.plot(along, np.where(solved, greatest, np.nan) / MPa, **style)
+    moving = [i for i in range(3) if i in swept._free_channels and np.nanmax(np.abs(swept.displacement[:, i])) > 0.0]
+    for i in moving:
+        colour, line = _lines(3)[i]
+        label_of = ("axial", "radial y", "radial z")[i]
+        displacement.plot(along, swept.displacement[:, i] / um, color=colour, linestyle=line, label=label_of)
+    if moving:
+        displacement.legend(fontsize=8, frameon=False)
+    mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
+    names = ("axial load of each row, N", "greatest pressure of each row, MPa", "displacement of the shaft, µm")
+    finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
+    inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
+    for place, what in inside:
+        for axes in panels:
+            axes.axvline(place, color="#b2182b", linewidth=1.0, linestyle=(0, (4, 3)))
+        top = panels[0].get_ylim()[1]
+        panels[0].text(place, top, f"{what} ", rotation=90, fontsize=7, ha="right", va="top", color="#b2182b")
+    legend(figure, loads)
+    return figure
+
+
+def _lines(count: int) -> list[tuple[str, Any]]:
+    return [ROW_LINES[number % len(ROW_LINES)] for number in range(count)]

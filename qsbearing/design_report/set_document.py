@@ -1,0 +1,79 @@
+"""The design report of a set: its parts in their order."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from qsbearing import messages
+from qsbearing.design_report import effects, evidence, readings, set_curves, set_inputs
+from qsbearing.design_report.front import head, warnings_section
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.from_rich import blocks as from_rich
+from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
+from qsbearing.io import report, set_report
+from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
+from qsbearing.sets.preload_summary import preload_summary
+from qsbearing.sets.set_messages import capital, row_name
+from qsbearing.sets.set_solution import SetSolution
+
+
+def document(solution: SetSolution, source: str, command: str) -> Document:
+    """The whole report of one solved case of a set.
+
+    Args:
+        solution: of a single case, converged.
+        source: the text of the set's file.
+        command: that makes this report.
+    """
+    of = solution.set
+    taken = [readings.taken(row) for row in solution.rows]
+    warnings = solution.warnings() + [
+        f"{capital(row_name(of.rows[number], number))}: {each}"
+        for number, found in enumerate(taken)
+        for each in readings.warnings_of(found)
+    ]
+    return Document(
+        f"{of.name or 'Bearing set'}, {of.arrangement}",
+        "Design report of a set",
+        [
+            set_inputs.section(of, source),
+            effects.section_of_set(of),
+            _results(solution),
+            *(_row(solution, number, found) for number, found in enumerate(taken)),
+            set_curves.section(solution),
+            warnings_section(warnings),
+            evidence.section(solution.rows, of),
+        ],
+        f"Loads, angles, contacts and stiffness of {len(of.rows)} rows of balls on one shaft, at one operating point, "
+        "by the quasi-static model of Jones and Harris.",
+        head(solution.message(), float(solution.residual), warnings, command),
+    )
+
+
+def _results(solution: SetSolution) -> Section:
+    drawn: list[Block] = [
+        picture(
+            load_distribution(solution),
+            "Polar pictures of the contact loads of all balls around the bearing, one for each row.",
+            "Contact loads",
+        ),
+        picture(contact_angles(solution), "Both contact angles of every ball by its azimuth, for each row.", "Angles"),
+    ]
+    parts: list[Block] = [
+        Section("Preload", [Bullets(preload_summary(solution))]),
+        Section("Load distribution", drawn),
+    ]
+    return Section("Results", [*from_rich(set_report.tables(solution)), *parts])
+
+
+def _row(solution: SetSolution, number: int, taken: dict[str, Any]) -> Section:
+    row = solution.rows[number]
+    tables = from_rich(report.tables_of_balls(row))
+    drawn = picture(
+        contact_ellipses(row),
+        f"Outlines of the contact ellipses of row {number + 1} to one scale, with their greatest pressures.",
+        f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
+    )
+    said = [Remark(each, "warning") for each in messages.warnings(row)]
+    title = capital(row_name(solution.set.rows[number], number))
+    return Section(title, [*tables, drawn, *readings.tables(taken), *said], f"row-{number + 1}")

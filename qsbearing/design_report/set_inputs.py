@@ -1,0 +1,88 @@
+"""What the file of a set says: rows and where they stand, shaft, operation, preload, bearings; the file as read."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from qsbearing.design_report.inputs import (
+    HEADINGS,
+    Line,
+    bearing_lines,
+    choice_lines,
+    effect_lines,
+    numbers,
+    reading_lines,
+)
+from qsbearing.documents.model import Block, Cell, Code, Group, Paragraph, Section, Table
+from qsbearing.scene.keys import OPERATION, PRELOAD
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.units import mm, um
+
+
+def section(of: BearingSet, source: str) -> Section:
+    """All of the input.
+
+    Args:
+        source: the text of the file.
+    """
+    reference = "midway between the first and the last row" if of.reference_position is None else "as given"
+    shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
+    named = [*effect_lines((*of.ring_effects, *of.ball_effects)), *choice_lines(of)]
+    rows: list[Line | Group] = []
+    for title, lines in (
+        ("Shaft", [shaft]),
+        ("Operation", numbers(OPERATION, of.operation)),
+        ("Preload", numbers(PRELOAD, of.preload)),
+        ("Effects and choices", named),
+        *((f"Effects of row {n} alone", effect_lines(row.ring_effects or ())) for n, row in enumerate(of.rows, 1)),
+        ("Readings", reading_lines(of.readings)),
+        *((f"Readings of row {n} alone", reading_lines(row.readings or {})) for n, row in enumerate(of.rows, 1)),
+        *_bearings(of),
+    ):
+        if lines:
+            rows += [Group(title), *lines]
+    words = (
+        "Every number that the solution rests on, in the units and by the keys of the file. A channel of the shaft "
+        "that is not named carries no load and is free to move."
+    )
+    blocks: list[Block] = [_rows(of), Paragraph(words), Table(HEADINGS, rows, "lrll")]
+    if source:
+        blocks += [Paragraph("The file as it was read:"), Code(source.rstrip("\n"), "toml")]
+    return Section("Input", blocks)
+
+
+def _rows(of: BearingSet) -> Table:
+    """The rows from the least x to the largest; what none of them has is no column."""
+    order = sorted(enumerate(of.rows), key=lambda each: float(np.asarray(each[1].position)))
+    places = [float(np.asarray(row.position)) / mm for _, row in order]
+    distances = ["", *(f"{after - before:.9g}" for before, after in pairwise(places))]
+    columns: list[tuple[str, list[Cell]]] = [
+        ("row", [str(number + 1) for number, _ in order]),
+        ("bearing", [row.bearing.name or "-" for _, row in order]),
+        ("carries", [str(row.carries) for _, row in order]),
+        ("at x, mm", [f"{place:.9g}" for place in places]),
+        ("from the row before, mm", list(distances)),
+    ]
+    if any(float(np.asarray(row.offset)) != 0.0 for row in of.rows):
+        columns.append(("offset, um", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
+    if any(row.sprung for row in of.rows):
+        columns.append(("outer ring", ["slides, sprung" if row.sprung else "fixed" for _, row in order]))
+    headings, cells = zip(*columns, strict=True)
+    return Table(headings, list(zip(*cells, strict=True)), "lllrrrl"[: len(columns)], f"Rows: {of.arrangement}")
+
+
+def _bearings(of: BearingSet) -> list[tuple[str, list[Line]]]:
+    """Each bearing once, with the rows that have it."""
+    found: list[tuple[list[int], list[Line]]] = []
+    for number, row in enumerate(of.rows, 1):
+        lines = bearing_lines(row.bearing, "file")
+        same = next((numbers for numbers, known in found if known == lines), None)
+        if same is None:
+            found.append(([number], lines))
+        else:
+            same.append(number)
+    if len(found) == 1 and len(of.rows) > 1:
+        return [("Bearing of all rows", found[0][1])]
+    return [(f"Bearing of row {' and '.join(map(str, which))}", lines) for which, lines in found]
