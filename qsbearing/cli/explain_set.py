@@ -25,7 +25,7 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
 
     from qsbearing.chooser.explain_set import explain_set
     from qsbearing.io.set_record import set_record
-    from qsbearing.io.set_report import heading, rows_table
+    from qsbearing.io.set_report import heading, rows_tables
     from qsbearing.sets.preload_summary import preload_summary
 
     with solving():
@@ -38,7 +38,7 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
         print_text(json.dumps(of_set, indent=1, allow_nan=False) + "\n")
     elif solution.converged:
         warnings = [Text.assemble(("Warning: ", "bold yellow"), each) for each in found["warnings"]]
-        parts: list[RenderableType] = [rows_table(found), Text("\n".join(said)), found_table(rows, tolerance)]
+        parts: list[RenderableType] = [*rows_tables(found), Text("\n".join(said)), found_table(rows, tolerance)]
         parts += [Group(*remarks(rows)), *warnings]
         print_table(Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts)))
     else:

@@ -14,8 +14,9 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.pictures.style import ROW_LINES, figure_of_size, legend
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_loads import MOST, PreloadLoad, loaded, loads_of
-from qsbearing.sets.preload_speeds import PreloadSpeed
+from qsbearing.sets.preload_loads import MOST, load_sentence, loaded, loads_of
+from qsbearing.sets.preload_search import Change
+from qsbearing.sets.preload_speeds import speed_sentence
 from qsbearing.sets.preload_summary import depends_on_speed, limits
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
@@ -36,32 +37,33 @@ def section(solution: SetSolution) -> Section:
     speeds, loads = limits(of)
     words = (
         "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
-        "row loses its preload or runs away with it. Points without a solution are left out."
+        "row loses its preload, runs away with it or has it back. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
 
 
-def _speed(of: BearingSet, changes: Sequence[PreloadSpeed]) -> list[Block]:
+def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     own = float(np.asarray(of.operation.speed))
     if own == 0.0 or not depends_on_speed(of):
         return [Remark("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
     speeds = own * np.linspace(*SPEED_RANGE, POINTS)
     swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
-    marks = [(np.sign(own) * each.speed / rpm, _what(each)) for each in changes]
+    marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
     figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
-    return _shown(swept, figure, "the speed of the shaft", [each.sentence for each in changes])
+    return _shown(swept, figure, "the speed of the shaft", [speed_sentence(of, each) for each in changes])
 
 
-def _load(of: BearingSet, changes: Sequence[PreloadLoad]) -> list[Block]:
+def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     if not loads_of(of):
         return [Remark("No curve over the loads: no load or moment acts on the shaft.")]
-    marks = [(each.factor, _what(each)) for each in changes]
+    marks = [(each.value, _what(each)) for each in changes]
     top = max([LOAD_RANGE[1], *(min(BEYOND * factor, MOST) for factor, _ in marks[:1])])
     factors = np.linspace(0.0, top, POINTS)
     swept = solve_set(loaded(of, factors))
     figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
-    return _shown(swept, figure, "all loads in proportion, the preload as it is", [each.sentence for each in changes])
+    said = [load_sentence(of, each) for each in changes]
+    return _shown(swept, figure, "all loads in proportion, the preload as it is", said)
 
 
 def _preload(of: BearingSet) -> list[Block]:
@@ -79,10 +81,15 @@ def _preload(of: BearingSet) -> list[Block]:
     return _shown(swept, _figure(swept, values / size, own / size, name, []), "the preload, the loads as they are", [])
 
 
-def _what(change: PreloadSpeed | PreloadLoad) -> str:
+def _what(change: Change) -> str:
     name = f"row {change.row + 1}" if change.row >= 0 else "set"
-    ends = {"lost": "preload lost", "run_away": "preload runs away", "no_equilibrium": "gives way"}
-    return f"{name}: {ends.get(change.state, 'not solved')}"
+    ends = {
+        "kept": "preload back",
+        "lost": "preload lost",
+        "run_away": "preload runs away",
+        "no_equilibrium": "gives way",
+    }
+    return f"{name}: {ends.get(change.after, 'not solved')}"
 
 
 def _shown(swept: SetSolution, figure: Figure, along: str, said: Sequence[str]) -> list[Block]:

@@ -7,7 +7,6 @@ from itertools import pairwise
 import numpy as np
 
 from qsbearing.design_report.inputs import (
-    HEADINGS,
     Line,
     bearing_lines,
     choice_lines,
@@ -47,7 +46,11 @@ def section(of: BearingSet, source: str) -> Section:
         "Every number that the solution rests on, in the units and by the keys of the file. A channel of the shaft "
         "that is not named carries no load and is free to move."
     )
-    blocks: list[Block] = [_rows(of), Paragraph(words), Table(HEADINGS, rows, "lrll")]
+    blocks: list[Block] = [
+        _rows(of),
+        Paragraph(words),
+        Table(("key of the file", "value", "unit", "from"), rows, "lrll"),
+    ]
     if source:
         blocks += [Paragraph("The file as it was read:"), Code(source.rstrip("\n"), "toml")]
     return Section("Input", blocks)

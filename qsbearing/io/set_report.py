@@ -54,7 +54,7 @@ def tables(solution: SetSolution) -> Group:
 
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    return [_shaft(solution, found), rows_table(found), stiffness_table(found), stiffness_matrix_table(found)]
+    return [_shaft(solution, found), *rows_tables(found), stiffness_table(found), stiffness_matrix_table(found)]
 
 
 def _system_life(found: dict[str, Any]) -> list[Text]:
@@ -87,25 +87,26 @@ def _shaft(solution: SetSolution, found: dict[str, Any]) -> Table:
     return table
 
 
-def rows_table(found: dict[str, Any]) -> Table:
-    """What each row of a record carries, and what has become of its preload."""
-    heading = (
-        "row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "preload\nat rest N",
-        "preload in\noperation N", "", "largest\nball N",
-    )  # fmt: skip
-    table = plain_table("Rows: what each carries, and its preload without external loads", heading, left=(0, 1, 3, 9))
+def rows_tables(found: dict[str, Any]) -> list[Table]:
+    """What each row of a record carries; and where rows press each other, what has become of the preload."""
+    heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
+    table = plain_table("Rows: what each carries", heading, left=(0, 1, 3))
     table.columns[1].no_wrap, table.columns[1].overflow = False, "fold"  # a long name gives way, no number does
-    largest = max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
-    noise = RING_NOISE * largest
+    noise = RING_NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
     for number, row in enumerate(found["rows"], 1):
         loads = [row["axial_load_N"], row["share"]["radial_y_N"], row["share"]["radial_z_N"]]
-        loads += [row["preload_at_rest_N"], row["preload_in_operation_N"]]
-        pressed = max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer"))
-        state = (row["preload_state"] or "").replace("_", " ")
-        cells = [digits(load, noise) for load in loads]
+        loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
         place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
-        table.add_row(*place, *cells, state, digits(pressed, noise))
-    return table
+        table.add_row(*place, *(digits(load, noise) for load in loads))
+    if all(row["preload_state"] is None for row in found["rows"]):
+        return [table]
+    columns = ("row", "at rest\nN", "in operation\nN", "with the loads\nN", "")
+    preload = plain_table("Preload: axial load of each row, without external loads and with them", columns, left=(0, 4))
+    for number, row in enumerate(found["rows"], 1):
+        loads = [row["preload_at_rest_N"], row["preload_in_operation_N"], row["axial_load_N"]]
+        state = (row["preload_state"] or "").replace("_", " ")
+        preload.add_row(str(number), *(digits(load, noise) for load in loads), state)
+    return [table, preload]
 
 
 def _readings(solution: SetSolution, number: int) -> list[RenderableType]:

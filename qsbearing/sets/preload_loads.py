@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_search import first_changes, opposed_errors
+from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors
 from qsbearing.sets.set_messages import PreloadState, capital, row_name
 from qsbearing.validation import RATIO, ErrorDetail, SceneError, within
 
+LOST = str(PreloadState.LOST)
 MOST = 10.0
 """Times the loads of the set: further nobody asks."""
 
@@ -44,14 +45,20 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
         SceneError: a highest multiple that is none, arrays in the set, no load, or rows that all carry in one
             direction.
     """
+    found = firsts(load_changes(of, highest, threads))
+    return [PreloadLoad(each.value, each.row, each.after, load_sentence(of, each)) for each in found]
+
+
+def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = None) -> list[Change]:
+    """Everything that becomes of the preload up to this multiple, what comes back included; else likewise."""
     errors = within("highest", highest, RATIO, 1e-6, 1e6) + opposed_errors(of)
     if not loads_of(of):
         errors.append(ErrorDetail("operation", "has no load or moment that could grow"))
     if errors:
         raise SceneError(errors)
-    found = first_changes(lambda factors: loaded(of, factors), 0.0, float(highest), threads)
-    found = {what: factor for what, factor in found.items() if what[1] != PreloadState.RUN_AWAY}
-    return [_result(of, factor, *what) for what, factor in sorted(found.items(), key=lambda each: each[1])]
+    found = changes(lambda factors: loaded(of, factors), float(highest), threads)
+    # A preload runs away without any load.
+    return [each for each in found if PreloadState.RUN_AWAY not in (each.before, each.after) or each.after == LOST]
 
 
 def loads_of(of: BearingSet) -> dict[str, Any]:
@@ -66,11 +73,15 @@ def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
     return replace(of, operation=replace(of.operation, **loads), readings={})
 
 
-def _result(of: BearingSet, factor: float, row: int, state: str) -> PreloadLoad:
-    at = f"at {factor:.3g} times the loads" if factor else "before any load acts"
-    name = capital(row_name(of.rows[row], row)) if row >= 0 else "The set"
+def load_sentence(of: BearingSet, change: Change) -> str:
+    """What changes at which multiple of the loads."""
+    at = f"at {change.value:.3g} times the loads"
+    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
+    if change.after == LOST and change.value == 0.0:
+        return f"{name} has lost its preload before any load acts."
     said = {
-        str(PreloadState.LOST): f"{name} loses its preload {at}.",
+        str(PreloadState.KEPT): f"{name} has its preload back {at}.",
+        LOST: f"{name} loses its preload {at}.",
         "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
     }
-    return PreloadLoad(factor, row, state, said.get(state, f"{name}: not solved any more {at}."))
+    return said.get(change.after, f"{name}: not solved any more {at}.")

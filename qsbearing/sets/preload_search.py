@@ -1,8 +1,11 @@
-"""Where along a range a set no longer keeps its preload: solved at many values, and again where something changes."""
+"""Where along a range a set's preload is lost, runs away or comes back: solved at many values, and again where it
+changes."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +17,24 @@ from qsbearing.validation import ErrorDetail, SceneError
 
 VALUES = 65
 """Solved at a time: two rounds find a value to 1/4096 of the range."""
-ROUNDS = 2
 
-Changes = dict[tuple[int, str], float]
-"""The first value of each row, from 0, and its new state; row -1 where the set ends and no row is to blame."""
+
+@dataclass(frozen=True)
+class Change:
+    """The least value at which a row is in another state than before."""
+
+    value: float
+    row: int
+    """From 0; -1 where the set ends and no row is to blame."""
+    before: str
+    """Empty at the beginning of the range, and where there is no solution."""
+    after: str
+    """kept, lost or run_away; no_equilibrium or not_converged where the set is not solved any more."""
+
+    @property
+    def is_return(self) -> bool:
+        """Whether the preload is back."""
+        return self.after == PreloadState.KEPT
 
 
 def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
@@ -28,10 +45,8 @@ def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
     return [ErrorDetail("rows", "have no preload: all carry in one direction", cause=cause)]
 
 
-def first_changes(
-    at: Callable[[NDArray], BearingSet], low: float, high: float, threads: int | None, rounds: int = ROUNDS
-) -> Changes:
-    """The lowest value in [low, high] of each state that a row or the set gets into.
+def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[Change]:
+    """What changes between 0 and the highest value, the least value first; at 0 what is not kept there.
 
     What changes and changes back between two of the values tried is not seen.
 
@@ -41,24 +56,44 @@ def first_changes(
     Raises:
         SceneError: the set has arrays of its own.
     """
-    values = np.linspace(low, high, VALUES)
-    solution = solve_set(at(values), threads=threads)
-    if solution.shape != values.shape:
+    values = np.linspace(0.0, high, VALUES)
+    labels = _labels(at(values), threads)
+    kept = str(PreloadState.KEPT)
+    found = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", kept)]
+    for k in np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1:
+        between = np.linspace(values[k - 1], values[k], VALUES)
+        finer = _labels(at(between), threads)
+        for n in np.flatnonzero(labels[k] != labels[k - 1]):
+            before, after = str(labels[k - 1, n]), str(labels[k, n])
+            if after not in ("", kept) or (after == kept and before):
+                first = int(np.argmax(finer[:, n] == after))
+                found.append(Change(float(between[first]), _row(n, labels), before, after))
+    return sorted(found, key=lambda each: each.value)
+
+
+def firsts(found: list[Change]) -> list[Change]:
+    """The first loss, run-away or end of each row."""
+    known: dict[tuple[int, str], Change] = {}
+    for each in found:
+        if not each.is_return:
+            known.setdefault((each.row, each.after), each)
+    return list(known.values())
+
+
+def _labels(of: BearingSet, threads: int | None) -> NDArray[Any]:
+    """What has become of each row, and last of the set as a whole; words of shape (case, row + 1)."""
+    solution = solve_set(of, threads=threads)
+    if len(solution.shape) != 1:
         raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
     words = states(solution)
     assert words is not None  # the set is opposed
-    status, faults = np.asarray(solution.status), np.asarray(solution.row_that_gives_way)
-    first: dict[tuple[int, str], int] = {}
-    for k in range(values.size):
-        if status[k] != "converged":
-            first.setdefault((int(faults[k]), str(status[k])), k)
-        for number, word in enumerate(words[k]):
-            if word in (PreloadState.LOST, PreloadState.RUN_AWAY):
-                first.setdefault((number, str(word)), k)
-    found: Changes = {}
-    for what, k in first.items():
-        found[what] = float(values[k])
-        if rounds > 1 and k > 0:
-            between = first_changes(at, float(values[k - 1]), float(values[k]), threads, rounds - 1)
-            found[what] = between.get(what, found[what])
-    return found
+    labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)
+    unsolved = np.flatnonzero(~solution.converged)
+    labels[unsolved] = ""
+    labels[unsolved, np.asarray(solution.row_that_gives_way)[unsolved]] = solution.status[unsolved]  # -1: the last
+    return labels
+
+
+def _row(column: Any, labels: NDArray[Any]) -> int:
+    """The row of a column; the last is the set's."""
+    return -1 if column == labels.shape[1] - 1 else int(column)

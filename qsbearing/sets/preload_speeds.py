@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_search import first_changes, opposed_errors
+from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors
 from qsbearing.sets.set_messages import RUN_AWAY, PreloadState, capital, row_name
 from qsbearing.units import rpm
 from qsbearing.validation import SPEED, SceneError, within
@@ -37,22 +37,31 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
     Raises:
         SceneError: a highest speed that is none, arrays in the set, or rows that all carry in one direction.
     """
+    found = firsts(speed_changes(of, highest_speed, threads))
+    return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in found]
+
+
+def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = None) -> list[Change]:
+    """Everything that becomes of the preload up to this speed [rad/s], what comes back included; else likewise."""
     errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7) + opposed_errors(of)
     if errors:
         raise SceneError(errors)
-    found = first_changes(
+    return changes(
         lambda speeds: replace(of, operation=replace(of.operation, speed=speeds), readings={}),
-        *(0.0, float(highest_speed), threads),
+        *(float(highest_speed), threads),
     )
-    return [_result(of, speed, *what) for what, speed in sorted(found.items(), key=lambda each: each[1])]
 
 
-def _result(of: BearingSet, speed: float, row: int, state: str) -> PreloadSpeed:
-    at = f"{speed / rpm:.4g} rpm"
-    name = capital(row_name(of.rows[row], row)) if row >= 0 else "The set"
+def speed_sentence(of: BearingSet, change: Change) -> str:
+    """What changes at which speed."""
+    at = f"{change.value / rpm:.4g} rpm"
+    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
+    if change.after == PreloadState.LOST and change.value == 0.0:
+        return f"{name} has lost its preload already at rest, under these loads."
     said = {
+        str(PreloadState.KEPT): f"{name} has its preload back at {at}.",
         str(PreloadState.LOST): f"{name} loses its preload at {at}.",
         str(PreloadState.RUN_AWAY): f"{name}: the preload runs away, to {RUN_AWAY:g} times that at rest at {at}.",
         "no_equilibrium": f"{name} gives way at {at}: above there is no equilibrium.",
     }
-    return PreloadSpeed(speed, row, state, said.get(state, f"{name}: not solved any more at {at}."))
+    return said.get(change.after, f"{name}: not solved any more at {at}.")

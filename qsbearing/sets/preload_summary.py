@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_loads import MOST, PreloadLoad, loads_of, preload_loads
-from qsbearing.sets.preload_speeds import PreloadSpeed, preload_speeds
+from qsbearing.sets.preload_loads import MOST, load_changes, load_sentence, loads_of
+from qsbearing.sets.preload_search import Change
+from qsbearing.sets.preload_speeds import speed_changes, speed_sentence
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.units import rpm, um
 
@@ -24,13 +25,14 @@ def preload_summary(solution: SetSolution) -> list[str]:
     return [_kind(solution), *_at_speed(solution), *_limits(of)]
 
 
-def limits(of: BearingSet) -> tuple[list[PreloadSpeed], list[PreloadLoad]]:
-    """Where the preload is lost or runs away, over speed and over loads; empty where nothing varies with them."""
+def limits(of: BearingSet) -> tuple[list[Change], list[Change]]:
+    """Where the preload is lost, runs away or comes back, over speed and over loads; empty where nothing varies with
+    them."""
     turning = float(np.asarray(of.operation.speed)) != 0.0 and depends_on_speed(of)
     highest = FASTER * abs(float(np.asarray(of.operation.speed)))
     return (
-        preload_speeds(of, highest) if turning and of.is_opposed else [],
-        preload_loads(of) if loads_of(of) and of.is_opposed else [],
+        speed_changes(of, highest) if turning and of.is_opposed else [],
+        load_changes(of) if loads_of(of) and of.is_opposed else [],
     )
 
 
@@ -75,7 +77,7 @@ def _at_speed(solution: SetSolution) -> list[str]:
 
 def _limits(of: BearingSet) -> list[str]:
     speeds, loads = limits(of)
-    said = [each.sentence for each in speeds] + [each.sentence for each in loads]
+    said = [speed_sentence(of, each) for each in speeds] + [load_sentence(of, each) for each in loads]
     speed = float(np.asarray(of.operation.speed))
     kept = []
     if not speeds and speed != 0.0 and depends_on_speed(of):
