@@ -25,6 +25,7 @@ from qsbearing.units import MPa, rpm, um
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+RED = "#b2182b"
 BEYOND = 1.15
 """Times the load at which a row loses its preload: so far loads are shown, if that is not too far."""
 Mark = tuple[float, str]
@@ -103,7 +104,7 @@ def _shown(swept: SetSolution, figure: Figure, along: str, said: Sequence[str]) 
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
-    figure = figure_of_size(9.0, 6.4)
+    figure = figure_of_size(9.0, 5.5)
     panels = list(figure.subplots(2, 2).ravel())
     loads, pressures, displacement, stiffness = panels
     solved = np.asarray(swept.converged)
@@ -126,9 +127,10 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
     inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
     for place, what in inside:
         for axes in panels:
-            axes.axvline(place, color="#b2182b", linewidth=1.0, linestyle=(0, (4, 3)))
-        top = panels[0].get_ylim()[1]
-        panels[0].text(place, top, f"{what} ", rotation=90, fontsize=7, ha="right", va="top", color="#b2182b")
+            axes.axvline(place, color=RED, linewidth=1.0, linestyle=(0, (4, 3)))
+        words: dict[str, Any] = {"rotation": 90, "fontsize": 7, "ha": "right", "va": "top", "color": RED}
+        paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.8}
+        panels[0].text(place, panels[0].get_ylim()[1], f"{what} ", **words, bbox=paper)
     legend(figure, loads)
     return figure
 

@@ -57,7 +57,11 @@ def _results(solution: SetSolution) -> Section:
             "Polar pictures of the contact loads of all balls around the bearing, one for each row.",
             "Contact loads",
         ),
-        picture(contact_angles(solution), "Both contact angles of every ball by its azimuth, for each row.", "Angles"),
+        picture(
+            contact_angles(solution),
+            "Both contact angles of every ball by its azimuth, for each row.",
+            "Contact angles",
+        ),
     ]
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution))]),
@@ -73,6 +77,7 @@ def _row(solution: SetSolution, number: int, taken: dict[str, Any]) -> Section:
         contact_ellipses(row),
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their greatest pressures.",
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
+        width=0.85,
     )
     said = [Remark(each, "warning") for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))

@@ -61,19 +61,19 @@ def _rows(of: BearingSet) -> Table:
     order = sorted(enumerate(of.rows), key=lambda each: float(np.asarray(each[1].position)))
     places = [float(np.asarray(row.position)) / mm for _, row in order]
     distances = ["", *(f"{after - before:.9g}" for before, after in pairwise(places))]
-    columns: list[tuple[str, list[Cell]]] = [
-        ("row", [str(number + 1) for number, _ in order]),
-        ("bearing", [row.bearing.name or "-" for _, row in order]),
-        ("carries", [str(row.carries) for _, row in order]),
-        ("at x, mm", [f"{place:.9g}" for place in places]),
-        ("from the row before, mm", list(distances)),
+    columns: list[tuple[str, str, list[Cell]]] = [
+        ("row", "l", [str(number + 1) for number, _ in order]),
+        ("bearing", "l", [row.bearing.name or "-" for _, row in order]),
+        ("carries", "l", [str(row.carries) for _, row in order]),
+        ("at x, mm", "r", [f"{place:.9g}" for place in places]),
+        ("from the row before, mm", "r", list(distances)),
     ]
     if any(float(np.asarray(row.offset)) != 0.0 for row in of.rows):
-        columns.append(("offset, um", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
+        columns.append(("offset, um", "r", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
     if any(row.sprung for row in of.rows):
-        columns.append(("outer ring", ["slides, sprung" if row.sprung else "fixed" for _, row in order]))
-    headings, cells = zip(*columns, strict=True)
-    return Table(headings, list(zip(*cells, strict=True)), "lllrrrl"[: len(columns)], f"Rows: {of.arrangement}")
+        columns.append(("outer ring", "l", ["slides, sprung" if row.sprung else "fixed" for _, row in order]))
+    headings, sides, cells = zip(*columns, strict=True)
+    return Table(headings, list(zip(*cells, strict=True)), "".join(sides), f"Rows: {of.arrangement}")
 
 
 def _bearings(of: BearingSet) -> list[tuple[str, list[Line]]]:
