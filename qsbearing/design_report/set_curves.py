@@ -13,6 +13,7 @@ from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, fini
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.pictures.style import ROW_LINES, figure_of_size, legend
+from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_loads import MOST, load_sentence, loaded, loads_of
 from qsbearing.sets.preload_search import Change
@@ -23,6 +24,7 @@ from qsbearing.sets.solve import solve_set
 from qsbearing.units import MPa, rpm, um
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 RED = "#b2182b"
@@ -114,15 +116,9 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
         loads.plot(along, swept.axial_loads[:, number], **style)
         greatest = np.fmax.reduce([np.fmax.reduce(side.max_pressure, axis=-1) for side in (row.inner, row.outer)])
         pressures.plot(along, np.where(solved, greatest, np.nan) / MPa, **style)
-    moving = [i for i in range(3) if i in swept._free_channels and np.nanmax(np.abs(swept.displacement[:, i])) > 0.0]
-    for i in moving:
-        colour, line = _lines(3)[i]
-        label_of = ("axial", "radial y", "radial z")[i]
-        displacement.plot(along, swept.displacement[:, i] / um, color=colour, linestyle=line, label=label_of)
-    if moving:
-        displacement.legend(fontsize=8, frameon=False)
+    answer = _answer(displacement, along, swept)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("axial load of each row, N", "greatest pressure of each row, MPa", "displacement of the shaft, µm")
+    names = ("axial load of each row, N", "greatest pressure of each row, MPa", answer)
     finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
     inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
     for place, what in inside:
@@ -133,6 +129,19 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
         panels[0].text(place, panels[0].get_ylim()[1], f"{what} ", **words, bbox=paper)
     legend(figure, loads)
     return figure
+
+
+def _answer(axes: Axes, along: NDArray, swept: SetSolution) -> str:
+    """Draw what the shaft answers with, and say what it is: where no free channel moves, the load that holds it."""
+    free = [i for i in range(3) if i in swept._free_channels]
+    moves = bool(np.any(np.abs(swept.displacement[:, free]) > 0.0))
+    values = swept.displacement / um if moves else swept.load
+    for i, (colour, line) in enumerate(_lines(3)):
+        if (i in free) == moves and np.any(np.abs(values[:, i]) > 0.0):
+            axes.plot(along, values[:, i], color=colour, linestyle=line, label=CHANNELS[i].label)
+    if axes.lines:
+        axes.legend(fontsize=8, frameon=False)
+    return "displacement of the shaft, µm" if moves else "load on the shaft, N"
 
 
 def _lines(count: int) -> list[tuple[str, Any]]:

@@ -44,7 +44,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
             warnings_section(warnings),
             evidence.section(solution.rows, of),
         ],
-        f"Loads, angles, contacts and stiffness of {len(of.rows)} rows of balls on one shaft, at one operating point, "
+        "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
         "by the quasi-static model of Jones and Harris.",
         head(solution.message(), float(solution.residual), warnings, command),
     )

@@ -66,8 +66,9 @@ def heading(solution: SetSolution, found: dict[str, Any]) -> Text:
     """What a set is, and how its case ended."""
     of = solution.set
     lines = Text.assemble((of.name or "Set", "bold"))
+    count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
     lines.append(
-        f"  {len(of.rows)} rows, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
+        f"  {count}, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
         f"channels at x = {found['reference_position_mm']:.6g} mm. {asked_for(found)}\n"
     )
     if of.preload is not None:

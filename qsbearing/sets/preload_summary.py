@@ -22,7 +22,8 @@ def preload_summary(solution: SetSolution) -> list[str]:
     of = solution.set
     if not of.is_opposed:
         return [f"All rows carry in {of.rows[0].carries}: no row presses another, the axial load alone presses them."]
-    return [_kind(solution), *_at_speed(solution), *_limits(of)]
+    is_pressed = solution.preload_at_rest is not None and bool((solution.preload_at_rest > 0.0).any())
+    return [_kind(solution), *_at_speed(solution), *(_limits(of) if is_pressed else [])]
 
 
 def limits(of: BearingSet) -> tuple[list[Change], list[Change]]:
@@ -66,8 +67,10 @@ def _at_speed(solution: SetSolution) -> list[str]:
     at_rest, alone = solution.preload_at_rest, solution.preload_in_operation
     assert at_rest is not None and alone is not None  # the set is opposed
     pressed = at_rest > 0.0
-    if not depends_on_speed(solution.set) or not pressed.any() or not np.isfinite(alone).all():
+    if not depends_on_speed(solution.set) or not np.isfinite(alone).all():
         return []
+    if not pressed.any():
+        return [f"In operation, without external loads, speed and heat press the rows with up to {alone.max():.4g} N."]
     ratios = alone[pressed] / at_rest[pressed]
     if np.abs(ratios - 1.0).max() < UNCHANGED:
         return ["In operation, without external loads, each row keeps what presses it at rest."]
