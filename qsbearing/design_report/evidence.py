@@ -152,7 +152,7 @@ OF_SETS: tuple[Statement[BearingSet], ...] = (
 def _is_printed_pair(of: BearingSet) -> bool:
     angles = [float(np.asarray(row.bearing.free_contact_angle)) / deg for row in of.rows]
     is_rigid = of.preload is not None and of.preload.spring is None
-    return is_rigid and float(np.asarray(of.operation.speed)) == 0.0 and min(angles) >= 15.0 and max(angles) <= 25.0
+    return is_rigid and float(np.asarray(of.operation.speed)) == 0.0 and min(angles) > 14.99 and max(angles) < 25.01
 
 
 def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Section:

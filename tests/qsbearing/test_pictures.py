@@ -166,3 +166,40 @@ def test_which_case_of_many_must_be_said() -> None:
 def test_the_title_says_what_was_solved() -> None:
     title = pictures.overview(SOLUTIONS["combined, inner contacts lost"]).get_suptitle()
     assert title.startswith("B218, 10000 rpm, axial 3000 N, radial y 4000 N, moment z -1")
+
+
+def test_a_set_has_a_panel_for_each_row_to_one_scale() -> None:
+    """Its own loads and angles in each, whose rows are named; a case of several is drawn as if alone."""
+    bearing = qs.load_scene("7210c").bearing
+    hybrid = dataclasses.replace(bearing, ball_material=qs.SILICON_NITRIDE, name="hybrid")
+    rows = qs.Row(bearing, 0.0), qs.Row(hybrid, 0.02, "-x"), qs.Row(bearing, 0.04), qs.Row(bearing, 0.06, "-x")  # type: ignore[arg-type]
+    operation = qs.Operation(10_000 * qs.rpm, axial_load=np.array([0.0, 900.0]), radial_load_y=500.0, moment_z=0.0)
+    for count in (1, 2, 3, 4):
+        of = qs.BearingSet(rows[:count], operation, qs.Preload(rigid=400.0) if count > 1 else None, **EFFECTS)
+        solution = qs.solve_set(of)
+        assert solution.converged[1]
+        drawings = {
+            pictures.load_distribution: lambda contacts: contacts.load[1],
+            pictures.contact_angles: lambda contacts: np.degrees(contacts.angle[1]),
+        }
+        for draw, value in drawings.items():
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                figure = draw(solution, 1)
+                figure.savefig(BytesIO(), dpi=40)
+            assert len(figure.axes) == count
+            assert len({axes.get_ylim() for axes in figure.axes}) == 1
+            for number, (axes, row) in enumerate(zip(figure.axes, solution.rows, strict=True), 1):
+                assert axes.get_title().startswith(f"Row {number} ({of.rows[number - 1].bearing.name}, carries")
+                lines = {line.get_label(): line for line in axes.get_lines()}
+                for side in ("inner", "outer"):
+                    drawn = np.unique(np.round(lines[f"{side} raceway"].get_ydata(), 9))
+                    np.testing.assert_allclose(drawn, np.unique(np.round(value(getattr(row, side)), 9)))
+        assert len(pictures.overview(solution, 1).axes) == 2 * count
+    with pytest.raises(ValueError, match="names none of its cases"):
+        pictures.overview(solution)
+    six = qs.solve_set(
+        qs.BearingSet(tuple(qs.Row(bearing, 0.02 * n) for n in range(6)), qs.Operation(axial_load=900.0))
+    )  # type: ignore[arg-type]
+    places = [tuple(np.round(axes.get_subplotspec().get_geometry()[2:3])) for axes in pictures.overview(six).axes]
+    assert len(set(places)) == 12  # no panel on another

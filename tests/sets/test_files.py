@@ -215,23 +215,32 @@ def test_what_is_refused(tmp_path: Path, text: str, key: str, words: str) -> Non
     assert words in said[key]
 
 
+def test_a_picture_and_a_table_in_one_run(tmp_path: Path) -> None:
+    path = written(tmp_path, PAIR)
+    for form, first in (("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
+        target = tmp_path / f"a.{form}"
+        assert run(path, "--plot", str(target), "--csv", str(tmp_path / "a.csv")).exit_code == 0
+        assert target.read_bytes().startswith(first)
+    assert (tmp_path / "a.csv").exists()
+
+
 def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     path = written(tmp_path, PAIR)
-    pictured = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
-    assert pictured.exit_code == 2
-    assert "are of single bearings" in pictured.stderr and "--accuracy" in pictured.stderr
+    chosen = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
+    assert chosen.exit_code == 2
+    assert "--accuracy: the effects of a set are those that its file names" in chosen.stderr
     assert not (tmp_path / "a.png").exists()
     overloaded = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
     path = written(tmp_path, overloaded)
-    lost = run(path, "--csv", str(tmp_path / "lost.csv"))
+    lost = run(path, "--csv", str(tmp_path / "lost.csv"), "--plot", str(tmp_path / "lost.png"))
     assert lost.exit_code == 1
     assert "is more than the spring's 720 N" in " ".join(lost.stdout.split())
-    assert not (tmp_path / "lost.csv").exists()
+    assert not (tmp_path / "lost.csv").exists() and not (tmp_path / "lost.png").exists()
     shown: dict[str, Any] = json.loads(run(path, "--json").stdout)
     assert shown["status"] == "no_equilibrium" and shown["stiffness_SI"] is None
     assert "gives way" in shown["message"]
-    for command in ("explain", "stiffness"):
-        options = ["--vary", "speed_rpm=0,1"] if command == "stiffness" else []
-        other = CliRunner().invoke(cli, [command, str(path), *options])
-        assert other.exit_code == 2
-        assert "Of a set of rows on one shaft" in other.stderr or "a table of a single bearing" in other.stderr
+    other = CliRunner().invoke(cli, ["stiffness", str(path), "--vary", "speed_rpm=0,1"])
+    assert other.exit_code == 2
+    assert "a table of a single bearing" in other.stderr
+    with pytest.raises(qs.SceneFileError, match="Of a set of rows on one shaft"):
+        qs.load_scene(path)

@@ -1,0 +1,254 @@
+"""The design report of a set: its numbers are the solution's, what was not asked for is absent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.design_report import set_curves
+from tests.documents.browser import Browser, installed
+from tests.documents.page import Page
+
+PAIR = """
+[bearing]
+name = "7210C"
+[[rows]]
+position_mm = 0
+carries = "+x"
+[[rows]]
+position_mm = 20
+carries = "-x"
+[operation]
+speed_rpm = 10000
+axial_load_N = 200
+radial_load_y_N = 500
+moment_z_Nm = 0
+[preload]
+rigid_N = 720
+[effects]
+ball = ["centrifugal_force", "gyroscopic_moment"]
+raceway_control = "outer"
+[readings.life]
+"""
+
+TRIPLE = """
+[[rows]]
+position_mm = 0
+carries = "+x"
+offset_um = 2
+  [rows.bearing]
+  name = "7210C"
+  [rows.ring_expansion]
+  bore_diameter_mm = 50
+  outside_diameter_mm = 90
+[[rows]]
+position_mm = 25
+carries = "+x"
+  [rows.bearing]
+  name = "7210C"
+  [rows.readings.life]
+[[rows]]
+position_mm = 120
+carries = "-x"
+sprung = true
+  [rows.bearing]
+  name = "7210C_hybrid"
+[shaft]
+reference_position_mm = 40
+[operation]
+speed_rpm = 12000
+axial_load_N = 300
+radial_load_y_N = 600
+radial_load_z_N = 150
+moment_y_Nm = 0
+moment_z_Nm = 5
+[preload]
+spring_N = 450
+[effects]
+ball = ["centrifugal_force", "gyroscopic_moment"]
+raceway_control = "outer"
+"""
+SETS = {"pair": PAIR, "triple": TRIPLE}
+
+
+def call(*arguments: str) -> Result:
+    return CliRunner().invoke(cli, ["report", *arguments], catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    into = tmp_path_factory.mktemp("sets")
+    for name, text in SETS.items():
+        (into / f"{name}.toml").write_text(text)
+        result = call(str(into / f"{name}.toml"), "--out", str(into / "out"))
+        assert result.exit_code == 0, result.output
+    return into
+
+
+def page_of(folder: Path, name: str) -> Page:
+    return Page.of((folder / f"{name}_report.html").read_text(encoding="utf-8"))
+
+
+def report_of(folder: Path, text: str) -> Page:
+    (folder / "one.toml").write_text(text)
+    assert call(str(folder / "one.toml"), "--out", str(folder)).exit_code == 0
+    return page_of(folder, "one")
+
+
+def titles(page: Page) -> list[str]:
+    return [text.removesuffix(" #") for _, text in page.headings]
+
+
+def tables_with(page: Page, *headings: str) -> Iterator[list[list[str]]]:
+    """The tables of these headings; without them, and one line each."""
+    for table in page.tables:
+        if set(headings) <= {" ".join(cell.split()) for cell in table[0]}:
+            yield table[1:]
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_both_forms_are_written_and_sound(folder: Path, name: str) -> None:
+    names = sorted(path.name for path in (folder / "out").iterdir())
+    assert names == [f"{each}_report.{form}" for each in sorted(SETS) for form in ("html", "pdf")]
+    assert (folder / "out" / f"{name}_report.pdf").read_bytes().startswith(b"%PDF")
+    assert page_of(folder / "out", name).faults == []
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
+    page, solution = page_of(folder / "out", name), qs.solve_set(qs.load_set(folder / f"{name}.toml"))
+    (shaft,) = tables_with(page, "displacement", "load", "imposed")
+    found = np.array([[float(line[1]), float(line[3])] for line in shaft])
+    sizes = np.array([qs.um, qs.um, qs.um, qs.mrad, qs.mrad])
+    np.testing.assert_allclose(found[:, 0], solution.displacement / sizes, rtol=1e-5, atol=1e-9)
+    np.testing.assert_allclose(found[:, 1], solution.load, rtol=1e-5, atol=1e-6)
+    (matrix,) = tables_with(page, "axial /um", "tilt z /mrad")
+    printed = np.array([[float(cell) for cell in line[2:]] for line in matrix])
+    np.testing.assert_allclose(printed, solution.stiffness * sizes, rtol=1e-5, atol=1e-5)
+    (stiffness,) = tables_with(page, "locked", "effective")
+    effective = [float(line[2]) * unit for line, unit in zip(stiffness, (1e6, 1e6, 1e6, 1e3, 1e3), strict=True)]
+    np.testing.assert_allclose(effective, solution.effective_stiffness, rtol=1e-5)
+    (preload,) = tables_with(page, "at rest N", "in operation N", "with the loads N")
+    forces = np.array([[float(cell) for cell in line[1:4]] for line in preload])
+    known = solution.preload_at_rest, solution.preload_in_operation, solution.axial_loads
+    np.testing.assert_allclose(forces, np.transpose(known), rtol=1e-5)
+    assert [line[4] for line in preload] == list(solution.preload_state)
+    contacts = list(tables_with(page, "angle i deg", "load o N", "p0 i MPa"))
+    assert len(contacts) == len(solution.rows)
+    for table, row in zip(contacts, solution.rows, strict=True):
+        first = [float(cell) for cell in table[0][2:]]
+        contact = [(row.inner.angle, qs.deg), (row.outer.angle, qs.deg), (row.inner.load, 1.0), (row.outer.load, 1.0)]
+        contact += [(row.inner.max_pressure, qs.MPa), (row.outer.max_pressure, qs.MPa)]
+        np.testing.assert_allclose(first, [values[0] / size for values, size in contact], rtol=1e-5)
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_the_printed_loads_of_the_rows_are_the_load_on_the_shaft(folder: Path, name: str) -> None:
+    page, of = page_of(folder / "out", name), qs.load_set(folder / f"{name}.toml")
+    (rows,) = tables_with(page, "row", "carries", "axial N", "largest ball N")
+    axial = sum(float(line[4]) * (1.0 if line[3] == "+x" else -1.0) for line in rows)
+    assert axial == pytest.approx(of.operation.axial_load, abs=0.02)
+    for column, load in ((5, of.operation.radial_load_y), (6, of.operation.radial_load_z)):
+        assert sum(float(line[column]) for line in rows) == pytest.approx(load or 0.0, abs=0.01)
+
+
+def test_the_input_names_every_row(folder: Path) -> None:
+    (rows,) = tables_with(page_of(folder / "out", "triple"), "carries", "at x, mm")
+    assert rows == [
+        ["1", "7210C", "+x", "0", "", "2", "fixed"],
+        ["2", "7210C", "+x", "25", "25", "0", "fixed"],
+        ["3", "7210C_hybrid", "-x", "120", "95", "0", "slides, sprung"],
+    ]
+    (pair,) = tables_with(page_of(folder / "out", "pair"), "carries", "at x, mm")
+    assert pair == [["1", "7210C", "+x", "0", ""], ["2", "7210C", "-x", "20", "20"]]  # no offset, no spring
+    triple = page_of(folder / "out", "triple")
+    (lines,) = tables_with(triple, "key of the file", "from")
+    for expected in (["reference_position_mm", "40", "mm", "as given"], ["spring_N", "450", "N", ""]):
+        assert expected in lines
+    for title in ("Bearing of row 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
+        assert title in triple.text
+    assert "Bearing of all rows" in page_of(folder / "out", "pair").text
+
+
+def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
+    pair, triple = page_of(folder / "out", "pair"), page_of(folder / "out", "triple")
+    assert titles(pair) == [
+        "pair, DB (back to back)", "Input", "Assumptions and effects", "Results", "Preload", "Load distribution",
+        "Row 1 (7210C, carries +x)", "Row 2 (7210C, carries -x)", "Around the operating point", "Warnings",
+        "Evidence that applies",
+    ]  # fmt: skip
+    solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
+    hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
+    assert f"Life of all rows together: {hours:.5g} h" in pair.text
+    assert pair.text.count("basic reference rating life") == 2
+    assert triple.text.count("basic reference rating life") == 1
+    assert "Life of all rows together" not in triple.text
+    assert triple.text.count("Geometry before it is loaded") == 1  # ring expansion of one row
+    assert "Geometry before it is loaded" not in pair.text
+
+
+def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A light preload under a heavy axial load; the mark stands where a solve says so."""
+    drawn = []
+    real = set_curves._figure
+
+    def watched(*arguments: object) -> object:
+        drawn.append(arguments)
+        return real(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(set_curves, "_figure", watched)
+    text = PAIR.replace("rigid_N = 720", "rigid_N = 200").replace("axial_load_N = 200", "axial_load_N = 900")
+    page = report_of(tmp_path, text.replace("radial_load_y_N = 500\nmoment_z_Nm = 0\n", ""))
+    assert "Row 2 (7210C, carries -x) has lost its preload already at rest, under these loads." in page.text
+    (loads,) = (each for each in drawn if "loads" in str(each[3]))
+    ((factor, words),) = loads[4]  # type: ignore[misc]
+    assert words == "row 2: preload lost"
+    assert f"loses its preload at {factor:.3g} times the loads" in page.text
+    of = qs.load_set(tmp_path / "one.toml")
+    (found,) = qs.preload_loads(of)
+    assert factor == found.factor
+    assert np.max(loads[1]) > factor  # type: ignore[operator]
+
+
+def test_sets_without_a_preload_speed_or_load(tmp_path: Path) -> None:
+    rows = PAIR.partition("[operation]")[0]
+    tandem = report_of(tmp_path, rows.replace('"-x"', '"+x"') + "[operation]\naxial_load_N = 800\n")
+    assert "All rows carry in +x: no row presses another" in tandem.text
+    assert not list(tables_with(tandem, "at rest N"))
+    assert "No curve over the speed" in tandem.text
+    held = report_of(tmp_path, rows + "[operation]\naxial_displacement_um = 3\n[preload]\naxial_displacement_um = 8\n")
+    assert "No curve over the loads" in held.text
+    assert "Rings are held pressed together by 8 um" in held.text
+    assert "Over the preload" in held.text
+
+
+def test_no_equilibrium_writes_nothing(tmp_path: Path) -> None:
+    text = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("= 200", "= -900")
+    (tmp_path / "lost.toml").write_text(text)
+    result = call(str(tmp_path / "lost.toml"), "--out", str(tmp_path / "out"))
+    assert result.exit_code == 1
+    assert "is more than the spring's 720 N" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_bad_input_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "bad.toml").write_text(PAIR.replace('"-x"', '"-X"'))
+    result = call(str(tmp_path / "bad.toml"), "--out", str(tmp_path / "out"))
+    assert result.exit_code == 2
+    assert "row 2.carries" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_a_browser_has_nothing_to_complain_of(folder: Path) -> None:
+    with Browser() as browser:
+        for width in (360, 1280):
+            browser.open(folder / "out" / "triple_report.html", width=width)
+            assert browser.value("document.documentElement.scrollWidth") <= width
+        assert browser.complaints == []
