@@ -1,4 +1,4 @@
-"""`qsbearing report`: the design report of a scene, as HTML and PDF."""
+"""`qsbearing report`: the design report of a scene or a set, as HTML and PDF."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from qsbearing.documents.model import Document
 
 
-@click.command(short_help="Write the design report of a scene, HTML and PDF.")
+@click.command(short_help="Write the design report of a scene or set, HTML and PDF.")
 @click.argument("scene")
 @click.option("--out", metavar="DIR", required=True, help="Folder for the two files; made if it is not there.")
 def report(scene: str, out: str) -> None:

@@ -1,1 +1,1 @@
-"""The design report of a scene: what went in, what was assumed, what came out, and the evidence that applies to it."""
+"""The design report of a scene or a set: input, assumptions, results, and the evidence that applies."""
