@@ -53,15 +53,24 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
     of, is_solved = solution.set, bool(solution.converged)
     fine, coarse = finer(entry, of), coarser(entry, of)
     is_in = fine is of and coarse is not of
-    actual, predicted = None, None
+    actual, predicted, beyond = None, None, ""
     if is_solved and fine is not coarse:
-        actual = by_quantity(solve_set(coarse), solve_set(fine))
+        without, full = solve_set(coarse), solve_set(fine)
+        actual = by_quantity(without, full)
+        beyond = _beyond(without, full, actual)
     elif is_solved and entry.without_parameters and _is_held(of):
         predicted = _largest([judge(entry, row) for row in solution.rows])
     error = None if actual is None else float(max(actual.values()))
     judged, why = verdict(entry, "set", is_solved, is_in, predicted is not None, error, tolerance)
     found = as_floats(predicted), as_floats(actual)
-    return Row(entry.name, entry.what, is_in, None, *found, None, judged, why, lines_to_add(of, [entry]))
+    return Row(entry.name, entry.what, is_in, None, *found, None, judged, why or beyond, lines_to_add(of, [entry]))
+
+
+def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray]) -> str:
+    """Why a change has no number."""
+    if bool(without.converged) != bool(full.converged):
+        return f"{'with' if without.converged else 'without'} it the set has no solution"
+    return "" if np.isfinite(list(found.values())).all() else "without it some contacts carry no load"
 
 
 def _is_held(of: BearingSet) -> bool:

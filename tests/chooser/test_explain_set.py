@@ -98,6 +98,14 @@ def test_a_row_s_own_effects_count_and_go() -> None:
     assert effects_of(sprung)["ring_expansion"].predicted is None
 
 
+def test_a_change_without_a_number_says_why() -> None:
+    """At speed the relieved row's balls still touch; at rest they do not, and have no contact angle."""
+    relieved = pair("DB", 200.0, speed=10_000 * qs.rpm, axial_load=900.0)
+    row = effects_of(replace(relieved, ball_effects=(qs.CentrifugalForce(),)))["centrifugal_force"]
+    assert row.actual["contact_angle"] is None
+    assert (row.verdict, row.why) == ("needed", "without it some contacts carry no load")
+
+
 def test_arrays_are_refused() -> None:
     with pytest.raises(ValueError, match="one case at a time"):
         explain_set(pair("DB", np.array([240.0, 720.0])), 0.01)
