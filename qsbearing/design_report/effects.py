@@ -4,22 +4,50 @@ from __future__ import annotations
 
 from qsbearing.chooser.explain import Row, explain
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.effects import QUANTITIES
+from qsbearing.effects import QUANTITIES, BallDiameterDeviations
+from qsbearing.effects.hertz_angle import HertzAngle
+from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.judgement import WORDS
 from qsbearing.messages import chosen
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 
-ASSUMED = (
+ESTIMATED = "≈ "
+"""Before what was not found by solving."""
+STEADY = (
     "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
-    "load.",
-    "Rings are rigid but for their contacts, and contacts are elastic: Hertz's ellipses in grooves of constant radius.",
-    "The geometry is exact: all balls alike, evenly spaced, grooves round and true.",
+    "load."
 )
-SPINNING = (
-    "The axis of each ball follows from raceway control, a hypothesis; friction carries the gyroscopic moment, and the "
-    "friction coefficient that it takes is a result, in the table of inertia and motion."
+RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
+GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."
+NOT_GROWN = "Rings keep the size that they have at rest and cold: neither rotation, fits nor heat change it."
+EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
+FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
+ROLLING = {
+    RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
+    RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
+    RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
+    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins as it takes the least friction power (a hypothesis).",
+}
+UNBOUNDED = (
+    "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
+    "table of inertia and motion."
 )
+BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
+
+
+def assumptions(scene: Scene) -> list[str]:
+    """What the solution of this scene rests on, in sentences."""
+    said = [STEADY, RIGID, NOT_GROWN if scene.ring_expansion is None else GROWN]
+    unequal = any(isinstance(each, BallDiameterDeviations) for each in scene.ring_effects)
+    said.append(EXACT.format(balls="balls of the diameters in the input" if unequal else "all balls alike"))
+    if scene.hertz_angle is HertzAngle.FREE:
+        said.append(FREE_ANGLE)
+    if scene.raceway_control is not None:
+        said.append(ROLLING[scene.raceway_control])
+    if scene.gyroscopic_moment is not None:
+        said.append(UNBOUNDED if scene.gyroscopic_moment.friction_coefficient is None else BOUNDED)
+    return said
 
 
 def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
@@ -31,13 +59,12 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
         tolerance: above which a change counts.
     """
     _, rows = explain(solution.scene, tolerance, verify=True)
-    assumed = [*ASSUMED, *([SPINNING] if solution.scene.ball_effects else [])]
-    blocks: list[Block] = [Paragraph("What holds for every scene of this model:"), Bullets(assumed)]
+    blocks: list[Block] = [Paragraph("What this solution assumes:"), Bullets(assumptions(solution.scene))]
     if solution.choice is not None:
         blocks += [Paragraph(each) for each in chosen(solution, asked)]
     words = (
-        "Each effect and choice of the model, found by solving with and without it: the relative change of what people "
-        f"read. Above {100 * tolerance:g} % it is needed."
+        "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
+        f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."
     )
     headings = ("effect or choice", "in", *(f"{WORDS[name]}, %" for name in QUANTITIES), "verdict")
     lines = [_line(row) for row in rows]
@@ -47,13 +74,13 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
 
 
 def _line(row: Row) -> list[Cell]:
-    found = row.actual if row.actual is not None else row.predicted
-    changes = [_percent(None if found is None else found.get(name, 0.0)) for name in QUANTITIES]
+    found, mark = (row.predicted, ESTIMATED) if row.actual is None else (row.actual, "")
+    changes = [_percent(None if found is None else found.get(name, 0.0), mark) for name in QUANTITIES]
     status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
     return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, status)]
 
 
-def _percent(value: float | None) -> str:
+def _percent(value: float | None, mark: str) -> str:
     if value is None:
         return ""
-    return "0" if value < 1e-6 else f"{100 * value:.2g}" if value < 1.0 else f"{100 * value:.0f}"
+    return "0" if value < 1e-6 else mark + (f"{100 * value:.2g}" if value < 1.0 else f"{100 * value:.0f}")

@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
+from qsbearing.chooser.explain import explain
 from qsbearing.cli import cli
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
@@ -166,6 +167,28 @@ def test_lists_and_materials_of_effects_are_input_too(unequal: Path) -> None:
     assert [float(each) for each in numbers.split(",")] == [5.0, *6 * [0.0], -0.5, *8 * [0.0]]
     assert rows["ring_expansion.shaft_interference_um"][:2] == ["10", "um"]
     assert rows["ring_expansion.shaft_material.elastic_modulus_GPa"] == ["208", "GPa", "this program's steel"]
+
+
+def test_assumptions_are_those_of_the_scene(unequal: Path, spindle: Path) -> None:
+    text, plain = page_of(unequal, "unequal").text, page_of(spindle / "out", "spindle").text
+    assert "balls alike" not in text
+    assert "balls of the diameters in the input" in text
+    assert "Rings change their size" in text
+    assert "by Jones's criterion" in text
+    assert "all balls alike" in plain
+    assert "Rings keep the size" in plain
+    assert "on the outer raceway (outer control" in plain
+
+
+def test_estimates_are_told_from_what_was_solved(unequal: Path, spindle: Path) -> None:
+    """Expansion of the rings cannot be solved for without diameters: its numbers are estimates, and no others are."""
+    effects = next(t for t in page_of(spindle / "out", "spindle").tables if t[0][0] == "effect or choice")
+    marked = {row[0] for row in effects if any("≈" in cell for cell in row)}
+    assert "the expansion of the rings" in marked
+    _, rows = explain(qs.load_scene(spindle / "Spindle.toml"), 0.01, verify=True)
+    assert marked == {row.what for row in rows if row.actual is None and any((row.predicted or {}).values())}
+    solved = next(t for t in page_of(unequal, "unequal").tables if t[0][0] == "effect or choice")
+    assert not any("≈" in cell for row in solved if row[0] == "the expansion of the rings" for cell in row)
 
 
 def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, tmp_path: Path) -> None:
