@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qsbearing.chooser.explain import Row, explain
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.effects import QUANTITIES, BallDiameterDeviations
+from qsbearing.effects import QUANTITIES
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.judgement import WORDS
@@ -39,8 +39,8 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 def assumptions(scene: Scene) -> list[str]:
     """What the solution of this scene rests on, in sentences."""
     said = [STEADY, RIGID, NOT_GROWN if scene.ring_expansion is None else GROWN]
-    unequal = any(isinstance(each, BallDiameterDeviations) for each in scene.ring_effects)
-    said.append(EXACT.format(balls="balls of the diameters in the input" if unequal else "all balls alike"))
+    alike = scene.ball_diameter_deviations is None
+    said.append(EXACT.format(balls="all balls alike" if alike else "balls of the diameters in the input"))
     if scene.hertz_angle is HertzAngle.FREE:
         said.append(FREE_ANGLE)
     if scene.raceway_control is not None:
