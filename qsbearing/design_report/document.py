@@ -6,9 +6,10 @@ from typing import Any
 
 from qsbearing import messages, provenance
 from qsbearing.design_report import curves, effects, evidence, inputs
+from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
-from qsbearing.documents.model import Block, Cell, Document, Facts, Md, Paragraph, Remark, Section
+from qsbearing.documents.model import Block, Cell, Document, Facts, Md, Remark, Section
 from qsbearing.io import report
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.scene.scene import Scene
@@ -40,22 +41,24 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             _results(solution),
             *_readings(readings),
             curves.section(solution),
-            _warnings(warnings),
             evidence.section(solution),
         ],
         "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        [Remark(messages.message(solution), "pass"), *_count(warnings), Facts(_facts(command, solution))],
+        [
+            Remark(messages.message(solution), "pass"),
+            key_results(solution, readings),
+            *_warnings(warnings),
+            Facts(_facts(command)),
+        ],
     )
 
 
-def _count(warnings: list[str]) -> list[Block]:
-    if not warnings:
-        return []
-    what = "One warning" if len(warnings) == 1 else f"{len(warnings)} warnings"
-    return [Remark(Md(f"{what}, see [below](#warnings)."), "warning")]
+def _warnings(warnings: list[str]) -> list[Block]:
+    """In full, where nobody misses them."""
+    return [Remark(f"Warning: {each}", "warning") for each in warnings] or [Remark("No warnings.")]
 
 
-def _facts(command: str, solution: Solution) -> list[tuple[str, Cell]]:
+def _facts(command: str) -> list[tuple[str, Cell]]:
     made = provenance.of_run(command)
     machine = made["machine"]
     commit = made["commit"] or "none: an installed package"
@@ -66,7 +69,6 @@ def _facts(command: str, solution: Solution) -> list[tuple[str, Cell]]:
         ("Machine", f"{machine['processor']}, {machine['system']}, Python {machine['python']}"),
         ("Packages", ", ".join(f"{package} {version}" for package, version in made["packages"].items())),
         ("Command", Md(f"`{command}`")),
-        ("Largest imbalance", f"{float(solution.residual):.1e} of the largest force"),
     ]
 
 
@@ -74,15 +76,23 @@ def _results(solution: Solution) -> Section:
     tables = from_rich(report.tables(solution))
     drawn = [
         picture(
-            load_distribution(solution), "Polar picture of the contact loads of all balls around the bearing.",
-            "Contact loads", 0.62,
+            load_distribution(solution),
+            "Polar picture of the contact loads of all balls around the bearing.",
+            "Contact loads by the azimuth of each ball, 0 deg on the y axis",
+            0.45,
         ),
-        picture(contact_angles(solution), "Both contact angles of every ball by its azimuth.", "Contact angles", 0.8),
         picture(
-            contact_ellipses(solution), "Outlines of the contact ellipses to one scale, with their greatest pressures.",
-            "Contact ellipses",
+            contact_angles(solution),
+            "Both contact angles of every ball by its azimuth.",
+            "Contact angles by azimuth; the dotted line is the free contact angle",
+            0.66,
         ),
-    ]  # fmt: skip
+        picture(
+            contact_ellipses(solution),
+            "Outlines of the contact ellipses to one scale, with their maximum pressures.",
+            "Contact ellipses of each ball, with their maximum pressures",
+        ),
+    ]
     return Section("Results", [*tables, Section("Pictures", drawn)])
 
 
@@ -106,8 +116,3 @@ def _readings(readings: dict[str, Any]) -> list[Section]:
 
     found: list[Any] = readings_tables(readings)
     return [Section("Readings", [block for each in found for block in from_rich(each)])]
-
-
-def _warnings(warnings: list[str]) -> Section:
-    blocks: list[Block] = [Remark(each, "warning") for each in warnings]
-    return Section("Warnings", blocks or [Paragraph("None.")])

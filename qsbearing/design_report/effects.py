@@ -66,7 +66,7 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
         "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
         f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."
     )
-    headings = ("effect or choice", "in", *(f"{WORDS[name]}, %" for name in QUANTITIES), "verdict")
+    headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
     blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l"), Bullets(why)]

@@ -215,7 +215,7 @@ STATEMENTS = (
     Statement(
         f"Elastic contact. Bearing steel begins to yield below the surface near {FIRST_YIELD / MPa:.0f} MPa; "
         f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
-        lambda facts: f"Largest pressure here: {facts.pressure / MPa:.0f} MPa",
+        lambda facts: f"Maximum pressure here: {facts.pressure / MPa:.0f} MPa",
         "qsbearing run SCENE",
         _elastic,
     ),
