@@ -35,8 +35,10 @@ OUTER, OF_BALLS = ("outer",), ("centrifugal_force", "gyroscopic_moment")
 FIRST_YIELD = 1700e6 / (2.0 * 0.31)
 """Largest pressure at which bearing steel of 1700 MPa begins to yield below the surface [Pa]: the largest shear stress
 of a point contact is 0.31 p0 (Johnson, Contact Mechanics, section 4.2), half the yield strength by Tresca."""
-B218_DIAMETER = 22.225
-"""[mm]"""
+B218_DIAMETER, B218_ANGLE = 22.225, 40.0
+"""Of the check of grooves [mm, deg]."""
+ANGLE_MARGIN = 10.0
+"""From that contact angle [deg]: it changes the curvature along B218's inner groove by less than 3 %."""
 Differences = Callable[[Facts], list[Difference]]
 
 
@@ -93,6 +95,11 @@ def _gap(facts: Facts) -> list[Difference]:
     found = other_bearing(facts, "B218", ("ball_diameter", "pitch_diameter"))
     f = groove(facts, "inner")
     found += beyond("inner groove radius over D", (f, f), tuple(NUMBERS["conformity"]["f"]))
+    low, high_angle = facts.angles["inner"]
+    if max(abs(low - B218_ANGLE), abs(high_angle - B218_ANGLE)) > ANGLE_MARGIN:
+        found.append(
+            Difference(f"inner contact angle {low:.1f} to {high_angle:.1f} deg, checked at {B218_ANGLE:g} deg")
+        )
     return found + beyond("inner Q/D²", (0.0, per_area(facts, "inner")[1]), (0.0, high), " N/mm²")
 
 

@@ -75,6 +75,10 @@ def test_the_scenes_that_were_checked_are_covered() -> None:
         (scene(operation={"axial_load": 70_000.0}), CONTACTS, "similar", "inner contact load"),
         (scene(bearing(inner_groove_radius=2e-3)), GAP, "similar", "inner groove radius over D 0.6132, checked 0.505"),
         (scene(operation={"axial_load": 150_000.0, "speed": 0.0}), GAP, "similar", "inner Q/D² up to"),
+        (
+            scene(operation={"radial_load_y": 12_000.0, "tilt_y": 0.0, "tilt_z": 0.0}),
+            GAP, "similar", "deg, checked at 40 deg",
+        ),
         (qs.load_scene("7210C"), GAP, "similar", "another bearing than B218"),
         (scene(), BODIES, "similar", "outer contact angle 31.34 deg, checked 40.68 to 42.97 deg"),
         (scene(operation={"axial_load": 200_000.0}), "qsbearing run SCENE", "similar", "above 2742 MPa"),
