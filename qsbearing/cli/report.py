@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 def report(scene: str, out: str) -> None:
     """Solve SCENE, a bearing or a set of rows, and write its design report to DIR, as one HTML page and one PDF.
 
-    Input, assumptions, effects in and left out and why, results with pictures, readings, curves around the operating
-    point, warnings, and the evidence that applies.
+    Key results and warnings, input, assumptions, effects in and left out and why, results with pictures, readings,
+    curves around the operating point, and the evidence that applies.
 
     Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input.
     """

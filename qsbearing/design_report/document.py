@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from qsbearing import messages
 from qsbearing.design_report import curves, effects, evidence, inputs, readings
-from qsbearing.design_report.front import head, warnings_section
+from qsbearing.design_report.front import head
+from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Document, Section
@@ -24,11 +25,12 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         command: that makes this report.
     """
     scene = solution.scene
+    name = scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     taken = readings.taken(solution)
     warnings = [*messages.warnings(solution), *readings.warnings_of(taken)]
     return Document(
-        scene.bearing.name or "Ball bearing",
+        name,
         "Design report",
         [
             inputs.section(scene, source),
@@ -36,11 +38,10 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             _results(solution),
             *([Section("Readings", readings.tables(taken))] if taken else []),
             curves.section(solution),
-            warnings_section(warnings),
             evidence.section([solution]),
         ],
         "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        head(messages.message(solution), float(solution.residual), warnings, command),
+        head(messages.message(solution), key_results(solution, taken), warnings, command),
     )
 
 
@@ -48,13 +49,21 @@ def _results(solution: Solution) -> Section:
     tables = from_rich(report.tables(solution))
     drawn = [
         picture(
-            load_distribution(solution), "Polar picture of the contact loads of all balls around the bearing.",
-            "Contact loads", 0.62,
+            load_distribution(solution),
+            "Polar picture of the contact loads of all balls around the bearing.",
+            "Contact loads by the azimuth of each ball, 0 deg on the y axis",
+            0.45,
         ),
-        picture(contact_angles(solution), "Both contact angles of every ball by its azimuth.", "Contact angles", 0.8),
         picture(
-            contact_ellipses(solution), "Outlines of the contact ellipses to one scale, with their greatest pressures.",
-            "Contact ellipses",
+            contact_angles(solution),
+            "Both contact angles of every ball by its azimuth.",
+            "Contact angles by azimuth; the dotted line is the free contact angle",
+            0.66,
         ),
-    ]  # fmt: skip
+        picture(
+            contact_ellipses(solution),
+            "Outlines of the contact ellipses to one scale, with their maximum pressures.",
+            "Contact ellipses of each ball, with their maximum pressures",
+        ),
+    ]
     return Section("Results", [*tables, Section("Pictures", drawn)])

@@ -6,29 +6,59 @@ from collections.abc import Sequence
 
 from qsbearing.chooser.explain import Row, explain
 from qsbearing.chooser.explain_set import explain_set
+from qsbearing.design_report.rows import of_rows
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.effects import QUANTITIES
+from qsbearing.effects.hertz_angle import HertzAngle
+from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.judgement import WORDS
 from qsbearing.messages import chosen
 from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.set_messages import capital
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
 
 DEFAULT_TOLERANCE = 0.01
 
-ASSUMED = (
+ESTIMATED = "≈ "
+"""Before what was not found by solving."""
+STEADY = (
     "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
-    "load.",
-    "Rings are rigid but for their contacts, and contacts are elastic: Hertz's ellipses in grooves of constant radius.",
-    "The geometry is exact: all balls alike, evenly spaced, grooves round and true.",
+    "load."
 )
 OF_SETS = (
     "Shaft and housing are rigid: rows keep their distance, nothing bends, and nothing grows along the shaft with heat."
 )
-SPINNING = (
-    "The axis of each ball follows from raceway control, a hypothesis; friction carries the gyroscopic moment, and the "
-    "friction coefficient that it takes is a result, in the table of inertia and motion."
+RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
+GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."
+NOT_GROWN = "Rings keep the size that they have at rest and cold: neither rotation, fits nor heat change it."
+EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
+FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
+ROLLING = {
+    RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
+    RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
+    RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
+    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins as it takes the least friction power (a hypothesis).",
+}
+UNBOUNDED = (
+    "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
+    "table of inertia and motion."
 )
+BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
+
+
+def assumptions(scene: Scene) -> list[str]:
+    """What the solution of this scene rests on, in sentences."""
+    said = [STEADY, RIGID, NOT_GROWN if scene.ring_expansion is None else GROWN]
+    alike = scene.ball_diameter_deviations is None
+    said.append(EXACT.format(balls="all balls alike" if alike else "balls of the diameters in the input"))
+    if scene.hertz_angle is HertzAngle.FREE:
+        said.append(FREE_ANGLE)
+    if scene.raceway_control is not None:
+        said.append(ROLLING[scene.raceway_control])
+    if scene.gyroscopic_moment is not None:
+        said.append(UNBOUNDED if scene.gyroscopic_moment.friction_coefficient is None else BOUNDED)
+    return said
 
 
 def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
@@ -40,25 +70,25 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
         tolerance: above which a change counts.
     """
     _, rows = explain(solution.scene, tolerance, verify=True)
-    assumed = [*ASSUMED, *([SPINNING] if solution.scene.ball_effects else [])]
     said = [] if solution.choice is None else chosen(solution, asked)
-    return _section("What holds for every scene of this model:", assumed, said, rows, tolerance)
+    return _section("What this solution assumes:", assumptions(solution.scene), said, rows, tolerance)
 
 
-def section_of_set(of: BearingSet) -> Section:
+def section_of_set(solution: SetSolution) -> Section:
     """Likewise of a set."""
-    _, rows = explain_set(of, DEFAULT_TOLERANCE)
-    assumed = [OF_SETS, *ASSUMED, *([SPINNING] if of.ball_effects else [])]
-    return _section("What holds for every set of this model:", assumed, [], rows, DEFAULT_TOLERANCE)
+    _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
+    assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
+    said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
+    return _section("What this solution assumes:", [OF_SETS, *said], [], rows, DEFAULT_TOLERANCE)
 
 
 def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
     blocks: list[Block] = [Paragraph(first), Bullets(assumed), *map(Paragraph, said)]
     words = (
-        "Each effect and choice of the model, found by solving with and without it: the relative change of what people "
-        f"read. Above {100 * tolerance:g} % it is needed."
+        "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
+        f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."
     )
-    headings = ("effect or choice", "in", *(f"{WORDS[name]}, %" for name in QUANTITIES), "verdict")
+    headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
     blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l"), Bullets(why)]
@@ -66,13 +96,13 @@ def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequ
 
 
 def _line(row: Row) -> list[Cell]:
-    found = row.actual if row.actual is not None else row.predicted
-    changes = [_percent(None if found is None else found.get(name, 0.0)) for name in QUANTITIES]
+    found, mark = (row.predicted, ESTIMATED) if row.actual is None else (row.actual, "")
+    changes = [_percent(None if found is None else found.get(name, 0.0), mark) for name in QUANTITIES]
     status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
     return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, status)]
 
 
-def _percent(value: float | None) -> str:
+def _percent(value: float | None, mark: str) -> str:
     if value is None:
         return ""
-    return "0" if value < 1e-6 else f"{100 * value:.2g}" if value < 1.0 else f"{100 * value:.0f}"
+    return "0" if value < 1e-6 else mark + (f"{100 * value:.2g}" if value < 1.0 else f"{100 * value:.0f}")

@@ -1,32 +1,26 @@
-"""What a report opens with: how the case ended, how many warnings there are, and what made it; and the warnings."""
+"""What a report opens with: how the case ended, its key results, all warnings, and what made it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from qsbearing import provenance
-from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Remark, Section
+from qsbearing.documents.model import Block, Cell, Facts, Md, Remark, Table
 
 
-def head(message: str, residual: float, warnings: Sequence[str], command: str) -> list[Block]:
+def head(message: str, key_results: Table, warnings: Sequence[str], command: str) -> list[Block]:
     """Before the contents.
 
     Args:
         message: how the case ended; it is solved.
-        residual: the largest imbalance over the largest force.
+        warnings: in full, where nobody misses them.
         command: that makes the report.
     """
-    return [Remark(message, "pass"), *_count(warnings), Facts(_facts(command, residual))]
+    said = [Remark(f"Warning: {each}", "warning") for each in warnings] or [Remark("No warnings.")]
+    return [Remark(message, "pass"), key_results, *said, Facts(_facts(command))]
 
 
-def _count(warnings: Sequence[str]) -> list[Block]:
-    if not warnings:
-        return []
-    what = "One warning" if len(warnings) == 1 else f"{len(warnings)} warnings"
-    return [Remark(Md(f"{what}, see [below](#warnings)."), "warning")]
-
-
-def _facts(command: str, residual: float) -> list[tuple[str, Cell]]:
+def _facts(command: str) -> list[tuple[str, Cell]]:
     made = provenance.of_run(command)
     machine = made["machine"]
     commit = made["commit"] or "none: an installed package"
@@ -37,11 +31,4 @@ def _facts(command: str, residual: float) -> list[tuple[str, Cell]]:
         ("Machine", f"{machine['processor']}, {machine['system']}, Python {machine['python']}"),
         ("Packages", ", ".join(f"{package} {version}" for package, version in made["packages"].items())),
         ("Command", Md(f"`{command}`")),
-        ("Largest imbalance", f"{residual:.1e} of the largest force"),
     ]
-
-
-def warnings_section(warnings: Sequence[str]) -> Section:
-    """All of them."""
-    blocks: list[Block] = [Remark(each, "warning") for each in warnings]
-    return Section("Warnings", blocks or [Paragraph("None.")])

@@ -6,17 +6,21 @@ from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.scene_file import load_scene
+from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.keys import (
     BEARING,
-    EFFECT_TABLES,
     EFFECTS,
     MATERIAL,
     MATERIALS,
+    NUMBERS,
     OPERATION,
     PRELOAD,
     READING_TABLES,
@@ -53,7 +57,7 @@ def section(scene: Scene, source: str) -> Section:
         "Every number that the solution rests on, in the units and by the keys of a scene file. A channel of the ring "
         "that is not named carries no load and is free to move."
     )
-    blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll")]
+    blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
     if source:
         blocks += [Paragraph("The scene file as it was read:"), Code(source.rstrip("\n"), "toml")]
     return Section("Input", blocks)
@@ -79,13 +83,26 @@ def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
         (*line[:3], origin(line[0], published is not None and line in numbers(BEARING, published)))
         for line in numbers(BEARING, bearing)
     ]
-    for material in MATERIALS:
-        same = published is not None and getattr(published, material) == getattr(bearing, material)
-        lines = numbers(MATERIAL, getattr(bearing, material))
-        found += [(f"{material}.{line[0]}", *line[1:3], origin(material, same)) for line in lines]
+    for name in MATERIALS:
+        material = getattr(bearing, name)
+        if entry is not None and published is not None and getattr(published, name) == material:
+            sources = entry.material_provenance
+            found += [
+                (f"{name}.{line[0]}", *line[1:3], sources.get(f"{name}.{line[0]}") or origin(name, True))
+                for line in numbers(MATERIAL, material)
+            ]
+        else:
+            found += _material(name, material)
     if entry is not None:
         found.append(("catalogue entry", entry.name, "", entry.source))
     return found
+
+
+def _material(name: str, material: Material) -> list[Line]:
+    """The numbers of a material that no catalogue entry gives: named by the scene, or given by it."""
+    known = any(material == each for each in BY_NAME.values())
+    origin = f"this program's {material.name}" if known else "scene"
+    return [(f"{name}.{line[0]}", *line[1:3], origin) for line in numbers(MATERIAL, material)]
 
 
 def effect_lines(effects: Iterable[Any]) -> list[Line]:
@@ -95,10 +112,16 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
         found.append((effect.name, "on", "", ""))
         for each in fields(effect):
             value = getattr(effect, each.name)
-            key = _key(EFFECT_TABLES.get(effect.name, EFFECTS), each.name)
-            if value is not None and key is not None:
+            key = _key(NUMBERS.get(effect.name, EFFECTS), each.name)
+            if value is None:
+                continue
+            if isinstance(value, Material):
+                found += _material(f"{effect.name}.{each.name}", value)
+            elif key is not None and np.ndim(value):
+                found.append(_list(key, np.asarray(value, float)))
+            elif key is not None:
                 found.append((f"{effect.name}.{key.name}", _text(key.in_file(float(value))), key.unit, ""))
-            elif value is not None and isinstance(value, str):
+            elif isinstance(value, str):
                 found.append((each.name, str(value), "", ""))
     return found
 
@@ -108,11 +131,17 @@ def choice_lines(holder: Any) -> list[Line]:
     return [(name, str(getattr(holder, name)), "", "") for name in CHOICES if getattr(holder, name) is not None]
 
 
+def _list(key: Key, values: NDArray) -> Line:
+    """Numbers of which there are many: between which they lie, and beside it all of them."""
+    found = [key.in_file(float(value)) for value in values]
+    return (key.name, f"{_text(min(found))} ... {_text(max(found))}", key.unit, ", ".join(map(_text, found)))
+
+
 def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
     """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
     found: list[Line] = []
     for name, arguments in asked.items():
-        found.append((name, "asked for", "", ""))
+        found.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):
                 known = None if isinstance(value, str) else _key(READING_TABLES.get(name, ()), key)

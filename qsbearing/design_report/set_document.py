@@ -6,7 +6,8 @@ from typing import Any
 
 from qsbearing import messages
 from qsbearing.design_report import effects, evidence, readings, set_curves, set_inputs
-from qsbearing.design_report.front import head, warnings_section
+from qsbearing.design_report.front import head
+from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
@@ -37,16 +38,15 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         "Design report of a set",
         [
             set_inputs.section(of, source),
-            effects.section_of_set(of),
+            effects.section_of_set(solution),
             _results(solution),
             *(_row(solution, number, found) for number, found in enumerate(taken)),
             set_curves.section(solution),
-            warnings_section(warnings),
             evidence.section(solution.rows, of),
         ],
         "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
         "by the quasi-static model of Jones and Harris.",
-        head(solution.message(), float(solution.residual), warnings, command),
+        head(solution.message(), key_results_of_set(solution, taken), warnings, command),
     )
 
 

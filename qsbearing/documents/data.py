@@ -65,7 +65,7 @@ def _block(block: model.Block, level: int, pictures: list[model.Picture]) -> Pla
         case model.Table():
             return {
                 "is": "table", "headings": [runs(heading) for heading in block.headings], "align": block.alignment,
-                "caption": runs(block.caption), "tools": block.tools,
+                "caption": runs(block.caption), "tools": block.tools, "stack": block.stack,
                 "rows": [
                     {"across": runs(row.text)} if isinstance(row, model.Group) else {"cells": list(map(_cell, row))}
                     for row in block.rows

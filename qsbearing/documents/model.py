@@ -91,13 +91,17 @@ class Trace:
 
 @dataclass(frozen=True)
 class Table:
-    """A table; `align` has a letter per column: l, r or c. With `tools` a reader may sort and filter it in HTML."""
+    """A table; `align` has a letter per column: l, r or c. With `tools` a reader may sort and filter it in HTML.
+
+    With `stack` the cells of a row wrap below each other where an HTML page is too narrow for them side by side.
+    """
 
     headings: Sequence[str]
     rows: Sequence[Sequence[Cell] | Group]
     align: str = ""
     caption: str = ""
     tools: bool = False
+    stack: bool = False
 
     def __post_init__(self) -> None:
         width = len(self.headings)

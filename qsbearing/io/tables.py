@@ -84,9 +84,16 @@ def catalogue_entry(entry: Entry) -> Group:
             continue
         origin = entry.provenance.get(key, "")
         shown = _material(value, full=True) if key.endswith("_material") else f"{value:g}"
-        table.add_row(key, shown, Text(origin, style="yellow" if key in entry.assumed else ""))
+        table.add_row(key, shown, Text(origin, style=_style(origin)))
+        for number, source in entry.material_provenance.items():
+            if number.startswith(f"{key}."):
+                table.add_row("", number.removeprefix(f"{key}."), Text(source, style=_style(source)))
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
     return Group(head, Padding(table, (1, 0, 0, 0)))
+
+
+def _style(origin: str) -> str:
+    return "yellow" if origin.startswith("assumed") else ""
 
 
 def _free_angle(bearing: dict[str, Any]) -> float:

@@ -171,6 +171,7 @@ def test_the_input_names_every_row(folder: Path) -> None:
     (lines,) = tables_with(triple, "key of the file", "from")
     for expected in (["reference_position_mm", "40", "mm", "as given"], ["spring_N", "450", "N", ""]):
         assert expected in lines
+    assert "Row 1: Rings change their size" in triple.text and "Row 2 and 3: Rings keep the size" in triple.text
     for title in ("Bearing of row 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
         assert title in triple.text
     assert "Bearing of all rows" in page_of(folder / "out", "pair").text
@@ -180,17 +181,34 @@ def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     pair, triple = page_of(folder / "out", "pair"), page_of(folder / "out", "triple")
     assert titles(pair) == [
         "pair, DB (back to back)", "Input", "Assumptions and effects", "Results", "Preload", "Load distribution",
-        "Row 1 (7210C, carries +x)", "Row 2 (7210C, carries -x)", "Around the operating point", "Warnings",
+        "Row 1 (7210C, carries +x)", "Row 2 (7210C, carries -x)", "Around the operating point",
         "Evidence that applies",
     ]  # fmt: skip
     solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
     hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
     assert f"Life of all rows together: {hours:.5g} h" in pair.text
-    assert pair.text.count("basic reference rating life") == 2
-    assert triple.text.count("basic reference rating life") == 1
+    # Each life stands among the key results and in the table of its row.
+    assert pair.text.count("basic reference rating life") == 4
+    assert triple.text.count("basic reference rating life") == 2
     assert "Life of all rows together" not in triple.text
     assert triple.text.count("Geometry before it is loaded") == 1  # ring expansion of one row
     assert "Geometry before it is loaded" not in pair.text
+
+
+def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
+    solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
+    (found,) = tables_with(page_of(folder / "out", "pair"), "key result", "value")
+    starts = [number for number, line in enumerate(found) if line[0].startswith("Row ")]
+    shaft, rows = found[: starts[0]], [found[starts[0] : starts[1]], found[starts[1] :]]
+    x, y = (float(np.asarray(each)) / qs.um for each in solution.displacement[:2])
+    assert dict(shaft)["displacement of the shaft"].startswith(f"axial {x:.4g} um, radial y {y:.4g} um")
+    hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
+    assert dict(shaft)["life of the set"] == f"{hours:,.0f} h"
+    for number, (row, (_, *lines)) in enumerate(zip(solution.rows, rows, strict=True)):
+        axial = f"{solution.axial_loads[number]:.4g} N; 720 N at rest and cold, by the preload alone"
+        assert dict(lines)["axial load"] == axial
+        pressures = [side.max_pressure[side.load > 0.0].max() / 1e6 for side in (row.inner, row.outer)]
+        assert dict(lines)["maximum contact pressure"] == f"inner {pressures[0]:.4g} MPa, outer {pressures[1]:.4g} MPa"
 
 
 def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

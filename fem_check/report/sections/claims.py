@@ -21,7 +21,7 @@ def section(evidence: Evidence) -> Section:
     return Section(
         "Claims and evidence",
         [
-            Table(("claim", "on record", "verdict", "see"), _claims(evidence), "llll", "What is claimed"),
+            Table(("claim", "on record", "verdict", "see"), _claims(evidence), "llll", "What is claimed", stack=True),
             Paragraph(
                 Md(
                     "What is not claimed stands under [known limits](#known-limits). *Verification*: the equations are "

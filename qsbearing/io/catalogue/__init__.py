@@ -20,6 +20,8 @@ class Entry:
     """The [bearing] table of a scene file, complete."""
     provenance: dict[str, str]
     """For each key of `bearing`, where its value comes from, or that it is assumed."""
+    material_provenance: dict[str, str]
+    """Likewise of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
     example: dict[str, dict[str, Any]]
     """The [operation] and [effects] tables of a scene that uses it."""
 
@@ -53,4 +55,7 @@ def nearest(name: str) -> str:
 def _entry(data: dict[str, Any]) -> Entry:
     # The kind stands beside the name in the data, where a reader looks for it, and in the bearing in a scene file.
     bearing = {"kind": data["kind"].replace(" ", "_"), **data["bearing"]}
-    return Entry(data["name"], data["description"], data["source"], bearing, data["provenance"], data["example"])
+    return Entry(
+        data["name"], data["description"], data["source"], bearing, data["provenance"],
+        data.get("material_provenance", {}), data["example"],
+    )  # fmt: skip

@@ -1,0 +1,152 @@
+"""The results that most readers look for first: pressures, angles, displacement, stiffness, friction, life."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.model import Group, Table
+from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.scene.operation import CHANNELS
+from qsbearing.sets.set_messages import capital, row_name
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.system_life import system_life
+from qsbearing.solution import Solution
+from qsbearing.units import MPa, deg, mrad, um
+
+Line = tuple[str, str]
+HOUR, MILLION = 3600.0, 1e6
+HEADINGS = ("key result", "value")
+NOISE = 1e-10
+"""Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
+
+
+def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
+    """Those of a single case.
+
+    Args:
+        readings: what the scene asked to be read off, by name.
+    """
+    lever = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
+    ring = ring_lines(solution, "inner ring", lever)
+    lines = [*contact_lines(solution), *ring, *_preload_lines(solution), *_life_lines(readings)]
+    return Table(HEADINGS, lines, "ll")
+
+
+def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
+    """Those of a single case of a set: of the shaft, then of each row.
+
+    Args:
+        readings: what each row was asked to be read off, by name.
+    """
+    lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
+    lines: list[Line | Group] = [*ring_lines(solution, "shaft", lever), *_system_life_lines(readings)]
+    at_rest = solution.preload_at_rest
+    for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
+        axial = f"{_number(float(solution.axial_loads[number]))} N"
+        if at_rest is not None:
+            axial += f"; {_number(float(at_rest[number]))} N at rest and cold, by the preload alone"
+        lines += [Group(capital(row_name(solution.set.rows[number], number))), ("axial load", axial)]
+        lines += [*contact_lines(row), *_life_lines(found)]
+    return Table(HEADINGS, lines, "ll")
+
+
+def contact_lines(solution: Solution) -> list[Line]:
+    """Maximum pressure, range of the contact angles, maximum load and required friction, of each raceway."""
+    lines = [
+        ("maximum contact pressure", _of_sides(solution, lambda side: f"{_largest(side, 'max_pressure', MPa)} MPa")),
+        ("contact angles", _of_sides(solution, _angles)),
+        ("maximum contact load", _of_sides(solution, lambda side: f"{_largest(side, 'load', 1.0)} N")),
+    ]
+    if solution.inner.required_friction is not None:
+        friction = _of_sides(solution, lambda side: _largest(side, "required_friction", 1.0, 2))
+        lines.append(("required friction coefficient", friction))
+    empty = np.isfinite(solution.azimuth) & (solution.inner.load == 0.0)
+    if empty.any():
+        lines.append(
+            ("balls without load on the inner raceway", f"{empty.sum()} of {np.isfinite(solution.azimuth).sum()}")
+        )
+    return lines
+
+
+def _of_sides(solution: Solution, text: Callable[[RacewayContacts], str]) -> str:
+    return ", ".join(f"{name} {text(getattr(solution, name))}" for name in ("inner", "outer"))
+
+
+def _largest(side: RacewayContacts, name: str, size: float, digits: int = 4) -> str:
+    return _number(float(np.nanmax(np.where(side.load > 0.0, getattr(side, name), 0.0))) / size, digits)
+
+
+def _angles(side: RacewayContacts) -> str:
+    loaded = side.angle[side.load > 0.0] / deg
+    if not loaded.size:
+        return "none"
+    low, high = (f"{each:.1f}" for each in (loaded.min(), loaded.max()))
+    return f"{low} deg" if low == high else f"{low} to {high} deg"
+
+
+def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[Line]:
+    """Displacement and effective stiffness where ring or shaft is free to move, loads where it is not.
+
+    Args:
+        what: moves.
+        lever: at which its turning is compared with its shift [m].
+    """
+    free = set(map(int, solution._free_channels))
+    levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
+    lengths, turns = (um, "um"), (mrad, "mrad")
+    moved = _channels(solution.displacement, levers, lengths, turns, free)
+    stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/um"), (1.0 / mrad, "Nm/mrad"), free)
+    given = set(range(len(CHANNELS))) - free
+    reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "Nm"), given)
+    lines = [(f"displacement of the {what}", moved), ("effective stiffness", stiff)]
+    lines.append(("load where a displacement is given", reactions))
+    return [line for line in lines if line[1]]
+
+
+def _preload_lines(solution: Solution) -> list[Line]:
+    preload = solution.preload_at_rest if solution.scene.preload is not None else None
+    if preload is None:
+        return []
+    text = f"{_number(float(preload))} N at rest and cold, {_number(float(solution.load[0]))} N in operation"
+    return [("preload", text)]
+
+
+def _channels(
+    values: NDArray, levers: NDArray, straight: tuple[float, str], turning: tuple[float, str], which: set[int]
+) -> str:
+    """Channels with their values; what is rounding beside the largest, measured at the pitch circle, is left out."""
+    sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
+    found = []
+    for i, channel in enumerate(CHANNELS):
+        size, unit = turning if channel.is_rotation else straight
+        if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max():
+            found.append(f"{channel.label} {_number(float(values[i]) / size)} {unit}")
+    return ", ".join(found)
+
+
+def _life_lines(readings: Mapping[str, Any]) -> list[Line]:
+    life = readings.get("life")
+    if life is None:
+        return []
+    modified = life.modified_reference_rating_life
+    name, turns = ("basic", life.basic_reference_rating_life) if modified is None else ("modified", modified)
+    text = f"{_number(float(turns) / MILLION)} million revolutions"
+    hours = float(life.duration) / HOUR
+    return [(f"{name} reference rating life", f"{text}, {_number(hours)} h" if np.isfinite(hours) else text)]
+
+
+def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[Line]:
+    """Where every row has a life in hours."""
+    lives = [float(found["life"].duration) for found in readings if "life" in found]
+    if len(lives) < len(readings) or not np.isfinite(lives).all():
+        return []
+    return [("life of the set", f"{_number(float(system_life(lives)) / HOUR)} h")]
+
+
+def _number(value: float, digits: int = 4) -> str:
+    """So many digits, without an exponent where it is long."""
+    return f"{value:,.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"
