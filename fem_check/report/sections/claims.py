@@ -112,9 +112,14 @@ def _sector(evidence: Evidence) -> tuple[str | None, bool]:
 def _book(evidence: Evidence) -> tuple[str | None, bool]:
     if not evidence.book:
         return None, False
-    kinds = [kept.data["kind"] for kept in evidence.book.values()]
+    cases = [kept.data for kept in evidence.book.values()]
+    counter_examples = sum(bool(each.get("counter_example")) for each in cases)
+    measured = sum(each["kind"] == "M" and not each.get("counter_example") for each in cases)
     failed = [name for name, kept in evidence.book.items() if kept.data["verdict"] != "pass"]
-    said = f"{len(kinds)} cases, {kinds.count('M')} of them measurements"
+    computed = sum(each["kind"] != "M" for each in cases)
+    said = f"{computed} cases computed by others, {measured} measurements"
+    if counter_examples:
+        said += f"; {counter_examples} counter-example, not expected to be met"
     return said + (f"; not passed: {', '.join(failed)}" if failed else ""), not failed
 
 
