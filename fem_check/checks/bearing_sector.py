@@ -359,7 +359,7 @@ CHECK = Check(
     question="One ball between two elastic rings: where does the quasi-static model stop being true?",
     kind=Kind.MODEL_COMPARISON,
     reference="qsbearing.solve; exact in the limit of light loads",
-    tolerance="differences are findings; uncertainty (centrifugal force alone), limit of light loads, equilibrium: rows",
+    tolerance="differences are findings; uncertainty (centrifugal force alone), light loads, equilibrium: rows",
     run=run,
     largest_dofs=lambda level: {Level.QUICK: 60_000, Level.RELEASE: 110_000}[level],
 )

@@ -29,12 +29,12 @@ def pressure_map(entry: Entry) -> Figure:
     u, v, w = (np.concatenate(parts) for parts in (every_x, every_y, every_p))
     _, first = np.unique(np.round(np.stack([u, v]), 6), axis=1, return_index=True)
     a, b = contact["a_mm"], contact["b_mm"]
-    picture = axes.tricontourf(
-        Triangulation(u[first] * a, v[first] * b), w[first] * contact["p0_MPa"], levels=16, cmap="viridis"
-    )
+    shown, pressure = Triangulation(u[first] * a, v[first] * b), w[first] * contact["p0_MPa"]
+    shown.set_mask(pressure[shown.triangles].max(axis=1) <= 0.0)
+    picture = axes.tricontourf(shown, pressure, levels=16, cmap="viridis")
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
-    axes.plot(a * np.cos(angle), b * np.sin(angle), color="white", linewidth=1.5, label="Hertz")
-    axes.legend(loc="upper right", facecolor="grey", labelcolor="white")
+    axes.plot(a * np.cos(angle), b * np.sin(angle), color="black", linewidth=1.2, label="Hertz's edge")
+    axes.legend(loc="upper right")
     figure.colorbar(picture, ax=axes, label="pressure, MPa")
     axes.set(xlabel="across the groove, mm", ylabel="along rolling, mm (stretched)", title=title(contact))
     return figure
