@@ -25,7 +25,7 @@ class Drawing(NamedTuple):
 DRAWN = {
     "contact": Drawing(
         contact.pressure_map,
-        "Pressure over the ellipse, Hertz's edge in black. The contact ends within an element's width of it",
+        "Pressure over the ellipse, Hertz's edge in red; no colour where there is less than a hundredth of the largest",
         "Map of the contact pressure: elliptic contours, highest in the middle, ending at Hertz's outline.",
     ),
     "contact profiles": Drawing(
@@ -68,7 +68,7 @@ DRAWN = {
     "conformity": Drawing(
         series.conformity,
         "Deviation over the load, for smaller and smaller groove radii",
-        "Worst deviation from Hertz over the load, one line for each groove radius: the smaller the radius, the larger.",
+        "Worst deviation from Hertz over the load, one line for each groove radius: the smaller, the larger.",
     ),
     "sector bodies": Drawing(
         sector.sector_bodies,
