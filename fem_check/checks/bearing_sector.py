@@ -171,7 +171,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     notes = [
         _support_note(series),
         *(uncertainty_note(series, key, level) for key in series),
-        _moment_note(series),
+        moment_note(series),
         NOTE,
     ]
     mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
@@ -327,7 +327,7 @@ def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
     )
 
 
-def _moment_note(series: dict[str, Any]) -> str:
+def moment_note(series: dict[str, Any]) -> str:
     """Whether the series with gyroscopic moment would meet the tolerances of that without."""
     if WITH_MOMENT not in series:
         return ""
