@@ -104,8 +104,10 @@ def sector_contacts(entry: Entry) -> Figure:
     for (race, contact), (over, along) in zip(sector["contacts"].items(), grid, strict=True):
         x, y, p, gap = (np.asarray(contact[name]) for name in ("x", "y", "p", "gap"))
         mirrored = Triangulation(np.concatenate([x, x[y > 0.0]]), np.concatenate([y, -y[y > 0.0]]))
-        picture = over.tricontourf(mirrored, np.concatenate([p, p[y > 0.0]]), levels=16, cmap="plasma")
-        figure.colorbar(picture, ax=over, label="pressure, MPa")
+        # Without pressure no colour, so that nothing seems to be pressed outside the contact.
+        levels = np.linspace(0.01, 1.0, 17) * p.max()
+        picture = over.tricontourf(mirrored, np.concatenate([p, p[y > 0.0]]), levels=levels, cmap="plasma")
+        figure.colorbar(picture, ax=over, label="pressure, MPa", ticks=MaxNLocator(6))
         over.set(
             xlabel="across the groove, mm",
             ylabel="along rolling, mm (stretched)",
