@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.case_index import Place
-from qsbearing.pictures.style import balls, line_style, mark_lost, raceways
+from qsbearing.pictures.style import balls, label_angle, line_style, mark_lost, raceways
 from qsbearing.solution import Solution
 
 
@@ -27,8 +27,6 @@ def draw_loads(axes: Any, solution: Solution, place: Place) -> None:
     labels = axes.set_rgrids(circles, [f"{value:g}" for value in circles])[1]
     for label in labels:
         label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6})
-    # The circles are labelled between two balls, where the loads are smallest.
-    quiet = int(np.argmin(loads["inner"] + loads["outer"]))
-    axes.set_rlabel_position(float(np.degrees(azimuth[quiet]) + 180.0 / azimuth.size))
+    axes.set_rlabel_position(label_angle(azimuth, list(loads.values()), circles, top))
     axes.tick_params(axis="both", labelsize=8)
     axes.grid(color="0.85", linewidth=0.6)
