@@ -34,7 +34,7 @@ class Row:
     in_scene: bool
     indicator: float | None
     predicted: dict[str, float | None] | None
-    """Relative change of what people read if it is left out, or was."""
+    """Relative change of the reported results if it is left out, or was."""
     actual: dict[str, float | None] | None
     """The same, found by solving with and without it."""
     time_with_over_without: float | None
