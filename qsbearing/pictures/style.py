@@ -82,6 +82,24 @@ def line_style(side: str, count: int) -> dict[str, Any]:
     return STYLE[side] | {"linewidth": 1.2, "markersize": size, "label": f"{side} raceway"}
 
 
+def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: float) -> None:
+    """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_angle`'s."""
+    from matplotlib.ticker import MaxNLocator
+
+    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
+    axes.set_rgrids(circles, [""] * len(circles))
+    if not np.isfinite(loads).all() or not azimuth.size:
+        return
+    angle = np.radians(label_angle(azimuth, loads, circles, top))
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4}
+    for value in circles:
+        axes.text(angle, value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
+
+
+LABEL = (0.11, 0.05)
+"""Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
+
+
 def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float) -> float:
     """At which azimuth [deg] the circles of a polar picture are labelled farthest from its curves.
 
@@ -93,10 +111,12 @@ def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[fl
     """
     tried = np.arange(15.0, 360.0, 5.0)
     tried = tried[np.abs((tried + 45.0) % 90.0 - 45.0) >= 15.0]  # beside the names of the axes
-    around = np.radians(tried[:, None] + np.linspace(-8.0, 8.0, 9))  # as wide as a label
-    curves = np.array([np.interp(around, azimuth, load, period=2.0 * np.pi) for load in loads])
-    away = np.abs(curves[..., None] - np.asarray(circles)) / top
-    return float(tried[np.argmax(away.min(axis=(0, 2, 3)))])
+    around = np.radians(np.arange(0.0, 360.0))
+    at = np.exp(1j * np.radians(tried))[:, None, None] * (np.asarray(circles) / top)[:, None]
+    curves = np.concatenate([np.interp(around, azimuth, load, period=2.0 * np.pi) / top for load in loads])
+    between = at - curves * np.tile(np.exp(1j * around), len(loads))
+    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1])
+    return float(tried[np.argmax(np.minimum(away.min(axis=(1, 2)), 3.0))])
 
 
 def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> None:

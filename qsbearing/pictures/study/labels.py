@@ -158,8 +158,9 @@ def label_ends(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) -> N
     apart = np.maximum.accumulate(heights - rank) + rank  # each at least a line above the one before
     apart -= max(float((apart - heights).mean()), 0.0) if heights.size else 0.0
     for (end, text, colour), height in zip(ends, apart, strict=True):
+        point = (float(end[0]), float(end[1]))
         axes.annotate(
-            text, (float(end[0]), float(end[1])), (1.03, height), "axes fraction", "axes fraction", fontsize=7.5, color=colour, va="center",
+            text, point, (1.03, height), "axes fraction", "axes fraction", fontsize=7.5, color=colour, va="center",
             arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkA": 1.0, "shrinkB": 4.0},
             annotation_clip=False,
         )  # fmt: skip

@@ -8,7 +8,7 @@ import numpy as np
 
 from qsbearing.pictures.study.labels import value_label
 from qsbearing.pictures.study.selection import SAMPLE, Selection
-from qsbearing.pictures.style import figure_of_size, label_angle, legend, line_style
+from qsbearing.pictures.style import figure_of_size, label_circles, legend, line_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,8 +18,6 @@ MOST = 5
 
 def draw_roses(chosen: Selection) -> Figure:
     """Up to five roses, spread along the axis, to one scale."""
-    from matplotlib.ticker import MaxNLocator
-
     results = chosen.results.isel({SAMPLE: 0}) if SAMPLE in chosen.results.dims else chosen.results
     if chosen.other:
         results = results.isel({chosen.other: 0})
@@ -39,13 +37,8 @@ def draw_roses(chosen: Selection) -> Figure:
             axes.plot(around, np.append(load, load[:1]), **line_style(side, load.size) | {"markersize": 3.0})
         axes.set_ylim(0.0, top)
         axes.set_thetagrids(range(0, 360, 90), ["y", "z", "", ""], fontsize=8)
-        circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
-        for label in axes.set_rgrids(circles, [f"{value:g}" for value in circles])[1]:
-            label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4})
-        if known.any():
-            loads = [point[f"{side}_load"].values[known] for side in ("inner", "outer")]
-            if np.isfinite(loads).all():
-                axes.set_rlabel_position(label_angle(azimuth[known], loads, circles, top))
+        loads = [point[f"{side}_load"].values[known] for side in ("inner", "outer")]
+        label_circles(axes, azimuth[known], loads, top)
         axes.set_title(f"contact load, {unit}", fontsize=9.5, loc="left", pad=12)
         axes.tick_params(labelsize=7)
         axes.grid(color="0.85", linewidth=0.6)
