@@ -53,15 +53,15 @@ def solve(
         scene: what to solve; its array fields broadcast to the case axes.
         effects: "auto": just the effects and choices that `tolerance` needs; None: those that the scene names, or auto
             where it asks for that itself (`Scene.tolerance`).
-        tolerance: with effects chosen, the largest relative error of what people read (0.01 if not given); else the
+        tolerance: with effects chosen, the largest relative error of the reported results (0.01 if not given); else the
             largest imbalance over the largest force at which a case counts as solved (1e-12; where rounding forbids it,
-            1e-10 is accepted and `Solution.residual` tells).
+            1e-10 is accepted and `Solution.residual` states it).
         start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
         threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
 
     Returns:
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
-        `choice` tells what was chosen and left out.
+        `choice` lists what was chosen and left out.
 
     Raises:
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.

@@ -15,7 +15,7 @@ from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.solver import solve
 
-NEEDED, NOT_NEEDED, CANNOT_BE_JUDGED = "needed", "not needed", "cannot be judged"
+NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 
 LIGHT_BALL = (
     "some ball carries little or nothing, where small causes have large effects: --verify solves with and without"
@@ -34,7 +34,7 @@ class Row:
     in_scene: bool
     indicator: float | None
     predicted: dict[str, float | None] | None
-    """Relative change of what people read if it is left out, or was."""
+    """Relative change of the reported results if it is left out, or was."""
     actual: dict[str, float | None] | None
     """The same, found by solving with and without it."""
     time_with_over_without: float | None
@@ -87,19 +87,19 @@ def _verdict(
     entry: Entry, solution: Solution, judged: Judgement | None, actual: dict[str, Any] | None, tolerance: float
 ) -> tuple[str, str]:
     if not solution.converged:
-        return CANNOT_BE_JUDGED, "the scene has no solution to judge by"
+        return NOT_ASSESSED, "the scene has no solution to judge by"
     if entry.needs and not entry.is_in(solution.scene):
         told = f"; what stands here is {entry.without_parameters}" if judged else ""
-        return CANNOT_BE_JUDGED, f"needs {entry.needs}{told}"
+        return NOT_ASSESSED, f"needs {entry.needs}{told}"
     if judged is None:
-        return CANNOT_BE_JUDGED, "the scene states another choice, or has nothing that it acts on"
+        return NOT_ASSESSED, "the scene states another choice, or has nothing that it acts on"
     error = float(judged.largest) if actual is None else float(max(actual.values()))
     if error > tolerance and entry.hypothesis:
-        return CANNOT_BE_JUDGED, entry.hypothesis
+        return NOT_ASSESSED, entry.hypothesis
     point = solution.operating_point
     if error <= tolerance and actual is None and bool(point.has_light_ball):
         is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
-        return (NOT_NEEDED, "") if is_nothing else (CANNOT_BE_JUDGED, LIGHT_BALL)
+        return (NOT_NEEDED, "") if is_nothing else (NOT_ASSESSED, LIGHT_BALL)
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from qsbearing.chooser.explain import Row
 
 
-@click.command(short_help="Tell which effects a scene calls for, and by how much.")
+@click.command(short_help="Show which effects a scene calls for, and by how much.")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
 @click.option("--verify", is_flag=True, help="Also solve with and without each, and show what it really changes.")
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     "--tolerance", type=float, default=0.01, show_default=True, help="The relative change below which none is needed."
 )
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
-    """Tell of every effect and choice, named by SCENE or not, how much it matters at this operating point.
+    """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
     Each has an indicator, a dimensionless number that its influence follows; what leaving it out is predicted to change
     of contact angles, loads, pressures, displacement and stiffness; how much longer a solve takes with it; and a
-    verdict: needed, not needed, or cannot be judged and why.
+    verdict: needed, not needed, or not assessed and why.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
@@ -68,7 +68,7 @@ def _table(rows: list[Row], tolerance: float) -> Table:
     from qsbearing.io.tables import plain_table
 
     title = f"Effects and choices: what leaving each out changes; needed above {100 * tolerance:g} %"
-    table = plain_table(title, ("", "there", "indi-\ncator", "time", *HEADINGS, "verdict"), left=(0, 1, 9))
+    table = plain_table(title, ("", "in\nscene", "indi-\ncator", "time", *HEADINGS, "verdict"), left=(0, 1, 9))
     for row in rows:
         ratio = "-" if row.time_with_over_without is None else f"x{row.time_with_over_without:.2g}"
         found = dict(row.predicted or {}) or dict.fromkeys(QUANTITIES)
@@ -76,7 +76,7 @@ def _table(rows: list[Row], tolerance: float) -> Table:
         table.add_row(*head, *(_short(found.get(name, 0.0), 100.0) for name in QUANTITIES), row.verdict)
         if row.actual is not None:
             changes = (_short(row.actual[name], 100.0) for name in QUANTITIES)
-            table.add_row("  found", "", "", "", *changes, "", style="dim")
+            table.add_row("  solved", "", "", "", *changes, "", style="dim")
     return table
 
 

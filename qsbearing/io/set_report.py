@@ -75,7 +75,7 @@ def _shaft(solution: SetSolution, found: dict[str, Any]) -> Table:
 def _rows(found: dict[str, Any]) -> Table:
     heading = (
         "row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "preload\nat rest N",
-        "in operation\nN", "", "largest ball\nN",
+        "at speed\nN", "state", "largest\nball N",
     )  # fmt: skip
     table = plain_table("Rows: what each carries, and its preload without external loads", heading, left=(0, 1, 3, 9))
     largest = max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])

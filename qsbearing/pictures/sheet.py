@@ -33,7 +33,7 @@ def contact_angles(solution: Solution, index: Index = None) -> Figure:
 
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
-    """Outlines of the contact ellipses, all to one scale, with their greatest pressure."""
+    """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
     return _alone(draw_ellipses, (10.0, 4.6), solution, index)
 
 

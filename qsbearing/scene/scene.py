@@ -80,7 +80,7 @@ class Scene:
     """What is to be read off the solution: by name, with arguments (`qsbearing.readings.take_asked`). No solve looks
     at it."""
     tolerance: float | None = None
-    """With one, `solve` chooses the effects, to this relative error of what people read: effects = "auto" of a file."""
+    """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
 

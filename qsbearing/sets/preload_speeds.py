@@ -8,7 +8,7 @@ import numpy as np
 
 from qsbearing.scene.operation import Operation
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_messages import RUN_AWAY, PreloadState, capital, row_name, states
+from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name, states
 from qsbearing.sets.solve import solve_set
 from qsbearing.units import rpm
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, within
@@ -20,26 +20,26 @@ ROUNDS = 2
 
 @dataclass(frozen=True)
 class PreloadSpeed:
-    """The lowest speed at which a row's preload is no longer kept."""
+    """The lowest speed at which a row's preload is no longer maintained."""
 
     speed: float
     """[rad/s]"""
     row: int
     """From 0; -1 where the set has no equilibrium and no row is to blame."""
     state: str
-    """lost or run_away; no_equilibrium or not_converged where the set is not solved any more."""
+    """lost or excessive; no_equilibrium or not_converged where the set is not solved any more."""
     sentence: str
 
 
 def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None = None) -> list[PreloadSpeed]:
-    """The speeds, up to the highest given, above which some row's preload is lost or has run away; lowest first.
+    """The speeds, up to the highest given, above which some row's preload is lost or excessive; lowest first.
 
     The set keeps its loads and all else but the speed; one number each, no arrays. A preload counts as lost below 1 %
-    of that at rest, and as run away above three times it. What changes and changes back between two of the 64 speeds
+    of that at rest, and as excessive above three times it. What changes and changes back between two of the 64 speeds
     tried is not seen.
 
     Returns:
-        At most one of each row and state; empty where all rows keep their preload.
+        At most one of each row and state; empty where every row's preload is maintained.
 
     Raises:
         SceneError: a highest speed that is none, arrays in the set, or rows that all carry in one direction.
@@ -71,7 +71,7 @@ def _search(
         if status[k] != "converged":
             first.setdefault((int(faults[k]), str(status[k])), k)
         for number, word in enumerate(words[k]):
-            if word in (PreloadState.LOST, PreloadState.RUN_AWAY):
+            if word in (PreloadState.LOST, PreloadState.EXCESSIVE):
                 first.setdefault((number, str(word)), k)
     for what, k in first.items():
         if what in found and rounds == ROUNDS:
@@ -93,7 +93,7 @@ def _result(of: BearingSet, speed: float, row: int, state: str) -> PreloadSpeed:
     name = capital(row_name(of.rows[row], row)) if row >= 0 else "The set"
     said = {
         str(PreloadState.LOST): f"{name} loses its preload at {at}.",
-        str(PreloadState.RUN_AWAY): f"{name}: the preload runs away, to {RUN_AWAY:g} times that at rest at {at}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times that at rest, at {at}.",
         "no_equilibrium": f"{name} gives way at {at}: above there is no equilibrium.",
     }
     return PreloadSpeed(speed, row, state, said.get(state, f"{name}: not solved any more at {at}."))
