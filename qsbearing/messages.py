@@ -12,7 +12,7 @@ from qsbearing.case_index import Index
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
-from qsbearing.judgement import WORDS, WORTH_A_WARNING, lines_to_add, missing, percent
+from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, lacking_data, lines_to_add, missing, percent
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -181,6 +181,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
     yield from _missing_warnings(solution, part)
+    yield from _data_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
@@ -237,8 +238,7 @@ def _missing_warnings(solution: Solution, part: slice) -> Warnings:
     judged = missing(solution)
     if not judged:
         return
-    errors = np.stack([each.largest.reshape(-1)[part] for each in judged])
-    matters = np.isfinite(errors) & (errors > WORTH_A_WARNING)
+    matters = _matters(judged, part)
 
     def sentence(i: int) -> str:
         named = [each for each, which in zip(judged, matters[:, i], strict=True) if which]
@@ -250,3 +250,35 @@ def _missing_warnings(solution: Solution, part: slice) -> Warnings:
         return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
 
     yield np.asarray(matters.any(axis=0)), sentence
+
+
+def _data_warnings(solution: Solution, part: slice) -> Warnings:
+    """Effects that need numbers of the scene, which no choice of effects can add either."""
+    judged = lacking_data(solution)
+    if not judged:
+        return
+    matters = _matters(judged, part)
+
+    def sentence(i: int) -> str:
+        said = []
+        for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
+            errors = {name: float(np.ravel(error)[part.start + i]) for name, error in each.errors.items()}
+            changes = ", ".join(
+                f"{WORDS[name]} by about {percent(errors[name])}"
+                for name in sorted(errors, key=lambda one: -errors[one])
+                if errors[name] > WORTH_A_WARNING
+            )
+            entry = each.entry
+            said.append(
+                f"{entry.what}, estimated ({entry.without_parameters}) to change {changes}. To include it, give "
+                f"{entry.needs}."
+            )
+        return f"Not in the scene for want of numbers, and likely needed: {' Also: '.join(said)}"
+
+    yield np.asarray(matters.any(axis=0)), sentence
+
+
+def _matters(judged: list[Judgement], part: slice) -> NDArray:
+    """Which effects (first axis) change some answer noticeably in which cases of a stretch."""
+    errors = np.stack([each.largest.reshape(-1)[part] for each in judged])
+    return np.asarray(np.isfinite(errors) & (errors > WORTH_A_WARNING))

@@ -40,8 +40,8 @@ def test_the_message_of_many_counts_them(many: qs.Solution) -> None:
 def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solution) -> None:
     each = {place: qs.warnings(many, place) for place in np.ndindex(many.shape)}
     found = qs.warnings(many)
-    assert len(found) == 3
-    for kind in ("friction up to", "Missing here", "Contact pressure reaches"):
+    assert len(found) == 4
+    for kind in ("friction up to", "Missing here", "for want of numbers", "Contact pressure reaches"):
         (sentence,) = [sentence for sentence in found if kind in sentence]
         have = [place for place, sentences in each.items() if any(kind in one for one in sentences)]
         assert 0 < len(have) < 8
