@@ -73,11 +73,10 @@ def _table(rows: list[Row], tolerance: float) -> Table:
         ratio = "-" if row.time_with_over_without is None else f"x{row.time_with_over_without:.2g}"
         found = dict(row.predicted or {}) or dict.fromkeys(QUANTITIES)
         head = (row.effect, "yes" if row.in_scene else "no", _short(row.indicator), ratio)
-        table.add_row(
-            *head, *(_short(found.get(name, 0.0), 100.0) for name in QUANTITIES), row.verdict.replace(", ", ",\n")
-        )
+        changes = [_short(found.get(name, 0.0), 100.0) for name in QUANTITIES]
+        table.add_row(*head, *changes, row.verdict.replace(", ", ",\n"))
         if row.actual is not None:
-            changes = (_short(row.actual[name], 100.0) for name in QUANTITIES)
+            changes = [_short(row.actual[name], 100.0) for name in QUANTITIES]
             table.add_row("  found", "", "", "", *changes, "", style="dim")
     return table
 
