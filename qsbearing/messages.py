@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.case_index import Index
+from qsbearing.contact.first_yield import FIRST_YIELD_SHEAR, first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
@@ -27,7 +29,7 @@ from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.units import MPa, mrad, um
+from qsbearing.units import GPa, MPa, mrad, um
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
@@ -185,11 +187,32 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
+    yield from _pressure_warnings(solution, pressure)
+
+
+def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
+    """Dents, and first yield where the scene gives a yield strength."""
+    rings = solution.scene.ring_expansion
+    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
+    below = (
+        ""
+        if rings is None
+        else f" Below the surface, steel with a yield strength of {rings.yield_strength / MPa:.5g} MPa first yields "
+        f"near {first_yield / GPa:.2g} GPa (Tresca, largest shear {FIRST_YIELD_SHEAR:g} p0)."
+    )
     yield (
         pressure > STATIC_PRESSURE_LIMIT,
         lambda i: (
-            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above the {STATIC_PRESSURE_LIMIT / MPa:.0f} MPa of "
-            "the static load rating: the contact yields, and the elastic numbers are no longer true."
+            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
+            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa: permanent dents of more than about 1e-4 of the ball's diameter, "
+            f"and elastic numbers that are no longer true.{below}"
+        ),
+    )
+    yield (
+        (pressure > first_yield) & (pressure <= STATIC_PRESSURE_LIMIT),
+        lambda i: (
+            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
+            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa.{below}"
         ),
     )
 

@@ -86,8 +86,8 @@ def solve(
     if effects is None and scene.tolerance is None:
         if tolerance is not None:
             raise ValueError(
-                f'tolerance = {tolerance:g} is the error that choosing effects may leave: give effects="auto" too; the '
-                "solver's own is residual_tolerance"
+                f"tolerance = {tolerance:g} is the error that choosing effects may leave: give effects='auto' too; "
+                "the solver's own is residual_tolerance"
             )
         return solver.solve(scene, start=start, threads=threads, tolerance=residual_tolerance)
     asked = next(each for each in (tolerance, scene.tolerance, DEFAULT_TOLERANCE) if each is not None)

@@ -157,7 +157,7 @@ def test_what_cannot_be_asked_is_refused() -> None:
 
 def test_a_tolerance_without_effects_to_choose_is_refused_and_says_what_was_meant() -> None:
     for asked in (0.01, 1e-12):
-        with pytest.raises(ValueError, match=r'give effects="auto" too.* residual_tolerance'):
+        with pytest.raises(ValueError, match=r"give effects='auto' too.* residual_tolerance"):
             qs.solve(bare(300.0, **THRUST), tolerance=asked)
 
 

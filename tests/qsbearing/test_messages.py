@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.contact.first_yield import first_yield_pressure
+from qsbearing.contact.hertz import subsurface_shear
 
 from .scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
@@ -72,6 +74,32 @@ def test_balls_without_support_where_every_displacement_is_prescribed() -> None:
     solution = qs.solve(qs.Scene(bearing, operation, CENTRIFUGAL, OUTER))
     assert solution.status == "no_equilibrium"
     assert "at the prescribed displacements" in qs.message(solution)
+
+
+# Pressure -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.5, 5.0, 10.0, 50.0])
+def test_first_yield_is_where_the_largest_shear_meets_tresca(ratio: float) -> None:
+    """2742 MPa for 1700 MPa, within 5 % for every ellipse."""
+    pressure = first_yield_pressure(1700e6)
+    assert pressure == pytest.approx(2742e6, rel=1e-3)
+    assert subsurface_shear(ratio).stress * pressure == pytest.approx(0.5 * 1700e6, rel=0.05)
+
+
+def test_dents_and_first_yield_are_two_limits() -> None:
+    for load, rings, words in (
+        (150e3, (), None),
+        (150e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm),), "below ISO 76's static limit"),
+        (150e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm, yield_strength=2200e6),), None),
+        (600e3, (), "above ISO 76's static limit of 4200 MPa: permanent dents"),
+        (600e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm),), "permanent dents"),
+    ):
+        solution = qs.solve(qs.Scene(B218, qs.Operation(axial_load=load), ring_effects=rings))
+        said = " ".join(line for line in qs.warnings(solution) if line.startswith("Contact pressure"))
+        assert (words is None) == (said == "")
+        assert words is None or words in said
+        assert ("first yields near 2.7 GPa" in said) == (words is not None and rings != ())
 
 
 # Raceways that separate -----------------------------------------------------------------------------------------------
