@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.contact.hertz import subsurface_shear
+from qsbearing.io import catalogue
 
 from .scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
@@ -100,6 +102,41 @@ def test_dents_and_first_yield_are_two_limits() -> None:
         assert (words is None) == (said == "")
         assert words is None or words in said
         assert ("first yields near 2.7 GPa" in said) == (words is not None and rings != ())
+
+
+# Balls far apart ------------------------------------------------------------------------------------------------------
+
+
+def test_balls_that_fill_too_little_of_the_pitch_circle_are_a_warning() -> None:
+    """A decimal slip of the pitch diameter, which is solved without a word else."""
+    bearing = dataclasses.replace(qs.load_scene("7210c").bearing, pitch_diameter=np.array([70.0, 700.0]) * qs.mm)
+    solution = qs.solve(qs.Scene(bearing, qs.Operation(axial_load=500.0)))
+    assert not any("pitch circle" in line for line in qs.warnings(solution, 0))
+    assert any("The balls fill 8.7 % of the pitch circle" in line for line in qs.warnings(solution, 1))
+
+
+@pytest.mark.parametrize("name", [entry.stem for entry in Path(catalogue.__file__).parent.glob("*.toml")])
+def test_the_catalogue_is_as_full_as_the_warning_says(name: str) -> None:
+    bearing = qs.load_scene(name).bearing
+    assert 0.589 <= bearing.ball_count * bearing.ball_diameter / (np.pi * bearing.pitch_diameter) <= 0.904
+
+
+# Names that there are not ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("pressure", "did you mean max_pressure[?]"),
+        ("loads", "did you mean load[?]"),
+        ("axis", "semi_major_axis or semi_minor_axis"),
+        ("foo", "there are angle, approach"),
+    ],
+)
+def test_a_misspelt_result_names_the_nearest(many: qs.Solution, name: str, words: str) -> None:
+    with pytest.raises(AttributeError, match=words):
+        getattr(many.inner, name)
+    assert not hasattr(many.inner, name)
 
 
 # Raceways that separate -----------------------------------------------------------------------------------------------
