@@ -16,6 +16,7 @@ from qsbearing.solution import Solution
 from qsbearing.solver import solve
 
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
+DATA_MISSING = "likely needed, data missing"
 
 LIGHT_BALL = (
     "some ball carries little or nothing, where small causes have large effects: --verify solves with and without"
@@ -89,8 +90,11 @@ def _verdict(
     if not solution.converged:
         return NOT_ASSESSED, "the scene has no solution to judge by"
     if entry.needs and not entry.is_in(solution.scene):
-        told = f"; what stands here is {entry.without_parameters}" if judged else ""
-        return NOT_ASSESSED, f"needs {entry.needs}{told}"
+        if judged is None:
+            return NOT_ASSESSED, f"needs {entry.needs}"
+        is_likely = np.isfinite(judged.largest) and judged.largest > tolerance
+        why = f"needs {entry.needs}; the numbers are estimated {entry.without_parameters}"
+        return (DATA_MISSING if is_likely else NOT_ASSESSED), why
     if judged is None:
         return NOT_ASSESSED, "the scene states another choice, or has nothing that it acts on"
     error = float(judged.largest) if actual is None else float(max(actual.values()))

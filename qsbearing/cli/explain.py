@@ -29,7 +29,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
     Each has an indicator, a dimensionless number that its influence follows; what leaving it out is predicted to change
     of contact angles, loads, pressures, displacement and stiffness; how much longer a solve takes with it; and a
-    verdict: needed, not needed, or not assessed and why.
+    verdict: needed, not needed, likely needed but without the data that it takes, or not assessed and why.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
@@ -73,9 +73,10 @@ def _table(rows: list[Row], tolerance: float) -> Table:
         ratio = "-" if row.time_with_over_without is None else f"x{row.time_with_over_without:.2g}"
         found = dict(row.predicted or {}) or dict.fromkeys(QUANTITIES)
         head = (row.effect, "yes" if row.in_scene else "no", _short(row.indicator), ratio)
-        table.add_row(*head, *(_short(found.get(name, 0.0), 100.0) for name in QUANTITIES), row.verdict)
+        changes = [_short(found.get(name, 0.0), 100.0) for name in QUANTITIES]
+        table.add_row(*head, *changes, row.verdict.replace(", ", ",\n"))
         if row.actual is not None:
-            changes = (_short(row.actual[name], 100.0) for name in QUANTITIES)
+            changes = [_short(row.actual[name], 100.0) for name in QUANTITIES]
             table.add_row("  solved", "", "", "", *changes, "", style="dim")
     return table
 
