@@ -24,8 +24,9 @@ class Kind(StrEnum):
 
     VERIFICATION = "verification"
     """The equations are solved right: the reference is exact for the same idealised problem."""
-    VALIDATION = "validation"
-    """How far the idealisation is from the thing: the difference is the finding."""
+    MODEL_COMPARISON = "model comparison"
+    """How far the idealisation is from a model with fewer simplifications: the difference is the finding. Validation
+    is agreement with measurement, which no check can show."""
 
 
 @dataclass(frozen=True)

@@ -167,7 +167,8 @@ def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
             raise SceneProblemError(
                 f"scene {source}, {point.label}: the {race} raceway's pressure reaches "
                 f"{pressure / qsbearing.MPa:.0f} MPa; beyond {STATIC_PRESSURE_LIMIT / qsbearing.MPa:.0f} MPa (ISO 76) "
-                "bearing steel yields, and no elastic contact describes it: take less load"
+                "permanent dents exceed about 1e-4 of the ball's diameter, and no elastic contact describes it: take "
+                "less load"
             )
         radius = float(np.asarray(getattr(bearing, f"{race}_groove_radius")))
         for angle, a in zip(contacts.angle, contacts.semi_major_axis, strict=True):

@@ -192,7 +192,7 @@ class _Compilation(numba_event.Listener):
         what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
         if ".readings." in function.__module__:
             what = "a reading"
-        where = f"kept in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to keep it in: each start will do this"
+        where = f"cached in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to cache it in: each start will do this"
         print(f"qsbearing: compiling {what}, once, some seconds ({where})", file=sys.stderr, flush=True)
 
     def on_end(self, event: numba_event.Event) -> None:

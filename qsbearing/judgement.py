@@ -83,6 +83,12 @@ def missing(solution: Solution) -> list[Judgement]:
     return [judge(entry, solution) for entry in EFFECTS if not entry.hypothesis and entry.can_be_added(scene)]
 
 
+def lacking_data(solution: Solution) -> list[Judgement]:
+    """The effects that the solution's scene lacks and that need numbers of it, where a rough estimate is possible."""
+    scene = solution.scene
+    return [judge(entry, solution) for entry in EFFECTS if entry.without_parameters and not entry.is_in(scene)]
+
+
 def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:
     """What the file of a scene or set says under [effects] to ask for these besides."""
     finer = scene
@@ -101,5 +107,6 @@ def _toml(value: Any) -> str:
 
 
 def percent(error: float) -> str:
-    """A relative error in as many digits as it is good for."""
-    return f"{100.0 * error:.2g} %" if error < 1.0 else f"{100.0 * error:.0f} %"
+    """A relative error in as many digits as it is good for, which are two."""
+    digits = f"{100.0 * error:.2g}"
+    return f"{digits} %" if error < 0.99 else f"{float(digits):.0f} %"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -23,6 +24,15 @@ class RacewayContacts:
         self._solution = solution
         self._row = row
         # What has been read the solution holds, not this object: no cycle keeps a large solution alive.
+
+    if not TYPE_CHECKING:  # type checkers know the names themselves
+
+        def __getattr__(self, name: str) -> Any:
+            """A name that there is not, with those that may be meant."""
+            names = [each for each in dir(type(self)) if not each.startswith("_")]
+            meant = [each for each in names if name in each] or get_close_matches(name, names, cutoff=0.5)
+            hint = f"did you mean {' or '.join(meant)}?" if meant else f"there are {', '.join(names)}"
+            raise AttributeError(f"contacts have no {name!r}: {hint}", name=name, obj=self)
 
     def _read(self, what: int) -> NDArray:
         return self._solution._read(self._row, what)

@@ -31,7 +31,7 @@ def solve(
         start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
         threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
         tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
-            it, 1e-10 is accepted and `Solution.residual` tells.
+            it, 1e-10 is accepted and `Solution.residual` states it.
 
     Returns:
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.

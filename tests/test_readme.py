@@ -74,6 +74,8 @@ def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
 
 def test_the_counts_that_the_readme_states_are_the_records() -> None:
     assert f"{len(load_reference())} scenes against an independent solution" in README
+    recorded = [case["case"] for case in tables.read(ROOT / "tests" / "reference" / "table.json")["cases"]]
+    assert recorded == [entry["case"]["name"] for entry in load_reference()]
     hard = tables.read(tables.HARD_CASES)["cases"]
     within = sum(case["verdict"] == "within 1e-9" for case in hard)
     assert f"{len(hard)} named hard cases, {within} of which" in " ".join(README.split())

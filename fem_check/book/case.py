@@ -104,6 +104,8 @@ class Texts(BaseModel, extra="forbid", frozen=True):
     chosen_after_seeing: list[str]
     """Choices made with the published numbers in view."""
     does_not_show: list[str]
+    counter_example: bool = False
+    """The model is not expected to meet what is published: the case shows how far it is off where it does not apply."""
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from fem_check import row_text
 from fem_check.book.not_yet import NOT_YET
 from qsbearing import provenance
 
@@ -17,7 +18,7 @@ LISTS = {
     "does_not_show": "What this does not show",
 }
 
-ROWS = ["of", "quantity", "published", "computed", "deviation, %", "tolerance, %", ""]
+ROWS = ["of", "quantity", "published", "computed", "deviation, %", "tolerance", ""]
 
 
 def markdown(record: Record) -> str:
@@ -71,14 +72,14 @@ def index(records: list[Record]) -> str:
 def _row(row: Record) -> list[Any]:
     unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
     worst = f", worst at {row['worst_at']}" if row["worst_at"] else ""
-    tolerance = row["tolerance_percent"]
+    told = row_text.of_row(row)
     return [
         row["case"] + worst,
         row["quantity"] + unit,
         row["reference"],
         row["found"],
-        f"{row['deviation_percent']:+.2g}",
-        "" if tolerance is None else f"{tolerance:.2g}",
+        told.deviation,
+        told.tolerance,
         f"**{row['verdict']}**" if row["verdict"] == "fail" else row["verdict"],
     ]
 

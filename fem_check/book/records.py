@@ -37,6 +37,7 @@ def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
         "verdict": result.verdict,
         "summary": result.summary,
         **{name: texts[name] for name in FIELDS[7:14]},
+        **({"counter_example": True} if texts["counter_example"] else {}),
         "rows": [plain(row.as_dict()) for row in result.rows],
         "points": plain(result.points),
         "picture": picture,

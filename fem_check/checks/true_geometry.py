@@ -279,7 +279,7 @@ def series(solved: list[Solved]) -> dict[str, object]:
 CHECK = Check(
     name="true_geometry",
     question="True sphere and groove, true bodies: how far is Hertz from them, at which load, and why?",
-    kind=Kind.VALIDATION,
+    kind=Kind.MODEL_COMPARISON,
     reference="boundary elements on half-spaces with the exact gap; a pressed elastic sphere in a series",
     tolerance="gap's shape: approach and a 0.1 %, b 0.2 %, p0 0.05 % of boundary elements; ball's equator 1 %",
     run=run,

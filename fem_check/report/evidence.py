@@ -19,6 +19,12 @@ CARRIED = Path(__file__).parents[1] / "repository"
 GATE = ("steps.json", "hard_cases/table.json", "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
 
+
+def needs_checkout(command: str) -> bool:
+    """Whether a command needs files that an installed package does not have."""
+    return not command.startswith(("fem-check ", "qsbearing ")) or "tests/" in command
+
+
 NOT_RECORDED = "commit, date and machine not recorded"
 
 
@@ -42,6 +48,11 @@ class Kept:
         holders = (self.provenance, self.data.get("versions") or {}, self.data.get("machine") or {})
         found = [holder["qsbearing"] for holder in holders if "qsbearing" in holder]
         return str(found[0]) if found else str(self.data.get("version") or "")
+
+    @property
+    def needs_checkout(self) -> bool:
+        """Whether its command runs in a checkout of the repository only."""
+        return needs_checkout(self.command)
 
     @property
     def made_with(self) -> str:

@@ -1,15 +1,15 @@
-"""Rows of agreement as cells and tables: numbers shortened, units for readers, verdicts with colours."""
+"""Rows of agreement as cells and tables: texts of their numbers, names for readers, verdicts with colours."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from fem_check import row_text
 from qsbearing.documents.model import Badge, Cell, Table
 
 Row = dict[str, Any]
 
-UNITS = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, "")}
 SHORT = {
     "semi_major_axis": "a", "semi_minor_axis": "b", "max_pressure": "p0", "max_shear_stress": "τmax",
     "max_shear_depth": "depth of τmax", "axial_displacement": "axial displacement",
@@ -17,13 +17,6 @@ SHORT = {
 STATUS = {"pass": "pass", "fail": "fail", "finding": "finding"}
 ORDER = ("fail", "pass", "finding")
 """The verdict of several rows is the first of these that one of them has."""
-
-
-def number(value: float | None, digits: int = 6, signed: bool = False) -> str:
-    """A number of a record, shortened."""
-    if value is None:
-        return ""
-    return f"{value:+.{digits}g}" if signed else f"{value:.{digits}g}"
 
 
 def quantity(name: str) -> str:
@@ -49,28 +42,20 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
     return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
 
 
-HEADINGS = ("quantity", "reference", "found", "deviation %", "± %", "tolerance %", "verdict")
+HEADINGS = ("quantity", "reference", "found", "deviation %", "± %", "tolerance", "verdict")
 ALIGN = "lrrrrrl"
 
 
 def cells(row: Row) -> list[Cell]:
     """The cells of a row below `HEADINGS`."""
-    factor, unit = UNITS.get(row["unit"], (1.0, row["unit"] or ""))
+    unit = row_text.in_unit(row)[1]
     return [
         quantity(row["quantity"])
         + (f", {unit}" if unit else "")
         + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
-        _scaled(row["reference"], factor),
-        _scaled(row["found"], factor),
-        number(row["deviation_percent"], 2, signed=True),
-        number(row["uncertainty_percent"], 2),
-        number(row["tolerance_percent"], 2),
+        *row_text.of_row(row),
         badge(row["verdict"]),
     ]
-
-
-def _scaled(value: float | None, factor: float) -> str:
-    return "" if value is None else number(value * factor)
 
 
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
@@ -94,11 +79,6 @@ def _side_by_side(quantities: Sequence[str], cases: Sequence[tuple[str, list[Row
     title = f"{caption}: deviation, and ± its uncertainty, per cent" if caption else "Deviation ± uncertainty, per cent"
     lines: list[list[Cell]] = []
     for name, rows in cases:
-        lines.append([name, *map(_deviation, rows), badge(verdict(rows))])
+        lines.append([name, *map(row_text.difference, rows), badge(verdict(rows))])
     headings = ("case", *map(quantity, quantities), "verdict")
     return Table(headings, lines, "l" + "r" * len(quantities) + "l", title)
-
-
-def _deviation(row: Row) -> str:
-    spread = row["uncertainty_percent"]
-    return number(row["deviation_percent"], 2, signed=True) + (f" ± {number(spread, 2)}" if spread is not None else "")

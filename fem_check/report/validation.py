@@ -71,7 +71,7 @@ def _verdict(evidence: Evidence) -> Remark:
     said = f"{tally['pass']} rows of agreement pass, {tally['fail']} fail, {tally['finding']} are findings."
     unmet = claims.unmet(evidence)
     if unmet:
-        said = f"{' '.join(f'Does not hold: {each}' for each in unmet)} {said}"
+        said = f"{' '.join(f'Not met: {each}' for each in unmet)} {said}"
     if failed:
         return Remark(f"Fail: {', '.join(failed)}. {said}", "fail")
     if unmet:
@@ -83,18 +83,19 @@ def _verdict(evidence: Evidence) -> Remark:
 
 def _mixed(evidence: Evidence) -> list[Block]:
     """Said where records are not of one state of the source."""
-    commits = {kept.provenance.get("commit") for kept in evidence.all()}
-    changed = any(kept.provenance.get("dirty") for kept in evidence.all())
+    records = list(evidence.all())
+    commits = {kept.provenance["commit"] for kept in records if kept.provenance.get("commit")}
+    unknown = [kept for kept in records if not kept.provenance.get("commit")]
     said = []
-    if len(commits) > 1:
-        unknown = sum(not kept.provenance for kept in evidence.all())
-        named = len(commits - {None})
+    if len(commits) + bool(unknown) > 1:
+        said.append(f"The records come from {len(commits)} commit{'s' if len(commits) > 1 else ''}.")
+    if unknown:
+        names = ", ".join(kept.name for kept in unknown)
         said.append(
-            f"The records are not of one commit: {named} are named"
-            + (f", {unknown} files name none" if unknown else "")
-            + "."
+            f"{len(unknown)} of {len(records)} records do not state their commit, so that their numbers cannot be "
+            f"traced to a version: {names}."
         )
-    if changed:
+    if any(kept.provenance.get("dirty") for kept in records):
         said.append("Some were made with changes that were not committed.")
     return [Remark(" ".join(said), "warning")] if said else []
 

@@ -15,6 +15,7 @@ fields, one choice serves all cases: what any of them needs.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
@@ -33,6 +34,9 @@ DEFAULT_TOLERANCE = 0.01
 FINEST, COARSEST = 1e-12, 1.0
 """What may be asked: the solver's own tolerance, and everything."""
 
+RESIDUALS = (1e-13, 1e-6)
+"""What may be asked of the solver: from just above rounding to an imbalance that leaves all digits of tables right."""
+
 MARGIN = 5.0
 """What a prediction may be wrong by without harm: of 6,500 random scenes without a light ball none erred by more."""
 SHARE = 0.25
@@ -44,6 +48,7 @@ def solve(
     *,
     effects: str | None = None,
     tolerance: float | None = None,
+    residual_tolerance: float = solver.TOLERANCE,
     start: Solution | None = None,
     threads: int | None = None,
 ) -> Solution:
@@ -53,28 +58,55 @@ def solve(
         scene: what to solve; its array fields broadcast to the case axes.
         effects: "auto": just the effects and choices that `tolerance` needs; None: those that the scene names, or auto
             where it asks for that itself (`Scene.tolerance`).
-        tolerance: with effects chosen, the largest relative error of what people read (0.01 if not given); else the
-            largest imbalance over the largest force at which a case counts as solved (1e-12; where rounding forbids it,
-            1e-10 is accepted and `Solution.residual` tells).
+        tolerance: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
+        residual_tolerance: of the solver, 1e-13 to 1e-6: largest imbalance over the largest force at which a case
+            counts as solved (where rounding forbids it, 1e-10 is accepted and `Solution.residual` states it).
         start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
         threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
 
     Returns:
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
-        `choice` tells what was chosen and left out.
+        `choice` lists what was chosen and left out.
 
     Raises:
-        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
+        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range,
+            a tolerance without effects to choose.
+        TypeError: not a scene.
     """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"solve takes a Scene, not {_kind(scene)}")
+    least, most = RESIDUALS
+    if not least <= residual_tolerance <= most:
+        raise ValueError(
+            f"residual_tolerance = {residual_tolerance:g}: must lie between {least:g} (rounding) and {most:g} (beyond "
+            "it, results would be wrong in digits that tables show)"
+        )
     if effects not in (None, "auto"):
         raise ValueError(f'effects = {effects!r}: "auto", or None for those that the scene names')
     if effects is None and scene.tolerance is None:
-        limit = solver.TOLERANCE if tolerance is None else tolerance
-        return solver.solve(scene, start=start, threads=threads, tolerance=limit)
+        if tolerance is not None:
+            raise ValueError(
+                f"tolerance = {tolerance:g} is the error that choosing effects may leave: give effects='auto' too; "
+                "the solver's own is residual_tolerance"
+            )
+        return solver.solve(scene, start=start, threads=threads, tolerance=residual_tolerance)
     asked = next(each for each in (tolerance, scene.tolerance, DEFAULT_TOLERANCE) if each is not None)
     if not FINEST <= asked <= COARSEST:
         raise ValueError(f"tolerance = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
-    return _Chooser(replace(scene, tolerance=None), asked, start, threads).choose()
+    return _Chooser(replace(scene, tolerance=None), asked, start, threads, residual_tolerance).choose()
+
+
+def _kind(given: object) -> str:
+    """What was given in place of a scene, and what to do about it."""
+    if isinstance(given, str | os.PathLike):
+        return f"the name of one: qs.solve(qs.load_scene({str(given)!r}))"
+    remedies = {
+        "BallBearing": ": qs.solve(qs.Scene(bearing, qs.Operation(...)))",
+        "BearingSet": ": qs.solve_set(...)",
+        "Study": ": qs.sweep(...)",
+    }
+    name = type(given).__name__
+    return f"{name}{remedies.get(name, '')}"
 
 
 def completed(scene: Scene) -> Scene:
@@ -94,8 +126,10 @@ def without(scene: Scene, entries: Iterable[Entry]) -> Scene:
 class _Chooser:
     """One choice: what is in the full model, and the solutions made on the way."""
 
-    def __init__(self, scene: Scene, asked: float, start: Solution | None, threads: int | None) -> None:
-        self.scene, self.asked, self.start, self.threads = scene, asked, start, threads
+    def __init__(
+        self, scene: Scene, asked: float, start: Solution | None, threads: int | None, residual: float
+    ) -> None:
+        self.scene, self.asked, self.start, self.threads, self.residual = scene, asked, start, threads, residual
         self.full = completed(scene)
         self.open = [entry for entry in EFFECTS if entry.saves_time and not entry.hypothesis and entry.is_in(self.full)]
         self.solves = 0
@@ -118,7 +152,8 @@ class _Chooser:
 
     def _solve(self, out: list[Entry]) -> Solution:
         self.solves += 1
-        return solver.solve(without(self.full, out), start=self.start, threads=self.threads)
+        scene = without(self.full, out)
+        return solver.solve(scene, start=self.start, threads=self.threads, tolerance=self.residual)
 
     def _with_all_needed(self) -> tuple[Solution, list[Entry], dict[str, NDArray]]:
         """A solution with all that is needed beyond doubt, what it lacks, and the errors predicted of that."""

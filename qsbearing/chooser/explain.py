@@ -15,7 +15,8 @@ from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.solver import solve
 
-NEEDED, NOT_NEEDED, CANNOT_BE_JUDGED = "needed", "not needed", "cannot be judged"
+NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
+DATA_MISSING = "likely needed, data missing"
 
 LIGHT_BALL = (
     "some ball carries little or nothing, where small causes have large effects: --verify solves with and without"
@@ -34,7 +35,7 @@ class Row:
     in_scene: bool
     indicator: float | None
     predicted: dict[str, float | None] | None
-    """Relative change of what people read if it is left out, or was."""
+    """Relative change of the reported results if it is left out, or was."""
     actual: dict[str, float | None] | None
     """The same, found by solving with and without it."""
     time_with_over_without: float | None
@@ -90,33 +91,35 @@ def _verdict(
     if judged is not None:
         error = float(judged.largest) if actual is None else float(max(actual.values()))
     is_solved, is_in = bool(solution.converged), entry.is_in(solution.scene)
-    found = verdict(entry, "scene", is_solved, is_in, judged is not None, error, tolerance)
+    found = verdict(entry, "scene", is_solved, is_in, error, tolerance)
     point = solution.operating_point
     if found[0] == NOT_NEEDED and judged is not None and actual is None and bool(point.has_light_ball):
         is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
-        return found if is_nothing else (CANNOT_BE_JUDGED, LIGHT_BALL)
+        return found if is_nothing else (NOT_ASSESSED, LIGHT_BALL)
     return found
 
 
 def verdict(
-    entry: Entry, of: str, is_solved: bool, is_in: bool, is_told: bool, error: float | None, tolerance: float
+    entry: Entry, of: str, is_solved: bool, is_in: bool, error: float | None, tolerance: float
 ) -> tuple[str, str]:
     """Whether it is needed, and why not so where that cannot be judged.
 
     Args:
         of: what has it or not, in a word.
-        is_told: whether there are numbers for what lacks its parameters.
-        error: the largest change of all that is read; None where there is none to tell.
+        error: the largest change of all reported results; None where there is none.
     """
     if not is_solved:
-        return CANNOT_BE_JUDGED, f"the {of} has no solution to judge by"
+        return NOT_ASSESSED, f"the {of} has no solution to judge by"
     if entry.needs and not is_in:
-        told = f"; what stands here is {entry.without_parameters}" if is_told else ""
-        return CANNOT_BE_JUDGED, f"needs {entry.needs}{told}"
+        if error is None:
+            return NOT_ASSESSED, f"needs {entry.needs}"
+        is_likely = np.isfinite(error) and error > tolerance
+        why = f"needs {entry.needs}; the numbers are estimated {entry.without_parameters}"
+        return (DATA_MISSING if is_likely else NOT_ASSESSED), why
     if error is None:
-        return CANNOT_BE_JUDGED, f"the {of} states another choice, or has nothing that it acts on"
+        return NOT_ASSESSED, f"the {of} states another choice, or has nothing that it acts on"
     if error > tolerance and entry.hypothesis:
-        return CANNOT_BE_JUDGED, entry.hypothesis
+        return NOT_ASSESSED, entry.hypothesis
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 

@@ -60,8 +60,9 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
         beyond = _beyond(without, full, actual)
     elif is_solved and entry.without_parameters and _is_held(of):
         predicted = _largest([judge(entry, row) for row in solution.rows])
-    error = None if actual is None else float(max(actual.values()))
-    judged, why = verdict(entry, "set", is_solved, is_in, predicted is not None, error, tolerance)
+    changes = predicted if actual is None else actual
+    error = None if changes is None else float(max(changes.values()))
+    judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance)
     found = as_floats(predicted), as_floats(actual)
     return Row(entry.name, entry.what, is_in, None, *found, None, judged, why or beyond, lines_to_add(of, [entry]))
 

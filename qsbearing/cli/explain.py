@@ -13,7 +13,7 @@ from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
 
 
-@click.command(short_help="Tell which effects a scene calls for, and by how much.")
+@click.command(short_help="Show which effects a scene calls for, and by how much.")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
 @click.option("--verify", is_flag=True, help="Also solve with and without each, and show what it really changes.")
@@ -21,11 +21,11 @@ from qsbearing.cli.scene import load_one, solving
     "--tolerance", type=float, default=0.01, show_default=True, help="The relative change below which none is needed."
 )
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
-    """Tell of every effect and choice, named by SCENE or not, how much it matters at this operating point.
+    """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
     Each has an indicator, a dimensionless number that its influence follows; what leaving it out is predicted to change
     of contact angles, loads, pressures, displacement and stiffness; how much longer a solve takes with it; and a
-    verdict: needed, not needed, or cannot be judged and why.
+    verdict: needed, not needed, likely needed but without the data that it takes, or not assessed and why.
 
     A set of rows is always solved with and without each; what its preload does is said first.
 

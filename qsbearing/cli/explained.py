@@ -33,14 +33,14 @@ def predicted_table(rows: Sequence[Row], tolerance: float) -> Table:
     from qsbearing.io.tables import plain_table
 
     title = f"Effects and choices: what leaving each out changes; needed above {100 * tolerance:g} %"
-    table = plain_table(title, ("", "there", "indi-\ncator", "time", *HEADINGS, "verdict"), left=(0, 1, 9))
+    table = plain_table(title, ("", "in\nscene", "indi-\ncator", "time", *HEADINGS, "verdict"), left=(0, 1, 9))
     for row in rows:
         ratio = "-" if row.time_with_over_without is None else f"x{row.time_with_over_without:.2g}"
         head = (row.effect, "yes" if row.in_scene else "no", _short(row.indicator), ratio)
-        table.add_row(*head, *_changes(row.predicted), row.verdict)
+        table.add_row(*head, *_changes(row.predicted), row.verdict.replace(", ", ",\n"))
         if row.actual is not None:
             changes = (_short(row.actual[name], 100.0) for name in QUANTITIES)
-            table.add_row("  found", "", "", "", *changes, "", style="dim")
+            table.add_row("  solved", "", "", "", *changes, "", style="dim")
     return table
 
 
@@ -49,10 +49,10 @@ def found_table(rows: Sequence[Row], tolerance: float) -> Table:
     from qsbearing.io.tables import plain_table
 
     title = f"Effects and choices: what leaving each out is found to change; needed above {100 * tolerance:g} %"
-    table = plain_table(title, ("", "there", *HEADINGS, "verdict"), left=(0, 1, 7))
+    table = plain_table(title, ("", "in\nscene", *HEADINGS, "verdict"), left=(0, 1, 7))
     for row in rows:
         found = row.actual if row.actual is not None else row.predicted
-        table.add_row(row.effect, "yes" if row.in_scene else "no", *_changes(found), row.verdict)
+        table.add_row(row.effect, "yes" if row.in_scene else "no", *_changes(found), row.verdict.replace(", ", ",\n"))
     return table
 
 

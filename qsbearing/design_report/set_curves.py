@@ -40,7 +40,7 @@ def section(solution: SetSolution) -> Section:
     speeds, loads = limits(of)
     words = (
         "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
-        "row loses its preload, runs away with it or has it back. Points without a solution are left out."
+        "row loses its preload, has too much or has it back. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
@@ -87,9 +87,9 @@ def _preload(of: BearingSet) -> list[Block]:
 def _what(change: Change) -> str:
     name = f"row {change.row + 1}" if change.row >= 0 else "set"
     ends = {
-        "kept": "preload back",
+        "maintained": "preload back",
         "lost": "preload lost",
-        "run_away": "preload runs away",
+        "excessive": "preload excessive",
         "no_equilibrium": "gives way",
     }
     return f"{name}: {ends.get(change.after, 'not solved')}"

@@ -1,6 +1,6 @@
 """What a scene may ask for beside the contacts: one effect or choice, one file, each opening with its card.
 
-`EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the ladder
+`EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the list
 of model levels and the cost study go through it and know none by name. To add one:
 
 1. One file here: the card (what, source and equation, assumptions, when not to use it, parameters, indicator); what it

@@ -57,7 +57,8 @@ class Entry:
     needs: str = ""
     """Parameters without which it cannot be added; empty for what needs none."""
     without_parameters: str = ""
-    """What indicator and errors are of where the scene lacks it; empty where nothing can be told without parameters."""
+    """From what indicator and errors are estimated where the scene lacks it, in words that follow "estimated"; empty
+    where nothing can be told without parameters."""
     hypothesis: str = ""
     """Set for a choice among hypotheses, of which the model cannot tell which is true: why not."""
     saves_time: bool = True

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,9 @@ from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 
 LARGEST_FILE = 1_000_000
 """Bytes; a scene takes about a thousand, and what is far longer is something else."""
+
+DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$")
+"""A value such as 12,7."""
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -57,4 +61,7 @@ def _line_of(text: str, message: str) -> str:
     lines = text.split("\n")
     if not number.isdecimal() or int(number) > len(lines):
         return ""
-    return f"line {number}: {lines[int(number) - 1].strip()[:80]}"
+    line = lines[int(number) - 1].strip()
+    comma = DECIMAL_COMMA.search(line)
+    hint = f". Decimals take a point: {comma[1]}.{comma[2]}" if comma else ""
+    return f"line {number}: {line[:80]}{hint}"

@@ -21,17 +21,54 @@ UNITS = {
 }  # fmt: skip
 
 
+PLAIN_NAMES = {
+    "reference_load_N": "reference load, C/(basic reference life)^(1/3)",
+    "duration_h": "life in hours, modified if that is asked for",
+    "equivalent_load_N": "equivalent load P of ISO 281",
+    "basic_rating_life_Mrev": "basic rating life of ISO 281",
+    "static_equivalent_load_N": "static equivalent load P0 of ISO 76",
+    "static_safety": "static safety C0/P0",
+    "contact_safety": "static limit over load, most pressed contact",
+    "orbit_spread": "range of the balls' orbital speeds over their mean",
+    "nominal_cage_Hz": "cage, at the nominal contact angle",
+    "nominal_ball_pass_inner_Hz": "ball pass inner, at the nominal contact angle",
+    "nominal_ball_pass_outer_Hz": "ball pass outer, at the nominal contact angle",
+    "nominal_ball_spin_Hz": "ball spin, at the nominal contact angle",
+    "power_W": "power, of the contacts only",
+    "torque_Nmm": "torque, of the contacts only",
+    "near_pivot_mm": "pivot point nearer to the centre",
+    "far_pivot_mm": "other pivot point",
+    "edge_distance_mm": "distance of ellipse from groove edge",
+    "overrun_load_N": "load at which it reaches the edge",
+    "max_shear_MPa": "largest shear stress",
+    "max_shear_depth_mm": "its depth",
+    "orthogonal_shear_MPa": "orthogonal shear stress, amplitude",
+    "orthogonal_shear_depth_mm": "its depth",
+    "dent_um": "permanent dent",
+    "spin_pressure_speed_MPa_m_s": "p v of spin",
+    "thermal_reduction": "film reduction by inlet heating",
+}
+"""Of keys whose own words do not state what they are."""
+
+SCOPE = {
+    "friction": "Friction: of the contacts only, without viscous, cage and seal friction.",
+    "friction_estimate": "Friction estimate: of the whole bearing, by catalogue formulas.",
+    "pivot_points": "Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
+}
+"""Of readings whose name does not state what they cover."""
+
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
 
 
 def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
-    """Tables of each reading: numbers of the bearing; of the contacts' numbers the least and the largest."""
+    """Tables of each reading: numbers of the bearing; of the contacts' numbers the smallest and the largest."""
     parts: list[RenderableType] = []
     for name, reading in readings.items():
         title = name.replace("_", " ").capitalize()
         tables = [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
+        parts += [Text(SCOPE[name])] if name in SCOPE else []
         parts += [Text.assemble(("Warning: ", "bold yellow"), each) for each in getattr(reading, "warnings", ())]
     return parts
 
@@ -40,7 +77,7 @@ def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
     found = [(key, values) for key, values in case_values(name, reading) if values is not None]
     if not found:
         return None
-    table = plain_table(title, ("", "", ""), left=(0, 2))
+    table = plain_table(title, ("quantity", "value", "unit"), left=(0, 2))
     for key, values in found:
         words, unit = _words(key)
         table.add_row(words, _text(values), unit)
@@ -55,8 +92,8 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
     if not cells:
         return None
     sides = [side for side in ("inner", "outer", "ball") if any(side in row for row in cells.values())]
-    heading = [cell for side in sides for cell in (side, "to")]
-    table = plain_table(f"{title}: of the balls the least to the largest", ("", *heading, ""), (0, 1 + len(heading)))
+    heading = [cell for side in sides for cell in (f"{side}\nsmallest", f"{side}\nlargest")]
+    table = plain_table(title, ("quantity", *heading, "unit"), (0, 1 + len(heading)))
     for key, row in cells.items():
         words, unit = _words(key)
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
@@ -66,7 +103,7 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
 
 
 def _span(values: NDArray, noise: float) -> tuple[str, str]:
-    """The least and the largest; one where they are the same to the digits shown."""
+    """The smallest and the largest; one where they are the same to the digits shown."""
     values = np.where(np.abs(values) < noise, 0.0, values)
     if not np.isfinite(values).any():
         return "-", ""
@@ -80,6 +117,11 @@ def _text(value: Any) -> str:
 
 def _words(key: str) -> tuple[str, str]:
     """A key as words, and its unit."""
+    words, unit = _split(key)
+    return PLAIN_NAMES.get(key, words), unit
+
+
+def _split(key: str) -> tuple[str, str]:
     for ending, unit in UNITS.items():
         if key.endswith(f"_{ending}"):
             if ending == "m_s" and key.endswith("_MPa_m_s"):

@@ -187,7 +187,14 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
             table.add_row(words.replace("_", " "), f"{cold:.8g}", f"{operating[key]:.8g}", unit)
         tables.append(table)
     if rings is not None:
-        heading = ("", "grows\num", "seat\nMPa", "seat gap\num", "hoop at bore\nMPa", "Tresca\nMPa")
+        heading = (
+            "",
+            "radial growth\nof groove um",
+            "seat pres-\nsure MPa",
+            "seat gap\num",
+            "hoop stress\nat bore MPa",
+            "largest Tresca\nstress MPa",
+        )
         table = plain_table("Rings", heading)
         for side, state in rings.items():
             table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
@@ -197,8 +204,8 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
 
 def stiffness_table(found: dict[str, Any]) -> Table:
     """Locked and effective stiffness of a record, channel by channel."""
-    heading = ("", "locked", "effective", "")
-    table = plain_table("Stiffness (effective: other loads kept)", heading, left=(0, 3))
+    heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
+    table = plain_table("Stiffness", heading, left=(0, 3))
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])

@@ -107,7 +107,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
 
 def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     if document.get("effects") == AUTO or "tolerance" in document:
-        cause = "Name them under [effects]; `qsbearing explain` tells which ones matter"
+        cause = "Name them under [effects]; `qsbearing explain` shows which ones matter"
         errors.append(FileErrorDetail("effects", "are not chosen for sets", AUTO, cause=cause))
         return {}
     return effects_of(document, errors)

@@ -68,7 +68,7 @@ def catalogue(entries: Sequence[Entry]) -> Group:
     for position, source in enumerate(sources):
         notes.add_row(f"[{position + 1}]", Text(source))
     hint = Text(
-        "`qsbearing catalogue NAME` tells where each number comes from; `qsbearing run NAME` solves an example."
+        "`qsbearing catalogue NAME` shows where each number comes from; `qsbearing run NAME` solves an example."
     )
     return Group(table, Padding(notes, (1, 0, 0, 0)), Padding(hint, (1, 0, 0, 0)))
 

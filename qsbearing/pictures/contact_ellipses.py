@@ -60,7 +60,7 @@ def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
     title = "Contact ellipses to scale, rolling direction to the right"
     if not alone:
         axes.set_xlabel(f"azimuth of the ball, deg{every}", fontsize=9)
-        title += "; numbers: greatest pressure, MPa"
+        title += "; numbers: maximum pressure, MPa"
     axes.set_title(title, fontsize=10)
     for spine in axes.spines.values():
         spine.set_visible(False)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.case_index import Place
-from qsbearing.pictures.style import Span, balls, line_style, mark_lost, raceways
+from qsbearing.pictures.style import Span, balls, label_circles, line_style, mark_lost, raceways
 from qsbearing.solution import Solution
 
 
@@ -21,8 +21,6 @@ def draw_loads(axes: Any, solution: Solution, place: Place, span: Span | None = 
     """Args:
     span: of the loads that share a scale with these; None: their own.
     """
-    from matplotlib.ticker import MaxNLocator
-
     azimuth, present = balls(solution, place)
     axes.set_title("Contact load, N", fontsize=10, pad=18)
     loads = {side: contacts.load[place][present] for side, contacts in raceways(solution)}
@@ -32,12 +30,6 @@ def draw_loads(axes: Any, solution: Solution, place: Place, span: Span | None = 
     axes.set_ylim(0.0, top)
     mark_lost(axes, solution, place, 0.96 * top)
     axes.set_thetagrids(range(0, 360, 45), ["y  0°", "45°", "z  90°", "135°", "180°", "225°", "270°", "315°"])
-    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
-    labels = axes.set_rgrids(circles, [f"{value:g}" for value in circles])[1]
-    for label in labels:
-        label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6})
-    # The circles are labelled between two balls, where the loads are smallest.
-    quiet = int(np.argmin(loads["inner"] + loads["outer"]))
-    axes.set_rlabel_position(float(np.degrees(azimuth[quiet]) + 180.0 / azimuth.size))
+    label_circles(axes, azimuth, list(loads.values()), top)
     axes.tick_params(axis="both", labelsize=8)
     axes.grid(color="0.85", linewidth=0.6)

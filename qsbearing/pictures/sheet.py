@@ -51,7 +51,7 @@ def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Fig
 
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
-    """Outlines of the contact ellipses, all to one scale, with their greatest pressure."""
+    """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
     place = solution._place(index)
     figure = figure_of_size(10.0, 4.6)
     axes = figure.add_subplot()

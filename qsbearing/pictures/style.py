@@ -6,6 +6,7 @@ colour-blind eyes. A ball without contact is marked as such. matplotlib's global
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
-from qsbearing.units import rpm
+from qsbearing.units import mrad, rpm, um
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -94,6 +95,43 @@ def line_style(side: str, count: int) -> dict[str, Any]:
     return STYLE[side] | {"linewidth": 1.2, "markersize": size, "label": f"{side} raceway"}
 
 
+def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: float) -> None:
+    """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_angle`'s."""
+    from matplotlib.ticker import MaxNLocator
+
+    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
+    axes.set_rgrids(circles, [""] * len(circles))
+    if not np.isfinite(loads).all() or not azimuth.size:
+        return
+    angle = np.radians(label_angle(azimuth, loads, circles, top))
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4}
+    for value in circles:
+        axes.text(angle, value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
+
+
+LABEL = (0.11, 0.05)
+"""Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
+
+
+def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float) -> float:
+    """At which azimuth [deg] the circles of a polar picture are labelled farthest from its curves.
+
+    Args:
+        azimuth: of the curves' points, once round [rad].
+        loads: curves, with one value per azimuth.
+        circles: values that are labelled.
+        top: the largest value that the picture holds.
+    """
+    tried = np.arange(15.0, 360.0, 5.0)
+    tried = tried[np.abs((tried + 45.0) % 90.0 - 45.0) >= 15.0]  # beside the names of the axes
+    around = np.radians(np.arange(0.0, 360.0))
+    at = np.exp(1j * np.radians(tried))[:, None, None] * (np.asarray(circles) / top)[:, None]
+    curves = np.concatenate([np.interp(around, azimuth, load, period=2.0 * np.pi) / top for load in loads])
+    between = at - curves * np.tile(np.exp(1j * around), len(loads))
+    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1])
+    return float(tried[np.argmax(np.minimum(away.min(axis=(1, 2)), 3.0))])
+
+
 def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> None:
     """Crosses where a ball has lost a raceway; what was lost stands in the legend."""
     azimuth, present = balls(solution, place)
@@ -109,7 +147,7 @@ def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> Non
 
 
 def write_title(figure: Figure, solution: Solution, place: Place) -> None:
-    """What was solved, in a line: the bearing, its speeds, and the loads that the ring carries."""
+    """What was solved, in a line: the bearing, its speeds, and the loads and displacements that are imposed."""
     _write_title(figure, solution.scene.bearing.name or "Ball bearing", solution.scene.operation, solution, place)
 
 
@@ -126,10 +164,14 @@ def _write_title(
     for name, speed in (("", operation.speed), ("outer ring ", operation.outer_speed)):
         if speed is not None:
             parts.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[place]) / rpm:.6g} rpm")
-    load = solution.load[place]
-    largest = np.abs(load).max()
-    for channel, value in zip(CHANNELS, load, strict=True):
-        if abs(value) > 1e-6 * largest:
-            name, unit = channel.label.replace("tilt", "moment"), "N m" if channel.is_rotation else "N"
-            parts.append(f"{name} {value:.5g} {unit}")
+    for i, channel in enumerate(CHANNELS):
+        if i in solution._free_channels:
+            value, unit = solution.load[place][i], "N m" if channel.is_rotation else "N"
+            if abs(value) > 1e-6 * np.abs(solution.load[place]).max():  # a channel without load is not named
+                parts.append(f"{channel.label.replace('tilt', 'moment')} {value:.5g} {unit}")
+        else:
+            value, unit = solution.displacement[place][i], "mrad" if channel.is_rotation else "um"
+            size = mrad if channel.is_rotation else um
+            name = channel.label if channel.is_rotation else f"{channel.label} displacement"
+            parts.append(f"{name} {value / size + 0.0:.5g} {unit.replace('um', 'µm')}")
     figure.suptitle(", ".join(parts), fontsize=10, parse_math=False)

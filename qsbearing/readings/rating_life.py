@@ -247,7 +247,8 @@ def _found(
         ),
         (
             largest_pressure(solution) > PLASTIC_PRESSURE,
-            f"a contact is pressed beyond {PLASTIC_PRESSURE / MPa:.0f} MPa, where it yields: no rating life holds",
+            f"a contact is pressed beyond {PLASTIC_PRESSURE / MPa:.0f} MPa, ISO 76's static limit: permanent dents, "
+            "and no rating life that holds",
         ),
     ]
     if from_geometry and rating is Rating.ISO_281:

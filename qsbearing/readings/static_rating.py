@@ -180,8 +180,8 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
     found = [
         (
             contact < 1.0,
-            f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: it yields, and the elastic results are no "
-            "longer true",
+            f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents of more than about 1e-4 of "
+            "the ball's diameter, and elastic results that are no longer true",
         ),
         (
             moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny),

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.material import material_errors
+from qsbearing.scene.case_axes import clash_errors, shapes_of
+from qsbearing.units import mm
 from qsbearing.validation import (
     ANGLE,
     COUNT,
@@ -32,6 +34,7 @@ _LENGTH_RANGES = {
     "outer_groove_radius": (2.5e-5, 1.0),
 }
 GROOVE_COEFFICIENT_MAX = 1.0
+LARGEST_USUAL_F = 0.6
 FREE_ANGLE_MAX = 85.0 * pi / 180.0
 
 
@@ -57,6 +60,9 @@ def clearance_errors(diametral_clearance: ArrayLike, groove_centre_distance: NDA
 
 def bearing_errors(bearing: BallBearing) -> list[ErrorDetail]:
     """Every error of a bearing: single fields first, then what the fields say together."""
+    clashes = clash_errors(shapes_of([("bearing", bearing)]))
+    if clashes:
+        return clashes
     errors = within("bearing.ball_count", bearing.ball_count, COUNT, *BALL_COUNT_RANGE)
     count = np.ones(()) if errors else np.asarray(bearing.ball_count, float)
     broken = count != np.rint(count)
@@ -107,6 +113,8 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
     if not bad.any():
         return []
     f, r, d = first(bad, coefficient, radius, diameter)
+    as_f = next((number for number in (r / mm, r) if 0.5 < number <= LARGEST_USUAL_F), 0.0)
+    given_as_f = f"Given as f = r/D? f D = {as_f:.6g} x {d / mm:.6g} mm = {as_f * d / mm:.6g} mm"
     if f <= 0.5:
         problem = f"the groove is smaller than the ball: f = r/D = {f:.4g}, and must be above 0.5"
         cause = "A groove tighter than its ball touches at two edges, not at a point; 0.515 to 0.54 is usual"
@@ -114,11 +122,13 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
             cause = "Given in another unit than the ball diameter?"
         elif 0.5 < 2.0 * f < 0.6:
             cause = "Was the ball's radius given as its diameter, or the reverse?"
+        elif as_f:
+            cause = given_as_f
     else:
         problem = f"the groove is far larger than the ball: f = r/D = {f:.4g}, and may be at most 1"
         cause = "Was the groove's diameter given, not its radius? 0.515 to 0.54 is usual for f"
         if not 0.5 < f / 2.0 <= 0.6:
-            cause = "Given in another unit than the ball diameter?"
+            cause = given_as_f if as_f else "Given in another unit than the ball diameter?"
     return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause, bad)]
 
 

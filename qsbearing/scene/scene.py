@@ -27,6 +27,7 @@ from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.units import mm, rpm
@@ -80,7 +81,7 @@ class Scene:
     """What is to be read off the solution: by name, with arguments (`qsbearing.readings.take_asked`). No solve looks
     at it."""
     tolerance: float | None = None
-    """With one, `solve` chooses the effects, to this relative error of what people read: effects = "auto" of a file."""
+    """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
 
@@ -94,12 +95,20 @@ class Scene:
         errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
         if self.preload is not None:
             errors += _beside(self.preload, self.operation)
-        errors += ring_effect_errors(self.ring_effects, self.bearing, self.operation)
+        clashes = clash_errors(shapes_of(self._parts()))
+        raise_if_any([*errors, *clashes] if clashes else [])  # what follows takes them together
+        errors += ring_effect_errors(self.ring_effects, self.bearing)
         if self.tolerance is not None:
             errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
+
+    def _parts(self) -> list[tuple[str, Any]]:
+        """The objects that hold the scene's numbers, by the paths that errors name."""
+        effects = [each for slot in (self.ball_effects, self.ring_effects) if isinstance(slot, tuple) for each in slot]
+        own = [("bearing", self.bearing), ("operation", self.operation), ("preload", self.preload)]
+        return own + [(getattr(effect, "name", ""), effect) for effect in effects]
 
     @cached_property
     def operating_bearing(self) -> BallBearing:
@@ -208,22 +217,11 @@ def _are_all(effects: object, slot: str) -> bool:
     return isinstance(effects, tuple) and all(isinstance(effect, tuple(types_in(slot).values())) for effect in effects)
 
 
-def ring_effect_errors(
-    ring_effects: tuple[RingEffect, ...], bearing: BallBearing, operation: Operation
-) -> list[ErrorDetail]:
+def ring_effect_errors(ring_effects: tuple[RingEffect, ...], bearing: BallBearing) -> list[ErrorDetail]:
     """Errors of what is asked to change the bearing."""
     if not _are_all(ring_effects, "ring_effects"):
         cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
         return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
-    holders = (bearing, operation, *ring_effects)
-    arrays = {name: value for holder in holders for name, value in vars(holder).items() if np.ndim(value)}
-    shapes = {name: np.shape(value) for name, value in arrays.items()}
-    if "deviations" in shapes:
-        shapes["deviations"] = shapes["deviations"][:-1]  # the last axis is the balls'
-    try:
-        np.broadcast_shapes(*shapes.values())
-    except ValueError:
-        return [ErrorDetail("ring_effects", f"arrays do not broadcast to common case axes: {shapes}")]
     names = [effect.name for effect in ring_effects]
     errors = [error for effect in ring_effects for error in effect.errors(bearing)]
     if len(set(names)) < len(names):

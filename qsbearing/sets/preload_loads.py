@@ -21,7 +21,7 @@ MOST = 10.0
 
 @dataclass(frozen=True)
 class PreloadLoad:
-    """The least multiple of the loads at which a row's preload is no longer kept."""
+    """The least multiple of the loads at which a row's preload is no longer maintained."""
 
     factor: float
     """Times every load and moment on the shaft; 0: speed alone does it."""
@@ -57,8 +57,8 @@ def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = No
     if errors:
         raise SceneError(errors)
     found = changes(lambda factors: loaded(of, factors), float(highest), threads)
-    # A preload runs away without any load.
-    return [each for each in found if PreloadState.RUN_AWAY not in (each.before, each.after) or each.after == LOST]
+    # A preload is excessive without any load.
+    return [each for each in found if PreloadState.EXCESSIVE not in (each.before, each.after) or each.after == LOST]
 
 
 def loads_of(of: BearingSet) -> dict[str, Any]:
@@ -80,7 +80,7 @@ def load_sentence(of: BearingSet, change: Change) -> str:
     if change.after == LOST and change.value == 0.0:
         return f"{name} has lost its preload before any load acts."
     said = {
-        str(PreloadState.KEPT): f"{name} has its preload back {at}.",
+        str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
         LOST: f"{name} loses its preload {at}.",
         "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
     }

@@ -1,4 +1,4 @@
-"""Where along a range a set's preload is lost, runs away or comes back: solved at many values, and again where it
+"""Where along a range a set's preload is lost, excessive or comes back: solved at many values, and again where it
 changes."""
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ class Change:
     before: str
     """Empty at the beginning of the range, and where there is no solution."""
     after: str
-    """kept, lost or run_away; no_equilibrium or not_converged where the set is not solved any more."""
+    """maintained, lost or excessive; no_equilibrium or not_converged where the set is not solved any more."""
 
     @property
     def is_return(self) -> bool:
         """Whether the preload is back."""
-        return self.after == PreloadState.KEPT
+        return self.after == PreloadState.MAINTAINED
 
 
 def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
@@ -46,7 +46,7 @@ def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
 
 
 def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[Change]:
-    """What changes between 0 and the highest value, the least value first; at 0 what is not kept there.
+    """What changes between 0 and the highest value, the least value first; at 0 what is not maintained there.
 
     What changes and changes back between two of the values tried is not seen.
 
@@ -58,14 +58,14 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
     """
     values = np.linspace(0.0, high, VALUES)
     labels = _labels(at(values), threads)
-    kept = str(PreloadState.KEPT)
-    found = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", kept)]
+    maintained = str(PreloadState.MAINTAINED)
+    found = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)]
     for k in np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1:
         between = np.linspace(values[k - 1], values[k], VALUES)
         finer = _labels(at(between), threads)
         for n in np.flatnonzero(labels[k] != labels[k - 1]):
             before, after = str(labels[k - 1, n]), str(labels[k, n])
-            if after not in ("", kept) or (after == kept and before):
+            if after not in ("", maintained) or (after == maintained and before):
                 first = int(np.argmax(finer[:, n] == after))
                 found.append(Change(float(between[first]), _row(n, labels), before, after))
     return sorted(found, key=lambda each: each.value)

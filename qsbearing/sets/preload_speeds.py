@@ -6,33 +6,33 @@ from dataclasses import dataclass, replace
 
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors
-from qsbearing.sets.set_messages import RUN_AWAY, PreloadState, capital, row_name
+from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name
 from qsbearing.units import rpm
 from qsbearing.validation import SPEED, SceneError, within
 
 
 @dataclass(frozen=True)
 class PreloadSpeed:
-    """The lowest speed at which a row's preload is no longer kept."""
+    """The lowest speed at which a row's preload is no longer maintained."""
 
     speed: float
     """[rad/s]"""
     row: int
     """From 0; -1 where the set has no equilibrium and no row is to blame."""
     state: str
-    """lost or run_away; no_equilibrium or not_converged where the set is not solved any more."""
+    """lost or excessive; no_equilibrium or not_converged where the set is not solved any more."""
     sentence: str
 
 
 def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None = None) -> list[PreloadSpeed]:
-    """The speeds, up to the highest given, above which some row's preload is lost or has run away; lowest first.
+    """The speeds, up to the highest given, above which some row's preload is lost or excessive; lowest first.
 
     The set keeps its loads and all else but the speed; one number each, no arrays. A preload counts as lost below 1 %
-    of that at rest, and as run away above three times it. What changes and changes back between two of the 64 speeds
+    of that at rest, and as excessive above three times it. What changes and changes back between two of the 64 speeds
     tried is not seen.
 
     Returns:
-        At most one of each row and state; empty where all rows keep their preload.
+        At most one of each row and state; empty where every row's preload is maintained.
 
     Raises:
         SceneError: a highest speed that is none, arrays in the set, or rows that all carry in one direction.
@@ -59,9 +59,9 @@ def speed_sentence(of: BearingSet, change: Change) -> str:
     if change.after == PreloadState.LOST and change.value == 0.0:
         return f"{name} has lost its preload already at rest, under these loads."
     said = {
-        str(PreloadState.KEPT): f"{name} has its preload back at {at}.",
+        str(PreloadState.MAINTAINED): f"{name} has its preload back at {at}.",
         str(PreloadState.LOST): f"{name} loses its preload at {at}.",
-        str(PreloadState.RUN_AWAY): f"{name}: the preload runs away, to {RUN_AWAY:g} times that at rest at {at}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times that at rest, at {at}.",
         "no_equilibrium": f"{name} gives way at {at}: above there is no equilibrium.",
     }
     return said.get(change.after, f"{name}: not solved any more at {at}.")

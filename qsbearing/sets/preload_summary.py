@@ -27,7 +27,7 @@ def preload_summary(solution: SetSolution) -> list[str]:
 
 
 def limits(of: BearingSet) -> tuple[list[Change], list[Change]]:
-    """Where the preload is lost, runs away or comes back, over speed and over loads; empty where nothing varies with
+    """Where the preload is lost, excessive or comes back, over speed and over loads; empty where nothing varies with
     them."""
     turning = float(np.asarray(of.operation.speed)) != 0.0 and depends_on_speed(of)
     highest = FASTER * abs(float(np.asarray(of.operation.speed)))

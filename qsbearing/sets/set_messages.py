@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 
 LOST = 0.01
 """A row that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
-RUN_AWAY = 3.0
-"""A preload has run away when it is this many times that at rest (chosen: makers' light, medium and heavy preloads are
+EXCESSIVE = 3.0
+"""A preload is excessive when it is this many times that at rest (chosen: makers' light, medium and heavy preloads are
 1 : 3 : 6, as GMN's are: a light one has become a medium one, unasked)."""
 
 
 class PreloadState(StrEnum):
     """What has become of a row's preload."""
 
-    KEPT = "kept"
+    MAINTAINED = "maintained"
     LOST = "lost"
     """In operation, external loads included, the row carries next to nothing."""
-    RUN_AWAY = "run_away"
+    EXCESSIVE = "excessive"
     """Without external loads the row carries at speed a multiple of what it did at rest."""
 
 
@@ -113,24 +113,27 @@ def states(solution: SetSolution) -> NDArray | None:
     at_rest, alone = solution.preload_at_rest, solution.preload_in_operation
     if at_rest is None or alone is None:
         return None
-    out = np.full(at_rest.shape, str(PreloadState.KEPT), dtype="<U8")
+    out = np.full(at_rest.shape, str(PreloadState.MAINTAINED), dtype=f"<U{max(map(len, PreloadState))}")
     with np.errstate(invalid="ignore"):
         pressed = at_rest > 0.0
-        out[pressed & (alone > RUN_AWAY * at_rest)] = PreloadState.RUN_AWAY
+        out[pressed & (alone > EXCESSIVE * at_rest)] = PreloadState.EXCESSIVE
         out[pressed & (solution.axial_loads < LOST * at_rest)] = PreloadState.LOST
     out[np.isnan(solution.axial_loads) | np.isnan(at_rest)] = ""
     return out
 
 
 def warnings(solution: SetSolution, index: Index = None) -> list[str]:
-    """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost or run
-    away with their preload, row by row."""
+    """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost their
+    preload or have an excessive one, row by row."""
     found = states(solution)
     rows = solution.set.rows
     if index is None and solution.shape:
         said = []
         for number, row in enumerate(rows) if found is not None else ():
-            for state, word in ((PreloadState.LOST, "loses its preload"), (PreloadState.RUN_AWAY, "runs away")):
+            for state, word in (
+                (PreloadState.LOST, "loses its preload"),
+                (PreloadState.EXCESSIVE, "has an excessive preload"),
+            ):
                 count = int((found[..., number] == state).sum())  # type: ignore[index]
                 if count:
                     said.append(f"{count} of {solution._outcome.status.size} cases: {row_name(row, number)} {word}.")
@@ -148,9 +151,9 @@ def warnings(solution: SetSolution, index: Index = None) -> list[str]:
                 f"Preload lost: {row_name(row, number)} carries {left:.4g} N of the {at_rest:.4g} N that press it at "
                 "rest."
             )
-        elif found[place][number] == PreloadState.RUN_AWAY:  # type: ignore[index]
+        elif found[place][number] == PreloadState.EXCESSIVE:  # type: ignore[index]
             said.append(
-                f"Preload runs away: {row_name(row, number)} is pressed by {at_rest:.4g} N at rest and, without "
+                f"Preload excessive: {row_name(row, number)} is pressed by {at_rest:.4g} N at rest and, without "
                 f"external loads, by {alone:.4g} N at speed."
             )
     for number, row_solution in enumerate(solution.rows):

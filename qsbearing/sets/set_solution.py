@@ -93,8 +93,8 @@ class SetSolution:
         return set_messages.message(self, index)
 
     def warnings(self, index: Index = None) -> list[str]:
-        """Sentences on what to beware of in a case: preload lost or run away, and the rows' own warnings; of several
-        cases without an index, how many lose their preload or run away with it.
+        """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
+        cases without an index, in how many each row's is.
 
         Raises:
             ValueError: the index does not name one case of this solution.
@@ -237,9 +237,9 @@ class SetSolution:
 
     @cached_property
     def preload_state(self) -> NDArray | None:
-        """kept, lost or run_away, of each row; shape (*cases, row); empty where not solved; None likewise.
+        """maintained, lost or excessive, of each row; shape (*cases, row); empty where not solved; None likewise.
 
-        Lost: in operation, external loads included, below 1 % of that at rest. Run away: without external loads above
+        Lost: in operation, external loads included, below 1 % of that at rest. Excessive: without external loads above
         three times that at rest.
         """
         return set_messages.states(self)

@@ -30,7 +30,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
         of: what to solve; its array fields broadcast to the case axes.
         threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
         tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
-            it, 1e-10 is accepted and `SetSolution.residual` tells.
+            it, 1e-10 is accepted and `SetSolution.residual` states it.
 
     Returns:
         SetSolution: raises nothing for a physical outcome; `status` and `message` say what happened and which row

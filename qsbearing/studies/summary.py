@@ -35,7 +35,7 @@ def words(flags: DataArray) -> list[str]:
 
 
 def endings(results: Dataset) -> list[tuple[str, int, str, dict[str, float]]]:
-    """How points ended: status, how many, why, and the first of them by its keys."""
+    """How points ended: status, how many, why, and the first point of each by its keys."""
     statuses, reasons = words(results["status"]), words(results["reason"])
     counts: Counter[tuple[int, int]] = Counter()
     first: dict[tuple[int, int], int] = {}
@@ -75,7 +75,7 @@ def table(results: Dataset) -> Group:
     from rich.table import Table
 
     ends = Table(box=None, padding=(0, 2, 0, 0), title_justify="left")
-    for head in ("points", "status", "why", "the first of them"):
+    for head in ("points", "status", "why", "first point"):
         ends.add_column(head, justify="right" if head == "points" else "left")
     for status, count, why, keys in endings(results):
         where = ", ".join(f"{name} {value:.6g}" for name, value in keys.items())

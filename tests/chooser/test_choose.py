@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ import pytest
 import qsbearing as qs
 from qsbearing import solver
 from qsbearing.chooser import choose
-from qsbearing.chooser.choose import completed, without
+from qsbearing.chooser.choose import RESIDUALS, completed, without
 from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS
 from tests.benchmarks import auto_accuracy
@@ -152,6 +153,36 @@ def test_what_cannot_be_asked_is_refused() -> None:
             qs.solve(scene, effects="auto", tolerance=asked)
     with pytest.raises(qs.SceneError, match="tolerance"):
         replace(scene, tolerance=2.0)
+
+
+def test_a_tolerance_without_effects_to_choose_is_refused_and_says_what_was_meant() -> None:
+    for asked in (0.01, 1e-12):
+        with pytest.raises(ValueError, match=r"give effects='auto' too.* residual_tolerance"):
+            qs.solve(bare(300.0, **THRUST), tolerance=asked)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("b218", r"qs\.load_scene\('b218'\)"),
+        (Path("b218.toml"), r"qs\.load_scene\('b218.toml'\)"),
+        (bare(300.0, **THRUST).bearing, r"not BallBearing: .*qs\.Scene\("),
+        (None, "not NoneType"),
+    ],
+)
+def test_what_is_no_scene_is_refused_and_says_what_to_do(given: Any, words: str) -> None:
+    with pytest.raises(TypeError, match=words):
+        qs.solve(given)
+
+
+def test_the_loosest_residual_leaves_the_digits_of_tables() -> None:
+    scene = turning(9000.0, **COMBINED)
+    for effects in (None, "auto"):
+        loose, tight = (
+            qs.solve(scene, effects=effects, residual_tolerance=asked) for asked in (RESIDUALS[1], RESIDUALS[0])
+        )
+        assert loose.inner.load == pytest.approx(tight.inner.load, rel=5e-6)
+        assert loose.displacement == pytest.approx(tight.displacement, rel=5e-6)
 
 
 def test_no_equilibrium_stays_one() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +11,12 @@ import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
+from qsbearing.chooser.comparison import by_quantity
 from qsbearing.chooser.explain import explain
 from qsbearing.cli import cli
 from qsbearing.effects import EFFECTS, QUANTITIES
+from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
+from qsbearing.judgement import judge, percent
 from tests.qsbearing.scenes import resting, solved, turning
 
 TRAP = """[bearing]
@@ -51,9 +55,9 @@ def test_every_entry_is_explained(trap: Path) -> None:
     found = rows(trap)
     assert list(found) == [entry.name for entry in EFFECTS]
     for row in found.values():
-        assert row["verdict"] in ("needed", "not needed", "cannot be judged")
+        assert row["verdict"] in ("needed", "not needed", "likely needed, data missing", "not assessed")
         assert row["actual"] is None
-        assert row["verdict"] != "cannot be judged" or row["why"]
+        assert row["verdict"] != "not assessed" or row["why"]
 
 
 def test_the_trap_is_found_and_verification_confirms_it_within_a_factor_of_two(trap: Path) -> None:
@@ -101,9 +105,9 @@ def test_light_balls_leave_it_to_verification(tmp_path: Path) -> None:
     path = tmp_path / "light.toml"
     path.write_text(TRAP.replace("15000", "100") + "radial_load_y_N = 20000\ntilt_z_mrad = 0\n")
     row = rows(path)["centrifugal_force"]
-    assert row["verdict"] == "cannot be judged"
+    assert row["verdict"] == "not assessed"
     assert "--verify" in row["why"]
-    assert rows(path, "--verify")["centrifugal_force"]["verdict"] != "cannot be judged"
+    assert rows(path, "--verify")["centrifugal_force"]["verdict"] != "not assessed"
 
 
 def test_without_any_load_inertia_is_needed(tmp_path: Path) -> None:
@@ -120,7 +124,7 @@ def test_the_table_fits_and_tells_what_to_add(trap: Path) -> None:
     assert max(map(len, result.stdout.splitlines())) <= 120
     assert "centrifugal_force  no " in result.stdout
     assert 'ball = ["centrifugal_force"]' in result.stdout
-    assert "found" in result.stdout
+    assert "  solved" in result.stdout
 
 
 def test_a_scene_without_solution_explains_nothing(tmp_path: Path) -> None:
@@ -128,7 +132,7 @@ def test_a_scene_without_solution_explains_nothing(tmp_path: Path) -> None:
     path.write_text(TRAP.replace("17800", "-17800"))
     result = call("explain", path, "--json")
     assert result.exit_code == 1
-    assert {row["verdict"] for row in json.loads(result.stdout)["effects"]} == {"cannot be judged"}
+    assert {row["verdict"] for row in json.loads(result.stdout)["effects"]} == {"not assessed"}
 
 
 @pytest.mark.parametrize("tolerance", ["0", "-1", "2", "nan"])
@@ -146,7 +150,8 @@ def test_arrays_are_refused() -> None:
 
 
 def test_a_plain_run_warns_of_what_is_missing(trap: Path) -> None:
-    (said,) = json.loads(call("run", trap, "--json").stdout)["warnings"]
+    said, rings = json.loads(call("run", trap, "--json").stdout)["warnings"]
+    assert "the expansion of the rings" in rings
     assert "the centrifugal force" in said
     assert "stiffness: about 360 %" in said
     assert 'ball = ["centrifugal_force", "gyroscopic_moment"]' in said
@@ -161,9 +166,54 @@ def test_what_is_there_or_does_not_matter_is_no_warning() -> None:
 
 def test_of_many_cases_those_that_lack_it_are_counted() -> None:
     scene = qs.Scene(resting().bearing, qs.Operation(speed=[0.0, 100.0, 1500.0], axial_load=17_800.0))
-    (said,) = qs.warnings(solved(scene))
+    said, rings = qs.warnings(solved(scene))
     assert said.startswith("1 of 3 cases, the first 2: Missing here")
+    assert rings.startswith("1 of 3 cases, the first 2: Not in the scene for want of numbers")
     assert qs.warnings(solved(scene), 1) == []
+
+
+FAST_SPINDLE = qs.load_scene("7210c")
+
+
+def test_what_needs_numbers_of_the_scene_is_warned_of_and_the_estimate_is_right_to_a_factor_of_two() -> None:
+    without = solved(FAST_SPINDLE)
+    (said,) = [line for line in qs.warnings(without) if "the expansion of the rings" in line]
+    assert "give [effects.ring_expansion] with bore, outside diameter" in said
+    row = next(row for row in explain(FAST_SPINDLE, 0.01)[1] if row.effect == "ring_expansion")
+    assert (row.in_scene, row.verdict) == (False, "likely needed, data missing")
+    assert row.predicted is not None
+    assert f"displacement by about {percent(row.predicted['displacement'])}, " in said
+    rings = qs.RingExpansion(50 * qs.mm, 90 * qs.mm)
+    given = solved(replace(FAST_SPINDLE, ring_effects=(rings,)))
+    assert not any("expansion of the rings" in line for line in qs.warnings(given))
+    actual = by_quantity(without, given)
+    for name in QUANTITIES:
+        assert 0.5 < row.predicted[name] / actual[name] < 2.0, name
+
+
+def test_no_bore_lets_the_rings_grow_more_than_is_estimated() -> None:
+    solution = solved(FAST_SPINDLE)
+    bearing, operation = FAST_SPINDLE.bearing, FAST_SPINDLE.operation
+    bottom = 2.0 * float(bearing.inner_groove_centre_radius - bearing.inner_groove_radius)
+    (entry,) = (entry for entry in EFFECTS if entry.name == "ring_expansion")
+    estimated = judge(entry, solution).errors["displacement"]
+    shares = []
+    for bore in (0.5 * bottom, 0.9 * bottom, 0.99 * bottom):
+        growth = qs.RingExpansion(bore, 90 * qs.mm).states(bearing, operation)[0].groove_growth
+        found = geometry_errors(solution.operating_point, GeometryChange(growth, 0.0))["displacement"]
+        shares.append(float(found / estimated))
+    assert shares == sorted(shares)
+    assert 0.97 < shares[-1] < 1.0
+
+
+def test_effects_chosen_to_a_tolerance_do_not_hide_what_needs_numbers() -> None:
+    chosen = qs.solve(replace(FAST_SPINDLE, tolerance=0.01))
+    assert any("the expansion of the rings" in line for line in qs.warnings(chosen))
+
+
+def test_slow_rings_are_no_warning() -> None:
+    slow = replace(FAST_SPINDLE, operation=qs.Operation(speed=2000 * qs.rpm, axial_load=500.0))
+    assert not any("the rings" in line for line in qs.warnings(solved(slow)))
 
 
 # Files ----------------------------------------------------------------------------------------------------------------

@@ -71,6 +71,6 @@ def test_one_file_and_one_line_make_an_effect(tmp_path: Path) -> None:
     assert worn["verdict"] == "needed"
     for name in ("contact_angle", "load", "displacement", "stiffness"):
         assert 0.5 < worn["predicted"][name] / worn["actual"][name] < 2.0, name
-    assert (new["in_scene"], new["verdict"]) == (False, "cannot be judged")
+    assert (new["in_scene"], new["verdict"]) == (False, "not assessed")
     assert "depth of wear" in new["why"]
     assert "groove_wear" in found["left_out"]

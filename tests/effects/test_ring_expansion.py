@@ -301,7 +301,7 @@ def test_arrays_span_cases_as_each_alone() -> None:
 
 
 def test_an_absent_effect_is_never_evaluated() -> None:
-    """Functions entered by making and solving a scene and reading it off, by file."""
+    """Functions entered by making and solving a scene and reading it off, by file; warnings estimate what is absent."""
 
     def entered(*effects: Any) -> set[str]:
         files: set[str] = set()
@@ -313,12 +313,11 @@ def test_an_absent_effect_is_never_evaluated() -> None:
         sys.setprofile(hook)
         try:
             solution = qs.solve(expanded(*effects, rpm=5000, axial_load=5e3))
-            qs.warnings(solution)
             str(solution.inner_ring), str(solution.displacement)
         finally:
             sys.setprofile(None)
-        return files & {"annulus.py", "ring_expansion.py", "ball_expansion.py", "expansion_messages.py"}
+        return files & {"annulus.py", "ring_expansion.py", "ball_expansion.py"}
 
     assert entered() == set()
     assert "annulus.py" not in entered(qs.BallExpansion(hot(50)))
-    assert entered(rings()) == {"annulus.py", "ring_expansion.py", "expansion_messages.py"}
+    assert entered(rings()) == {"annulus.py", "ring_expansion.py"}

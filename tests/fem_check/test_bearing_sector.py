@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import meshing, sector_comparison, sector_pictures
+from fem_check import meshing, records_store, sector_comparison, sector_pictures
 from fem_check.agreement import Level
 from fem_check.checks import bearing_sector
 from fem_check.report.figures import sector as figures
@@ -119,3 +119,20 @@ def test_the_quick_level_passes():
     findings = bearing_sector.run(Level.QUICK, lambda stage, part: None)
     assert findings.verdict == "pass"
     assert all(row.uncertainty_percent is not None for row in findings.rows if row.tolerance_percent is None)
+
+
+def test_what_the_comparison_resolves_is_said_of_each_series_for_itself():
+    """By the series on record: the tolerances are those of centrifugal force alone; the moment's row is a finding."""
+    record = records_store.read_all()["bearing_sector"]
+    series = record["pictures"]["bearing_sector"]
+    rows = bearing_sector.uncertainty_rows(series)
+    alone = {row.quantity: row for row in rows if "centrifugal force alone" in row.case}
+    moment = {row.quantity: row for row in rows if "gyroscopic moment" in row.case}
+    assert set(alone) == set(moment) == set(bearing_sector.BOUNDS)
+    assert {row.verdict for row in alone.values()} == {"pass"}
+    assert {row.verdict for row in moment.values()} == {"finding"}
+    curve = series[bearing_sector.WITH_MOMENT]["at speed"]["axial_displacement"]
+    assert moment["axial_displacement"].found == pytest.approx(max(curve["uncertainty"]) / 100.0)
+    allowed = bearing_sector.BOUNDS["axial_displacement"]
+    assert (max(curve["uncertainty"]) > allowed) == ("it would fail: axial" in bearing_sector.moment_note(series))
+    assert len(bearing_sector.uncertainty_rows({"rigid": series["rigid"]})) == len(alone)

@@ -408,3 +408,11 @@ def test_every_public_name_is_there() -> None:
     assert set(qs.__all__) <= set(dir(qs))
     with pytest.raises(AttributeError, match="bearings"):
         qs.bearings  # noqa: B018
+
+
+@pytest.mark.parametrize("given", [0.52 * qs.mm, 0.52], ids=["file", "python"])
+def test_a_groove_radius_given_as_f_is_named(given: float) -> None:
+    with pytest.raises(qs.SceneError) as raised:
+        replace(qs.load_scene("7210c").bearing, inner_groove_radius=given)
+    (error,) = raised.value.errors
+    assert error.cause == "Given as f = r/D? f D = 0.52 x 12.7 mm = 6.604 mm"

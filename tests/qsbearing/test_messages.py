@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.contact.first_yield import first_yield_pressure
+from qsbearing.contact.hertz import subsurface_shear
+from qsbearing.io import catalogue
 
 from .scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
@@ -40,8 +44,8 @@ def test_the_message_of_many_counts_them(many: qs.Solution) -> None:
 def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solution) -> None:
     each = {place: qs.warnings(many, place) for place in np.ndindex(many.shape)}
     found = qs.warnings(many)
-    assert len(found) == 3
-    for kind in ("friction up to", "Missing here", "Contact pressure reaches"):
+    assert len(found) == 4
+    for kind in ("friction up to", "Missing here", "for want of numbers", "Contact pressure reaches"):
         (sentence,) = [sentence for sentence in found if kind in sentence]
         have = [place for place, sentences in each.items() if any(kind in one for one in sentences)]
         assert 0 < len(have) < 8
@@ -72,6 +76,67 @@ def test_balls_without_support_where_every_displacement_is_prescribed() -> None:
     solution = qs.solve(qs.Scene(bearing, operation, CENTRIFUGAL, OUTER))
     assert solution.status == "no_equilibrium"
     assert "at the prescribed displacements" in qs.message(solution)
+
+
+# Pressure -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.5, 5.0, 10.0, 50.0])
+def test_first_yield_is_where_the_largest_shear_meets_tresca(ratio: float) -> None:
+    """2742 MPa for 1700 MPa, within 5 % for every ellipse."""
+    pressure = first_yield_pressure(1700e6)
+    assert pressure == pytest.approx(2742e6, rel=1e-3)
+    assert subsurface_shear(ratio).stress * pressure == pytest.approx(0.5 * 1700e6, rel=0.05)
+
+
+def test_dents_and_first_yield_are_two_limits() -> None:
+    for load, rings, words in (
+        (150e3, (), None),
+        (150e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm),), "below ISO 76's static limit"),
+        (150e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm, yield_strength=2200e6),), None),
+        (600e3, (), "above ISO 76's static limit of 4200 MPa: permanent dents"),
+        (600e3, (qs.RingExpansion(90 * qs.mm, 160 * qs.mm),), "permanent dents"),
+    ):
+        solution = qs.solve(qs.Scene(B218, qs.Operation(axial_load=load), ring_effects=rings))
+        said = " ".join(line for line in qs.warnings(solution) if line.startswith("Contact pressure"))
+        assert (words is None) == (said == "")
+        assert words is None or words in said
+        assert ("first yields near 2.7 GPa" in said) == (words is not None and rings != ())
+
+
+# Balls far apart ------------------------------------------------------------------------------------------------------
+
+
+def test_balls_that_fill_too_little_of_the_pitch_circle_are_a_warning() -> None:
+    """A decimal slip of the pitch diameter, which is solved without a word else."""
+    bearing = dataclasses.replace(qs.load_scene("7210c").bearing, pitch_diameter=np.array([70.0, 700.0]) * qs.mm)
+    solution = qs.solve(qs.Scene(bearing, qs.Operation(axial_load=500.0)))
+    assert not any("pitch circle" in line for line in qs.warnings(solution, 0))
+    assert any("The balls fill 8.7 % of the pitch circle" in line for line in qs.warnings(solution, 1))
+
+
+@pytest.mark.parametrize("name", [entry.stem for entry in Path(catalogue.__file__).parent.glob("*.toml")])
+def test_the_catalogue_is_as_full_as_the_warning_says(name: str) -> None:
+    bearing = qs.load_scene(name).bearing
+    assert 0.589 <= bearing.ball_count * bearing.ball_diameter / (np.pi * bearing.pitch_diameter) <= 0.904
+
+
+# Names that there are not ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("pressure", "did you mean max_pressure[?]"),
+        ("loads", "did you mean load[?]"),
+        ("axis", "semi_major_axis or semi_minor_axis"),
+        ("foo", "there are angle, approach"),
+    ],
+)
+def test_a_misspelt_result_names_the_nearest(many: qs.Solution, name: str, words: str) -> None:
+    with pytest.raises(AttributeError, match=words):
+        getattr(many.inner, name)
+    assert not hasattr(many.inner, name)
 
 
 # Raceways that separate -----------------------------------------------------------------------------------------------

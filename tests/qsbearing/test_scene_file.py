@@ -270,6 +270,7 @@ def test_unknown_names_and_missing_files(tmp_path: Path) -> None:
         ("[bearing]".encode("utf-16"), "UTF-16"),
         (b"[bearing]\nball_count 16\n", "line 2: ball_count 16"),
         (b'[bearing]\nname = "B218"\nname = "B218"\n', "line 3"),
+        (b"[bearing]\nball_diameter_mm = -12,75  # Komma\n", "Decimals take a point: -12.75"),
         (b"a = " + b"9" * 5000, "is not TOML"),
         (b"a = " + b"[" * 20000, "is not TOML"),
         (b"# " + b"x" * 1_000_001, "longer than a megabyte"),
@@ -278,6 +279,13 @@ def test_unknown_names_and_missing_files(tmp_path: Path) -> None:
 def test_content_that_is_no_scene(load: Any, content: bytes, words: str) -> None:
     with pytest.raises(qs.SceneFileError, match=re.escape(words)):
         load(content)
+
+
+def test_a_comma_elsewhere_is_no_decimal_comma(load: Any) -> None:
+    for line in (b"x = [1, 2", b"x = 1,2,3", b'x = "1",5'):
+        with pytest.raises(qs.SceneFileError) as raised:
+            load(line + b"\n")
+        assert "Decimals" not in str(raised.value)
 
 
 # Structure ----------------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 import qsbearing as qs
 from fem_check.book.published import bearing
 from qsbearing.pictures.life import LifePanel, life_against
+from qsbearing.readings.life_arguments import life_errors
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 MREV = 1e6
@@ -234,7 +235,7 @@ def test_static_safety_two_ways() -> None:
     assert any("moment" in sentence for sentence in tilted.warnings)
     crushed = qs.readings.static_safety(solved(resting(B218, axial_load=9e5)))
     assert crushed.contact_safety < 1.0
-    assert any("yields" in sentence for sentence in crushed.warnings)
+    assert any("permanent dents" in sentence for sentence in crushed.warnings)
 
 
 def test_life_as_a_picture() -> None:
@@ -245,3 +246,9 @@ def test_life_as_a_picture() -> None:
     assert figure.axes[0].lines[2].get_ydata() == pytest.approx(found.basic_reference_rating_life / MREV)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="one case axis"):
         life_against([LifePanel("load", [1.0, 2.0], found)])
+
+
+@pytest.mark.parametrize(("given", "hint"), [(95, "95 % is 0.95"), (99.95, "99.95 % is 0.9995"), (50.0, ""), (1.0, "")])
+def test_a_reliability_in_per_cent_is_named(given: float, hint: str) -> None:
+    (error,) = life_errors(reliability=given)
+    assert error.cause == (hint and f"Given in per cent? {hint}")

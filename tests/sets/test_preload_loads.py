@@ -15,10 +15,10 @@ def test_the_load_found_is_where_the_row_is_lost() -> None:
     of = pair("DB", 240.0, axial_load=300.0)
     (found,) = qs.preload_loads(of)
     assert (found.row, found.state) == (1, "lost")
-    for part, state in ((0.999, "kept"), (1.001, "lost")):
+    for part, state in ((0.999, "maintained"), (1.001, "lost")):
         at = found.factor * part
         other = solved(with_load(of, axial_load=300.0 * at))
-        assert list(other.preload_state) == ["kept", state]
+        assert list(other.preload_state) == ["maintained", state]
     assert found.sentence == f"Row 2 (S 6210 C, carries -x) loses its preload at {found.factor:.3g} times the loads."
     assert qs.preload_loads(of, 0.99 * found.factor) == []
 
@@ -42,16 +42,16 @@ def test_what_comes_back_with_the_speed_is_told() -> None:
     lost, back, *_ = speed_changes(of, 20_000 * qs.rpm)
     assert (lost.row, lost.value, lost.after) == (1, 0.0, "lost")
     assert speed_sentence(of, lost).endswith("has lost its preload already at rest, under these loads.")
-    assert (back.row, back.before, back.after) == (1, "lost", "kept")
+    assert (back.row, back.before, back.after) == (1, "lost", "maintained")
     around = back.value + np.array([-2.0, 1.0]) * 20_000 * qs.rpm / 64**2
     below, above = solved(with_load(of, speed=around)).preload_state[:, 1]
-    assert (below, above) == ("lost", "kept")
+    assert (below, above) == ("lost", "maintained")
     assert "has its preload back at" in speed_sentence(of, back)
 
 
 def test_what_speed_alone_makes_of_a_preload_is_no_matter_of_loads() -> None:
     of = pair("DB", 100.0, speed=25_000 * qs.rpm, axial_load=10.0)
-    assert set(solved(of).preload_state) == {"run_away"}
+    assert set(solved(of).preload_state) == {"excessive"}
     assert qs.preload_loads(of, 2.0) == []
     for each in load_changes(of, 1000.0):
         assert each.after == "lost" and "loses its preload" in load_sentence(of, each)

@@ -16,7 +16,7 @@ from qsbearing.pictures.study import Kind, PictureError, picture, select
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, label_curves
 from qsbearing.pictures.study.maps import extended_below_zero
-from qsbearing.pictures.style import figure_of_size
+from qsbearing.pictures.style import figure_of_size, label_angle
 from qsbearing.rank_correlation import rank_correlation
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
@@ -244,6 +244,34 @@ def test_labels_of_curves_do_not_cover_each_other_or_other_curves() -> None:
         middle = np.array([box.x0 + box.x1, box.y0 + box.y1]) / 2.0
         away = [np.hypot(*(axes.transData.transform(each.get_xydata()) - middle).T).min() for each in axes.lines]
         assert int(np.argmin(away)) == number, "each is nearest to its own curve"
+
+
+def test_labels_by_azimuth_cover_no_point(results: dict) -> None:
+    figure = picture(results["radial"], kind="azimuth", y=["inner_angle", "outer_angle"])
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    (axes,) = figure.axes
+    assert len(axes.texts) == 2 * results["radial"].sizes["radial_load_y_N"], "each curve has its label"
+    assert all(text.xyann[0] > 1.0 for text in axes.texts), "right of the panel, where no point is"
+    heights = sorted(text.xyann[1] for text in axes.texts)
+    assert min(np.diff(heights)) > 0.04, "each on a line of its own"
+
+
+def test_a_rose_says_what_it_shows_and_in_which_unit(results: dict) -> None:
+    figure = picture(results["radial"], kind="rose")
+    assert {axes.get_title(loc="left") for axes in figure.axes} == {"contact load, N"}
+
+
+def test_circles_are_labelled_away_from_the_curves() -> None:
+    azimuth = np.radians(np.arange(0.0, 360.0, 22.5))
+    load = np.where(np.cos(azimuth) < 0.0, 1000.0, 1500.0)  # on the circle of 1000 where the load is small
+    at = np.radians(label_angle(azimuth, [load], [1000.0, 2000.0], 2200.0))
+    assert np.cos(at) > 0.0
+
+
+def test_a_preload_is_named_in_the_title() -> None:
+    study = Study.of("b218", {"preload.rigid_N": [500, 1000], "speed_rpm": "0:8000:3"})
+    assert picture(sweep(study)).get_suptitle().endswith("curves: rigid preload")
 
 
 def test_a_long_title_has_more_lines() -> None:

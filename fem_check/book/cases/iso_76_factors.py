@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from fem_check.agreement import Row
 from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import STATIC_RADIAL, STATIC_THRUST, bearing
 from qsbearing import readings
@@ -25,6 +26,25 @@ def factors(gamma: NDArray, inner_f: float, outer_f: float) -> NDArray:
             for side, f in sides
         )
     )
+
+
+def axial_rows() -> list[Row]:
+    """The axial ratings of the worked examples."""
+    forty = bearing(27, 7.5, 7.5 / 0.091, 40.0, 0.52, 0.53)
+    sixty = bearing(27, 7.5, 7.5 / 0.091, 60.0, 0.54, 0.54)
+    low, high = STATIC_THRUST[4:6]
+    return [
+        compared(
+            "worked example: 27 balls of 7.5 mm, 40 degrees, D/dm 0.091", "C_0ar, of the printed C_0r", "N", 50430.0,
+            readings.axial_static_load_rating(forty, 18731.0), "ISO 76, A.5", 1.0, "whole newtons are printed",
+        ),
+        compared(
+            "worked example: 27 balls of 7.5 mm, 60 degrees, D/dm 0.091", "C_0a", "N", 76049.0,
+            readings.static_load_rating(sixty), "ISO 76, A.5",
+            76049.0 * (0.0005 * abs(high - low) / 0.01 + PRINT) / 57.82,
+            "the example reads f0 at gamma 0.046, where it is 0.0455, between two values of one decimal each",
+        ),
+    ]  # fmt: skip
 
 
 def run() -> Result:
@@ -54,6 +74,7 @@ def run() -> Result:
             18731.0 * 0.05 / 16.1, "the example rounds f0 to 16.1",
         )
     )  # fmt: skip
+    rows += axial_rows()
     apart = np.concatenate([two - one for one, two in kinds.values()])
     largest = float(np.abs(apart).max())
     panels = []

@@ -8,6 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 from fem_check.report.figures.style import FOUND, HERTZ, Entry
@@ -29,13 +30,16 @@ def pressure_map(entry: Entry) -> Figure:
     u, v, w = (np.concatenate(parts) for parts in (every_x, every_y, every_p))
     _, first = np.unique(np.round(np.stack([u, v]), 6), axis=1, return_index=True)
     a, b = contact["a_mm"], contact["b_mm"]
-    picture = axes.tricontourf(
-        Triangulation(u[first] * a, v[first] * b), w[first] * contact["p0_MPa"], levels=16, cmap="viridis"
-    )
+    # Triangles of the circle that the stretched ellipse is: those of the ellipse itself would be slivers.
+    corners = Triangulation(u[first], v[first]).triangles
+    shown, pressure = Triangulation(u[first] * a, v[first] * b, corners), w[first] * contact["p0_MPa"]
+    # Without pressure no colour, so that nothing seems to be pressed outside the contact.
+    levels = np.linspace(0.01, 1.0, 17) * pressure.max()
+    picture = axes.tricontourf(shown, pressure, levels=levels, cmap="viridis")
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
-    axes.plot(a * np.cos(angle), b * np.sin(angle), color="white", linewidth=1.5, label="Hertz")
-    axes.legend(loc="upper right", facecolor="grey", labelcolor="white")
-    figure.colorbar(picture, ax=axes, label="pressure, MPa")
+    axes.plot(a * np.cos(angle), b * np.sin(angle), color="#c44e52", linewidth=1.2, label="Hertz's edge")
+    axes.legend(loc="upper right")
+    figure.colorbar(picture, ax=axes, label="pressure, MPa", ticks=MaxNLocator(8))
     axes.set(xlabel="across the groove, mm", ylabel="along rolling, mm (stretched)", title=title(contact))
     return figure
 

@@ -25,12 +25,14 @@ class Drawing(NamedTuple):
 DRAWN = {
     "contact": Drawing(
         contact.pressure_map,
-        "Pressure over the ellipse, Hertz's outline in white",
+        "Pressure over the ellipse, Hertz's edge in red; no colour where there is less than a hundredth of the largest",
         "Map of the contact pressure: elliptic contours, highest in the middle, ending at Hertz's outline.",
     ),
     "contact profiles": Drawing(
         contact.profiles,
-        "Pressure along both axes",
+        "Pressure along both axes, at the nodes of 16 positions of the mesh. Near the edge Hertz's pressure falls "
+        "without bound in its slope, which a pressure linear between the nodes cannot follow: single values there are "
+        "off by up to a tenth of p0. What is compared are approach, semi-axes and the pressure in the middle",
         "Pressure along both axes of the ellipse: points of the finite elements on Hertz's half circle.",
     ),
     "contact shear": Drawing(
@@ -65,8 +67,8 @@ DRAWN = {
     ),
     "conformity": Drawing(
         series.conformity,
-        "Closing grooves",
-        "Worst deviation from Hertz over the load, one line for each groove radius: the closer the groove, the larger.",
+        "Deviation over the load, for smaller and smaller groove radii",
+        "Worst deviation from Hertz over the load, one line for each groove radius: the smaller, the larger.",
     ),
     "sector bodies": Drawing(
         sector.sector_bodies,

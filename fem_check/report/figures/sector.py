@@ -7,10 +7,12 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 
 from fem_check.report.figures.style import HERTZ, Entry, load_axis
+from fem_check.report.rows import quantity
 
 
 def bearing_sector(entry: Entry) -> Figure:
@@ -44,7 +46,7 @@ def bearing_sector(entry: Entry) -> Figure:
                     capsize=3,
                     label=f"{support}, {state}",
                 )
-                axes.set(title=name.replace("_", " "), ylabel=f"elements less model, {unit}")
+                axes.set(title=quantity(name), ylabel=f"elements less model, {unit}")
     for axes in grid.ravel():
         axes.axhline(0.0, **HERTZ)
     handles, labels = grid[0, 0].get_legend_handles_labels()
@@ -87,6 +89,7 @@ def sector_bodies(entry: Entry) -> Figure:
         axes.view_init(elev=elevation, azim=azimuth)
         axes.set(xlabel="axial, mm", ylabel="along rolling, mm", zlabel="radius, mm")
         axes.tick_params(labelsize=7)
+        axes.yaxis.set_major_locator(MaxNLocator(2))
         if shown == "ball":
             axes.set_axis_off()
     figure.colorbar(ScalarMappable(scale, colours), ax=figure.axes, label="contact pressure, MPa", shrink=0.6)
@@ -101,8 +104,10 @@ def sector_contacts(entry: Entry) -> Figure:
     for (race, contact), (over, along) in zip(sector["contacts"].items(), grid, strict=True):
         x, y, p, gap = (np.asarray(contact[name]) for name in ("x", "y", "p", "gap"))
         mirrored = Triangulation(np.concatenate([x, x[y > 0.0]]), np.concatenate([y, -y[y > 0.0]]))
-        picture = over.tricontourf(mirrored, np.concatenate([p, p[y > 0.0]]), levels=16, cmap="plasma")
-        figure.colorbar(picture, ax=over, label="pressure, MPa")
+        # Without pressure no colour, so that nothing seems to be pressed outside the contact.
+        levels = np.linspace(0.01, 1.0, 17) * p.max()
+        picture = over.tricontourf(mirrored, np.concatenate([p, p[y > 0.0]]), levels=levels, cmap="plasma")
+        figure.colorbar(picture, ax=over, label="pressure, MPa", ticks=MaxNLocator(6))
         over.set(
             xlabel="across the groove, mm",
             ylabel="along rolling, mm (stretched)",

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from fem_check.report.figures.style import HERTZ, Entry, load_axis
+from fem_check.report.rows import quantity
 
 
 def load_series(entry: Entry) -> Figure:
@@ -15,7 +16,7 @@ def load_series(entry: Entry) -> Figure:
     figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max_shear_stress"):
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
-        axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=name.replace("_", " "))
+        axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=quantity(name))
     axes.axhline(0.0, **HERTZ)
     axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, two decades of load")
     axes.legend(fontsize=8)
@@ -42,7 +43,7 @@ def convergence(entry: Entry) -> Figure:
     figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
     for index, name in enumerate(("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")):
         colour = f"C{index}"
-        label = name.replace("_", " ")
+        label = quantity(name)
         axes.loglog(series["size"], 100.0 * np.asarray(series["rms_error"][name]), "o-", color=colour, label=label)
         axes.loglog(
             series["size"], 100.0 * np.asarray(series["worst_single_position"][name]), ":", color=colour, linewidth=1
@@ -77,7 +78,7 @@ def true_geometry(entry: Entry) -> Figure:
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
         axes.set_xscale("log")
         axes.axhline(0.0, **HERTZ)
-        axes.set(title=name.replace("_", " "), ylabel="deviation from Hertz, %")
+        axes.set(title=quantity(name), ylabel="deviation from Hertz, %")
     for axes in grid[1]:
         load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
     handles, labels = grid[0, 0].get_legend_handles_labels()

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from fem_check import row_text
+from fem_check.checks import ALL
 from fem_check.report.evidence import Kept
 from fem_check.report.figures.drawn import draw_all
-from fem_check.report.rows import agreement, number
+from fem_check.report.rows import agreement
 from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Remark, Section
 
 Row = dict[str, Any]
@@ -31,7 +33,7 @@ def section(name: str, kept: Kept) -> Section:
 
 
 def _facts(entry: dict[str, Any]) -> list[tuple[str, str]]:
-    mesh, pairs = entry["mesh"], [("Kind", entry["kind"]), ("Scene", entry["scene"])]
+    mesh, pairs = entry["mesh"], [("Kind", str(ALL[entry["check"]].kind)), ("Scene", entry["scene"])]
     if mesh.get("dofs"):
         pairs.append(("Unknowns", f"{mesh['dofs']:,}, by {entry['solver']}"))
     if mesh.get("elements_per_semi_axis"):
@@ -43,12 +45,15 @@ def _facts(entry: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _reasons(rows: list[Row]) -> list[Block]:
-    """Every source of a reference and every reason for a tolerance, once."""
+    """Every source of a reference once, and every reason with the tolerances that it stands for."""
     sources = dict.fromkeys(row["reference_source"] for row in rows)
-    why = dict.fromkeys(f"{number(row['tolerance_percent'], 2)} %: {row['why_tolerance']}" for row in rows)
+    limits: dict[str, dict[str, None]] = {}
+    for row in rows:
+        limits.setdefault(row["why_tolerance"], {})[row_text.of_row(row).tolerance] = None
+    why = [f"{', '.join(each)}: {reason}" for reason, each in limits.items()]
     return [
         block
-        for heading, items in (("References:", sources), ("Why these tolerances:", why))
+        for heading, items in (("References:", list(sources)), ("Why these tolerances:", why))
         if items
         for block in (Paragraph(heading), Bullets(list(items)))
     ]

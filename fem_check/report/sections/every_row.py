@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import ALIGN, HEADINGS, cells
-from qsbearing.documents.model import Cell, Code, Md, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Cell, Code, Md, Paragraph, Section, Table
 
 
 def section(evidence: Evidence) -> Section:
@@ -24,7 +24,6 @@ def section(evidence: Evidence) -> Section:
 
 def commands(evidence: Evidence) -> Section:
     """How to make everything anew."""
-    seen = dict.fromkeys(kept.command for kept in evidence.all() if not kept.command.startswith("fem-check run "))
     levels = dict.fromkeys(kept.data["level"] for kept in evidence.checks.values())
     lines = [*(f"fem-check run --level {level} --out X" for level in levels), "fem-check report --records X --out DIR"]
     return Section(
@@ -32,8 +31,21 @@ def commands(evidence: Evidence) -> Section:
         [
             Paragraph("The finite elements, and this report from what they leave:"),
             Code("\n".join(lines), "sh"),
-            Paragraph("The other records, each in its place in the repository:"),
-            Code("\n".join(seen), "sh"),
+            *_others(evidence),
         ],
         "again",
     )
+
+
+def _others(evidence: Evidence) -> list[Block]:
+    """The commands of the other records, by where they run."""
+    seen = {kept.command: kept for kept in evidence.all() if not kept.command.startswith("fem-check run ")}
+    found: list[Block] = []
+    for words, inside in (
+        ("The other records, anywhere:", False),
+        ("In a checkout of the repository, since these need files that an installed package does not have:", True),
+    ):
+        lines = [command for command, kept in seen.items() if kept.needs_checkout == inside]
+        if lines:
+            found += [Paragraph(words), Code("\n".join(lines), "sh")]
+    return found

@@ -14,16 +14,16 @@ VERIFICATION = (
     "passes if deviation and uncertainty together stay within a tolerance set before the first run. Contacts of one "
     "shape are similar at every load: one row stands for all the loads that it names, and says where it is worst."
 )
-VALIDATION = (
+COMPARISON = (
     "Bodies as they are: true grooves, elastic rings, the ball's own position. Here the deviation is the finding, and "
-    "has no tolerance; what is gated is the agreement of two methods, the uncertainty of the mesh, and limits. It is "
-    "no measurement."
+    "has no tolerance; what has one is the agreement of two methods, the uncertainty of the mesh, and limits. It is "
+    "a comparison of two models, not a measurement."
 )
 
 
 def section(evidence: Evidence) -> Section:
-    """The rung of the finite elements; a check without a record is said."""
-    kinds: dict[str, list[Block]] = {"verification": [], "validation": []}
+    """The level of the finite elements; a check without a record is said."""
+    kinds: dict[str, list[Block]] = {"verification": [], "model comparison": []}
     for name, check in ALL.items():
         if name in OF_FORMULAS:
             continue
@@ -41,6 +41,10 @@ def section(evidence: Evidence) -> Section:
                 )
             ),
             Section("Verification", [Paragraph(VERIFICATION), *kinds["verification"]], "fe-verification"),
-            Section("Validation of Hertz and of rigid rings", [Paragraph(VALIDATION), *kinds["validation"]]),
+            Section(
+                "Limits of Hertz and of rigid rings, by finite elements",
+                [Paragraph(COMPARISON), *kinds["model comparison"]],
+                "fe-limits",
+            ),
         ],
     )

@@ -12,7 +12,7 @@ CHECKS = ("hertz_formula",)
 
 
 def section(evidence: Evidence) -> Section:
-    """The first rung."""
+    """The first level of evidence."""
     return Section(
         "Mathematics",
         [

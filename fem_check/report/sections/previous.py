@@ -6,7 +6,8 @@ import math
 from typing import Any
 
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import badge, number, quantity
+from fem_check.report.rows import badge, quantity
+from fem_check.row_text import number
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 
 SAME = 1e-9

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import label_curves, stem, value_label, with_unit, words
+from qsbearing.pictures.study.labels import label_ends, stem, value_label, with_unit, words
 from qsbearing.pictures.study.selection import SAMPLE, PictureError, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, legend, plain
 
@@ -52,6 +52,6 @@ def draw_by_azimuth(chosen: Selection) -> Figure:
         heading = with_unit(words(stem(panel[0])[0]), str(results[panel[0]].attrs.get("units", "")))
         axes.set_title(heading, fontsize=9.5, loc="left")
         plain(axes)
-        label_curves(axes, labels)
+        label_ends(axes, labels)
     legend(figure, panels[0])
     return figure

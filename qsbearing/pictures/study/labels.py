@@ -17,7 +17,7 @@ _NAMES = {
     "angle": "contact angle",
     "load": "contact load",
     "approach": "elastic approach",
-    "max_pressure": "greatest contact pressure",
+    "max_pressure": "maximum contact pressure",
     "required_friction": "friction that Mg requires",
     "life_basic_reference_rating_life": "basic reference rating life",
     "life_modified_reference_rating_life": "modified reference rating life",
@@ -26,6 +26,8 @@ _NAMES = {
     "balls_off_inner": "balls off the inner raceway",
     "least_loaded_azimuth": "azimuth of the least loaded ball",
     "speed": "speed of the inner ring",
+    "rigid": "rigid preload",
+    "spring": "spring preload",
     "free_contact_angle": "free contact angle",
     "groove_radius_coefficient": "groove radius coefficient $f$",
     "inner_groove_radius_coefficient": "groove radius coefficient $f_i$",
@@ -50,7 +52,7 @@ def words(name: str) -> str:
     for ending, said in (("_max", ", largest"), ("_min", ", smallest")):
         if name.endswith(ending):
             found = words(name.removesuffix(ending))
-            return found if found.startswith("greatest") else found + said
+            return found if found.startswith("maximum") else found + said
     return _NAMES.get(name, name.replace("_", " "))
 
 
@@ -134,6 +136,33 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
         axes.text(
             curve[at, 0], curve[at, 1], text, transform=axes.transAxes, fontsize=7.5, color=colour, ha="center",
             va="center", bbox=box, zorder=3,
+        )  # fmt: skip
+
+
+LINE = 0.045
+"""Of a panel's height: a line of text, and a little more."""
+
+
+def label_ends(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) -> None:
+    """Write each label to the right of the panel, beside its curve's last point, so that none covers a point.
+
+    Args:
+        labels: abscissae, ordinates, text and colour of each curve.
+    """
+    axes.get_xlim(), axes.get_ylim()
+    to_panel = axes.transData + axes.transAxes.inverted()
+    ends = [(to_panel.transform((x[-1], y[-1])), text, colour) for x, y, text, colour in labels if np.isfinite(y[-1])]
+    ends.sort(key=lambda end: end[0][1])
+    heights = np.array([end[0][1] for end in ends])
+    rank = LINE * np.arange(heights.size)
+    apart = np.maximum.accumulate(heights - rank) + rank  # each at least a line above the one before
+    apart -= max(float((apart - heights).mean()), 0.0) if heights.size else 0.0
+    for (end, text, colour), height in zip(ends, apart, strict=True):
+        point = (float(end[0]), float(end[1]))
+        axes.annotate(
+            text, point, (1.03, height), "axes fraction", "axes fraction", fontsize=7.5, color=colour, va="center",
+            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkA": 1.0, "shrinkB": 4.0},
+            annotation_clip=False,
         )  # fmt: skip
 
 

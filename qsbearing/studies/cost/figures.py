@@ -25,7 +25,7 @@ MARKERS = ("v", "s", "^", "D", "o", "*")
 
 
 def speeds(record: dict[str, Any]) -> Figure:
-    """When a model level is enough: errors of what people read along the speed."""
+    """When a model level is enough: errors of the reported results along the speed."""
     figure, axes = _sheet(record, 2, 3, (14.0, 8.0), "When a model level is enough: errors against the finest level")
     measured = levels_of(record)
     axes[-1, -1].set_axis_off()  # five quantities in six places

@@ -97,7 +97,7 @@ FIGURES = (
     ),
     PaperFigure(
         "figure_19_7",
-        "Fig. 19.7: groove radius coefficients; pressure tells the story",
+        "Fig. 19.7: groove radius coefficients; pressure shows the difference",
         ("inner_angle", "outer_angle", "inner_load", "outer_load", "inner_max_pressure", "outer_max_pressure"),
         statements=(
             Statement("With wider grooves the inner contact angle falls", PAPER, falls("inner_angle", COEFFICIENT)),

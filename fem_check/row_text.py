@@ -1,0 +1,74 @@
+"""Numbers of a row of agreement as readers see them: digits down to the uncertainty's, no per cent of a zero."""
+
+from __future__ import annotations
+
+from math import floor, isfinite, log10
+from typing import Any, NamedTuple
+
+Row = dict[str, Any]
+
+UNITS = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, "")}
+"""Of a record's unit: the factor to the unit that readers see, and its name."""
+
+
+class RowText(NamedTuple):
+    """The texts of a row's numbers; empty where there is none."""
+
+    reference: str
+    found: str
+    deviation: str
+    """Per cent; empty where the reference is zero."""
+    uncertainty: str
+    """Likewise."""
+    tolerance: str
+    """With its sign or unit: per cent, or the limit of a difference from zero in the row's own unit."""
+
+
+def number(value: float | None, digits: int = 6, signed: bool = False) -> str:
+    """A number of a record, shortened."""
+    if value is None:
+        return ""
+    return f"{value:+.{digits}g}" if signed else f"{value:.{digits}g}"
+
+
+def in_unit(row: Row) -> tuple[float, str]:
+    """Factor and name of the unit that readers see."""
+    factor, name = UNITS.get(row["unit"], (1.0, row["unit"] or ""))
+    return factor, name
+
+
+def rounded(value: float, uncertainty: float | None) -> tuple[str, str]:
+    """A deviation with its sign, and its uncertainty: two digits of this, and as many decimals of that."""
+    if not uncertainty or not isfinite(uncertainty) or not isfinite(value):
+        return number(value, 2, signed=True), number(uncertainty, 2)
+    decimals = max(0, 1 - floor(log10(float(f"{uncertainty:.1e}"))))
+    if decimals > _MOST_DECIMALS:
+        return number(value, 2, signed=True), number(uncertainty, 2)
+    return f"{value:+.{decimals}f}", f"{uncertainty:.{decimals}f}"
+
+
+_MOST_DECIMALS = 6
+"""Smaller uncertainties are those of rounding, and are written with a power of ten."""
+
+
+def of_row(row: Row) -> RowText:
+    """All numbers of a row."""
+    factor, unit = in_unit(row)
+    reference, found = (None if row[name] is None else number(row[name] * factor) for name in ("reference", "found"))
+    deviation, uncertainty = rounded(row["deviation_percent"], row["uncertainty_percent"])
+    tolerance = row["tolerance_percent"]
+    if row["reference"] == 0.0:
+        limit = "" if tolerance is None else f"{number(tolerance / 100.0 * factor, 2)} {unit}".rstrip()
+        if row["uncertainty_percent"]:
+            found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
+        return RowText("0", found or "", "", "", limit)
+    limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
+    return RowText(reference or "", found or "", deviation, uncertainty, limit)
+
+
+def difference(row: Row) -> str:
+    """The difference from the reference in one text: per cent, or in the row's unit where the reference is zero."""
+    told = of_row(row)
+    if row["reference"] == 0.0:
+        return f"{told.found} {in_unit(row)[1]}".rstrip()
+    return told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else "")

@@ -1,0 +1,49 @@
+"""Texts of a row's numbers: the digits of the uncertainty, and differences from zero in their own unit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from fem_check import row_text
+from fem_check.agreement import Row
+
+
+def row(
+    reference: float, found: float, unit: str, uncertainty: float | None, tolerance: float | None
+) -> dict[str, Any]:
+    return Row("case", "quantity", unit, reference, "source", found, uncertainty, tolerance, "why").as_dict()
+
+
+@pytest.mark.parametrize(
+    ("value", "uncertainty", "texts"),
+    [
+        (32.3093, 0.2115, ("+32.31", "0.21")),
+        (1.4691, 0.0157, ("+1.469", "0.016")),
+        (-1.4612, 0.134, ("-1.46", "0.13")),
+        (123.4, 17.3, ("+123", "17")),
+        (0.5, 0.0999, ("+0.50", "0.10")),
+        (0.0004, 0.019, ("+0.000", "0.019")),
+        (-42.857, None, ("-43", "")),
+        (2.5e-7, 1e-9, ("+2.5e-07", "1e-09")),
+        (0.25, 0.0, ("+0.25", "0")),
+    ],
+)
+def test_a_deviation_has_the_digits_of_its_uncertainty(
+    value: float, uncertainty: float | None, texts: tuple[str, str]
+) -> None:
+    assert row_text.rounded(value, uncertainty) == texts
+
+
+def test_of_a_reference_that_is_zero_there_is_no_per_cent() -> None:
+    angle = row_text.of_row(row(0.0, 0.0145, "deg", None, 2.0))
+    assert angle == ("0", "0.0145", "", "", "0.02 deg")
+    assert row_text.difference(row(0.0, 0.0145, "deg", None, 2.0)) == "0.0145 deg"
+    length = row_text.of_row(row(0.0, 3e-9, "m", 1e-7, 5e-7))
+    assert length == ("0", "0.003 ± 0.001", "", "", "0.005 µm")
+
+
+def test_other_rows_have_per_cent() -> None:
+    told = row_text.of_row(row(2e-6, 2.02e-6, "m", 0.13, 2.0))
+    assert told == ("2", "2.02", "+1.00", "0.13", "2 %")
