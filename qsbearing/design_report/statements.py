@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.design_report.conditions import (
     NOTHING,
     Difference,
@@ -32,9 +33,8 @@ from qsbearing.units import MPa, deg
 NUMBERS: dict[str, Any] = json.loads((Path(__file__).parent / "evidence.json").read_text(encoding="utf-8"))
 """What the records say; tests.design_report.evidence_numbers reads it from them."""
 OUTER, OF_BALLS = ("outer",), ("centrifugal_force", "gyroscopic_moment")
-FIRST_YIELD = 1700e6 / (2.0 * 0.31)
-"""Largest pressure at which bearing steel of 1700 MPa begins to yield below the surface [Pa]: the largest shear stress
-of a point contact is 0.31 p0 (Johnson, Contact Mechanics, section 4.2), half the yield strength by Tresca."""
+FIRST_YIELD = first_yield_pressure(1700e6)
+"""Of bearing steel with a yield strength of 1700 MPa [Pa]."""
 B218_DIAMETER, B218_ANGLE = 22.225, 40.0
 """Of the check of grooves [mm, deg]."""
 ANGLE_MARGIN = 10.0
