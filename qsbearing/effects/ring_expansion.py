@@ -255,5 +255,5 @@ ENTRY = Entry(
     indicator=_indicator,
     errors=_errors,
     needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
-    without_parameters="from rotation of the inner ring alone, to a factor of about two",
+    without_parameters="from rotation of the inner ring alone, to a factor of about two, of stiffness three",
 )
