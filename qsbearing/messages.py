@@ -14,7 +14,7 @@ from qsbearing.contact.first_yield import FIRST_YIELD_SHEAR, first_yield_pressur
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
-from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, lacking_data, lines_to_add, missing, percent
+from qsbearing.judgement import lines_to_add, percent
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -24,6 +24,7 @@ from qsbearing.kernel.admissibility import (
     UNLOADED_RING,
     UNSUPPORTED,
 )
+from qsbearing.missing_messages import data_warnings, missing_warnings
 from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
@@ -186,8 +187,8 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _ring_warnings(solution, part)
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
-    yield from _missing_warnings(solution, part)
-    yield from _data_warnings(solution, part)
+    yield from missing_warnings(solution, part)
+    yield from data_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
@@ -271,55 +272,3 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
         tilt > SMALL_TILT,
         lambda i: f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.",
     )
-
-
-def _missing_warnings(solution: Solution, part: slice) -> Warnings:
-    if solution.choice is not None:  # what was left out there is said with its error
-        return
-    judged = missing(solution)
-    if not judged:
-        return
-    matters = _matters(judged, part)
-
-    def sentence(i: int) -> str:
-        named = [each for each, which in zip(judged, matters[:, i], strict=True) if which]
-        said = []
-        for each in named:
-            quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]}: about {percent(error)})")
-        lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
-        return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
-
-    yield np.asarray(matters.any(axis=0)), sentence
-
-
-def _data_warnings(solution: Solution, part: slice) -> Warnings:
-    """Effects that need numbers of the scene, which no choice of effects can add either."""
-    judged = lacking_data(solution)
-    if not judged:
-        return
-    matters = _matters(judged, part)
-
-    def sentence(i: int) -> str:
-        said = []
-        for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
-            errors = {name: float(np.ravel(error)[part.start + i]) for name, error in each.errors.items()}
-            changes = ", ".join(
-                f"{WORDS[name]} by about {percent(errors[name])}"
-                for name in sorted(errors, key=lambda one: -errors[one])
-                if errors[name] > WORTH_A_WARNING
-            )
-            entry = each.entry
-            said.append(
-                f"{entry.what}, estimated ({entry.without_parameters}) to change {changes}. To include it, give "
-                f"{entry.needs}."
-            )
-        return f"Not in the scene for want of numbers, and likely needed: {' Also: '.join(said)}"
-
-    yield np.asarray(matters.any(axis=0)), sentence
-
-
-def _matters(judged: list[Judgement], part: slice) -> NDArray:
-    """Which effects (first axis) change some answer noticeably in which cases of a stretch."""
-    errors = np.stack([each.largest.reshape(-1)[part] for each in judged])
-    return np.asarray(np.isfinite(errors) & (errors > WORTH_A_WARNING))
