@@ -37,7 +37,7 @@ def measured(evidence: Evidence) -> Section:
 def _not_yet() -> Section:
     """Published cases whose documents are not at hand."""
     rows = [[each["document"], each["would_show"], each["at_hand"]] for each in NOT_YET]
-    return Section("Wanted", [Table(("document", "what it would show", "at hand"), rows, "lll")])
+    return Section("Measurements not at hand", [Table(("document", "what it would show", "at hand"), rows, "lll")])
 
 
 def _overview(evidence: Evidence, measured: bool) -> list[Block]:
