@@ -17,26 +17,7 @@ from qsbearing.chooser.explain_set import explain_set
 from qsbearing.cli import cli
 from qsbearing.effects import EFFECTS
 from qsbearing.sets.preload_summary import preload_summary
-from tests.sets.arrangements import S6210C, pair, rows, solved, with_load
-
-PAIR = """
-[bearing]
-name = "7210C"
-[[rows]]
-position_mm = 0
-carries = "+x"
-[[rows]]
-position_mm = 20
-carries = "-x"
-[operation]
-speed_rpm = 10000
-axial_load_N = 200
-[preload]
-rigid_N = 720
-[effects]
-ball = ["centrifugal_force"]
-raceway_control = "outer"
-"""
+from tests.sets.arrangements import PAIR_FILE, S6210C, pair, rows, solved, with_load
 
 
 def call(folder: Path, text: str, *options: str) -> Result:
@@ -125,13 +106,13 @@ def test_the_preload_s_sentences_hold() -> None:
 
 
 def test_json_and_table_of_a_file(tmp_path: Path) -> None:
-    result = call(tmp_path, PAIR, "--json")
+    result = call(tmp_path, PAIR_FILE, "--json")
     found = json.loads(result.stdout)
     assert result.exit_code == 0
     assert [row["effect"] for row in found["effects"]] == [entry.name for entry in EFFECTS]
     assert (found["status"], found["arrangement"], found["tolerance"]) == ("converged", "DB (back to back)", 0.01)
     assert found["warnings"] == qs.warnings(qs.solve_set(qs.load_set(tmp_path / "pair.toml")))
-    text = call(tmp_path, PAIR, "--verify").stdout
+    text = call(tmp_path, PAIR_FILE, "--verify").stdout
     assert max(map(len, text.splitlines())) <= 120
     for words in ("DB (back to back)", "Converged", "Rows: what each carries", "Rings are held where 720 N", "verdict"):
         assert words in text
@@ -139,11 +120,13 @@ def test_json_and_table_of_a_file(tmp_path: Path) -> None:
 
 
 def test_exit_codes(tmp_path: Path) -> None:
-    overloaded = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("= 200", "= -900")
+    overloaded = (
+        PAIR_FILE.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("= 200", "= -900")
+    )
     result = call(tmp_path, overloaded, "--json")
     assert result.exit_code == 1
     assert {row["verdict"] for row in json.loads(result.stdout)["effects"]} == {"not assessed"}
     assert json.loads(result.stdout)["preload"] == []
     assert call(tmp_path, overloaded).exit_code == 1
-    assert call(tmp_path, PAIR, "--tolerance", "0").exit_code == 2
-    assert call(tmp_path, PAIR.replace('"-x"', '"-X"')).exit_code == 2
+    assert call(tmp_path, PAIR_FILE, "--tolerance", "0").exit_code == 2
+    assert call(tmp_path, PAIR_FILE.replace('"-x"', '"-X"')).exit_code == 2

@@ -14,28 +14,14 @@ from qsbearing.cli import cli
 from qsbearing.design_report import set_curves
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
+from tests.sets.arrangements import PAIR_FILE
 
-PAIR = """
-[bearing]
-name = "7210C"
-[[rows]]
-position_mm = 0
-carries = "+x"
-[[rows]]
-position_mm = 20
-carries = "-x"
-[operation]
-speed_rpm = 10000
-axial_load_N = 200
-radial_load_y_N = 500
-moment_z_Nm = 0
-[preload]
-rigid_N = 720
-[effects]
-ball = ["centrifugal_force", "gyroscopic_moment"]
-raceway_control = "outer"
-[readings.life]
-"""
+PAIR = (
+    PAIR_FILE.replace("[preload]", "radial_load_y_N = 500\nmoment_z_Nm = 0\n[preload]").replace(
+        '["centrifugal_force"]', '["centrifugal_force", "gyroscopic_moment"]'
+    )
+    + "[readings.life]\n"
+)
 
 TRIPLE = """
 [[rows]]

@@ -13,6 +13,25 @@ import qsbearing as qs
 from tests.qsbearing.scenes import BOTH, OUTER
 
 CATALOGUE = Path(__file__).parents[2] / "fem_check" / "book" / "data" / "gmn_spindle_bearings.csv"
+PAIR_FILE = """
+[bearing]
+name = "7210C"
+[[rows]]
+position_mm = 0
+carries = "+x"
+[[rows]]
+position_mm = 20
+carries = "-x"
+[operation]
+speed_rpm = 10000
+axial_load_N = 200
+[preload]
+rigid_N = 720
+[effects]
+ball = ["centrifugal_force"]
+raceway_control = "outer"
+"""
+"""A rigidly preloaded pair in a file."""
 PRINTED_STEEL = qs.Material(208 * qs.GPa, 0.3, 7800.0)
 """E' with which the maker's printed rigidities were shown to be made."""
 

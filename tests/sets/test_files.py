@@ -14,25 +14,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.scene_file import load_scene
-
-PAIR = """
-[bearing]
-name = "7210C"
-[[rows]]
-position_mm = 0
-carries = "+x"
-[[rows]]
-position_mm = 20
-carries = "-x"
-[operation]
-speed_rpm = 10000
-axial_load_N = 200
-[preload]
-rigid_N = 720
-[effects]
-ball = ["centrifugal_force"]
-raceway_control = "outer"
-"""
+from tests.sets.arrangements import PAIR_FILE
 
 
 def written(folder: Path, text: str) -> Path:
@@ -53,7 +35,7 @@ def refused(folder: Path, text: str) -> dict[str, str]:
 
 
 def test_a_file_is_the_set_that_python_makes(tmp_path: Path) -> None:
-    from_file = qs.load_set(written(tmp_path, PAIR))
+    from_file = qs.load_set(written(tmp_path, PAIR_FILE))
     bearing = load_scene("7210c").bearing
     rows = (qs.Row(bearing, 0.0), qs.Row(bearing, 20 * qs.mm, "-x"))  # type: ignore[arg-type]
     operation = qs.Operation(10_000 * qs.rpm, axial_load=200.0)
@@ -64,7 +46,7 @@ def test_a_file_is_the_set_that_python_makes(tmp_path: Path) -> None:
 
 
 def test_json_table_and_csv_agree(tmp_path: Path) -> None:
-    path = written(tmp_path, PAIR + "[readings.life]\n")
+    path = written(tmp_path, PAIR_FILE + "[readings.life]\n")
     found = json.loads(run(path, "--json").stdout)
     solution = qs.solve_set(qs.load_set(path))
     assert found["status"] == "converged"
@@ -201,13 +183,17 @@ ball = []
         ("rows = 3\n", "[[rows]]", "is not a list of tables"),
         ("rows = [3]\n[bearing]\nname = '7210C'\n", "row 1", "is not a table"),
         ("[[rows]]\nposition_mm = 0\ncarries = '+x'\n", "row 1.bearing", "missing"),
-        (PAIR.replace("[preload]\nrigid_N = 720", "[preload]\nspring_N = 720"), "preload.spring_N", "presses no row"),
-        (PAIR.replace('"-x"', '"+x"'), "preload.rigid_N", "has no row to press against"),
-        (PAIR.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is that of row 1 as well"),
-        ("effects = 'auto'\n" + PAIR.partition("[effects]")[0], "effects", "are not chosen for sets"),
-        (PAIR.replace("10000", "1e7"), "operation.speed_rpm", "is too fast"),
-        (PAIR + "[readings.film]\n", "readings.film", "needs an oil"),
-        (PAIR + "[shaft]\nreference_position_mm = 1e9\n", "shaft.reference_position_mm", "is too large"),
+        (
+            PAIR_FILE.replace("[preload]\nrigid_N = 720", "[preload]\nspring_N = 720"),
+            "preload.spring_N",
+            "presses no row",
+        ),
+        (PAIR_FILE.replace('"-x"', '"+x"'), "preload.rigid_N", "has no row to press against"),
+        (PAIR_FILE.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is that of row 1 as well"),
+        ("effects = 'auto'\n" + PAIR_FILE.partition("[effects]")[0], "effects", "are not chosen for sets"),
+        (PAIR_FILE.replace("10000", "1e7"), "operation.speed_rpm", "is too fast"),
+        (PAIR_FILE + "[readings.film]\n", "readings.film", "needs an oil"),
+        (PAIR_FILE + "[shaft]\nreference_position_mm = 1e9\n", "shaft.reference_position_mm", "is too large"),
     ],
 )
 def test_what_is_refused(tmp_path: Path, text: str, key: str, words: str) -> None:
@@ -216,7 +202,7 @@ def test_what_is_refused(tmp_path: Path, text: str, key: str, words: str) -> Non
 
 
 def test_a_picture_and_a_table_in_one_run(tmp_path: Path) -> None:
-    path = written(tmp_path, PAIR)
+    path = written(tmp_path, PAIR_FILE)
     for form, first in (("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
         target = tmp_path / f"a.{form}"
         assert run(path, "--plot", str(target), "--csv", str(tmp_path / "a.csv")).exit_code == 0
@@ -225,12 +211,12 @@ def test_a_picture_and_a_table_in_one_run(tmp_path: Path) -> None:
 
 
 def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
-    path = written(tmp_path, PAIR)
+    path = written(tmp_path, PAIR_FILE)
     chosen = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
     assert chosen.exit_code == 2
     assert "--accuracy: the effects of a set are those that its file names" in chosen.stderr
     assert not (tmp_path / "a.png").exists()
-    overloaded = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
+    overloaded = PAIR_FILE.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
     path = written(tmp_path, overloaded)
     lost = run(path, "--csv", str(tmp_path / "lost.csv"), "--plot", str(tmp_path / "lost.png"))
     assert lost.exit_code == 1
