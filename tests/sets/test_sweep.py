@@ -11,14 +11,15 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from tests.sets.test_files import PAIR, written
+from tests.sets.arrangements import PAIR_FILE
+from tests.sets.test_files import written
 
 pytest.importorskip("xarray")
 
 
 def test_a_sweep_finds_what_python_does(tmp_path: Path) -> None:
     """Preload, load and speed; a preload that varies leaves the shaft its axial load."""
-    path = written(tmp_path, PAIR + "[readings.life]\n")
+    path = written(tmp_path, PAIR_FILE + "[readings.life]\n")
     vary = {"speed_rpm": [0, 5000, 12000], "rigid_N": [240, 720], "axial_load_N": [0, 200]}
     found = qs.sweep(qs.Study.of(path, vary))
     assert dict(found.sizes) == {"speed_rpm": 3, "rigid_N": 2, "axial_load_N": 2}
@@ -42,7 +43,7 @@ def test_a_sweep_finds_what_python_does(tmp_path: Path) -> None:
 
 
 def test_points_without_equilibrium_stay(tmp_path: Path) -> None:
-    sprung = PAIR.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true')
+    sprung = PAIR_FILE.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true')
     study = qs.Study.of(written(tmp_path, sprung), {"axial_load_N": [-900, 0], "ball_diameter_mm": [12.7, 40.0]})
     found = qs.sweep(study)
     meanings = found["status"].attrs["flag_meanings"].split()
@@ -55,7 +56,7 @@ def test_points_without_equilibrium_stay(tmp_path: Path) -> None:
 
 def test_the_command_sweeps_a_set(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    path, out, picture = written(tmp_path, PAIR), tmp_path / "out.nc", tmp_path / "out.png"
+    path, out, picture = written(tmp_path, PAIR_FILE), tmp_path / "out.nc", tmp_path / "out.png"
     options = ["--vary", "speed_rpm=0:12000:4", "--vary", "rigid_N=240,720", "--out", str(out), "--plot", str(picture)]
     done = CliRunner().invoke(cli, ["sweep", str(path), *options], catch_exceptions=False)
     assert done.exit_code == 0
