@@ -18,7 +18,7 @@ from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_loads import MOST, load_sentence, loaded, loads_of
 from qsbearing.sets.preload_search import Change
 from qsbearing.sets.preload_speeds import speed_sentence
-from qsbearing.sets.preload_summary import depends_on_speed, limits
+from qsbearing.sets.preload_summary import Limits, depends_on_speed
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
 from qsbearing.units import MPa, rpm, um
@@ -34,10 +34,13 @@ Mark = tuple[float, str]
 """Where a row no longer keeps its preload, along the curve, and what happens there."""
 
 
-def section(solution: SetSolution) -> Section:
-    """The sweeps that there are; what cannot be varied is said."""
-    of = solution.set
-    speeds, loads = limits(of)
+def section(of: BearingSet, limits: Limits) -> Section:
+    """The sweeps that there are; what cannot be varied is said.
+
+    Args:
+        limits: of the set's preload, to be marked.
+    """
+    speeds, loads = limits
     words = (
         "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
         "row loses its preload, has too much or has it back. Points without a solution are left out."

@@ -13,7 +13,7 @@ from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
-from qsbearing.sets.preload_summary import preload_summary
+from qsbearing.sets.preload_summary import Limits, limits, preload_summary
 from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 
@@ -28,6 +28,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     """
     of = solution.set
     taken = [readings.taken(row) for row in solution.rows]
+    changes = limits(of)
     warnings = solution.warnings() + [
         f"{capital(row_name(of.rows[number], number))}: {each}"
         for number, found in enumerate(taken)
@@ -39,9 +40,9 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         [
             set_inputs.section(of, source),
             effects.section_of_set(solution),
-            _results(solution),
+            _results(solution, changes),
             *(_row(solution, number, found) for number, found in enumerate(taken)),
-            set_curves.section(solution),
+            set_curves.section(of, changes),
             evidence.section(solution.rows, of),
         ],
         "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
@@ -50,7 +51,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     )
 
 
-def _results(solution: SetSolution) -> Section:
+def _results(solution: SetSolution, changes: Limits) -> Section:
     drawn: list[Block] = [
         picture(
             load_distribution(solution),
@@ -64,7 +65,7 @@ def _results(solution: SetSolution) -> Section:
         ),
     ]
     parts: list[Block] = [
-        Section("Preload", [Bullets(preload_summary(solution))]),
+        Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
     return Section("Results", [*from_rich(set_report.tables(solution)), *parts])

@@ -35,13 +35,13 @@ def _too_many(of: BearingSet) -> list[Difference]:
     return [Difference(f"{len(of.rows)} rows, checked up to {ROWS}")] if len(of.rows) > ROWS else []
 
 
-def _not_at_rest(of: BearingSet) -> list[Difference]:
+def _with_effects(of: BearingSet) -> list[Difference]:
     has_effects = of.ball_effects or any(of.effects_of(row) for row in of.rows)
     return [Difference("checked without effects of balls and rings", True)] if has_effects else []
 
 
 def _not_printed(of: BearingSet) -> list[Difference]:
-    found = _not_at_rest(of)
+    found = _with_effects(of)
     if of.preload is not None and of.preload.spring is not None:
         found.append(Difference("a spring, checked rigid preload"))
     if float(np.asarray(of.operation.speed)) != 0.0:
@@ -60,7 +60,7 @@ OF_SETS = (
         "every load at once.",
         "loads and displacements agree to 1e-8",
         "pytest tests/sets/test_equilibrium.py",
-        lambda of: _too_many(of) + _not_at_rest(of),
+        lambda of: _too_many(of) + _with_effects(of),
     ),
     SetStatement(
         "Relations of sets at rest and at speed: rows add up to the load, mirror images, stiffness against "

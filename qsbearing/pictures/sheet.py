@@ -42,23 +42,21 @@ def load_distribution(solution: Solution | SetSolution, index: Index = None) -> 
     Args:
         index: the case, along the solution's case axes; nothing for a single case.
     """
-    return _rows([LOADS], solution, index) if isinstance(solution, SetSolution) else _alone(LOADS, solution, index)
+    if isinstance(solution, SetSolution):
+        return _rows([LOADS], solution, index)
+    return _alone(LOADS.draw, LOADS.size, solution, index, LOADS.projection)
 
 
 def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Figure:
     """Inner and outer contact angles by azimuth; of a set, of each row."""
-    return _rows([ANGLES], solution, index) if isinstance(solution, SetSolution) else _alone(ANGLES, solution, index)
+    if isinstance(solution, SetSolution):
+        return _rows([ANGLES], solution, index)
+    return _alone(ANGLES.draw, ANGLES.size, solution, index)
 
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
-    place = solution._place(index)
-    figure = figure_of_size(10.0, 4.6)
-    axes = figure.add_subplot()
-    draw_ellipses(axes, solution, place)
-    legend(figure, axes)
-    write_title(figure, solution, place)
-    return figure
+    return _alone(draw_ellipses, (10.0, 4.6), solution, index)
 
 
 def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
@@ -78,11 +76,17 @@ def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
     return figure
 
 
-def _alone(drawing: Drawing, solution: Solution, index: Index) -> Figure:
+def _alone(
+    draw: Callable[..., None],
+    size: tuple[float, float],
+    solution: Solution,
+    index: Index,
+    projection: str | None = None,
+) -> Figure:
     place = solution._place(index)
-    figure = figure_of_size(*drawing.size)
-    axes = figure.add_subplot(projection=drawing.projection)
-    drawing.draw(axes, solution, place)
+    figure = figure_of_size(*size)
+    axes = figure.add_subplot(projection=projection)
+    draw(axes, solution, place)
     legend(figure, axes)
     write_title(figure, solution, place)
     return figure

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors
-from qsbearing.sets.set_messages import PreloadState, capital, row_name
+from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
+from qsbearing.sets.set_messages import PreloadState
 from qsbearing.validation import RATIO, ErrorDetail, SceneError, within
 
 LOST = str(PreloadState.LOST)
@@ -75,13 +75,4 @@ def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
 
 def load_sentence(of: BearingSet, change: Change) -> str:
     """What changes at which multiple of the loads."""
-    at = f"at {change.value:.3g} times the loads"
-    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
-    if change.after == LOST and change.value == 0.0:
-        return f"{name} has lost its preload before any load acts."
-    said = {
-        str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
-        LOST: f"{name} loses its preload {at}.",
-        "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
-    }
-    return said.get(change.after, f"{name}: not solved any more {at}.")
+    return sentence(of, change, f"at {change.value:.3g} times the loads", "before any load acts")

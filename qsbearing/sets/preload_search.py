@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_messages import PreloadState, states
+from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name, states
 from qsbearing.sets.solve import solve_set
 from qsbearing.validation import ErrorDetail, SceneError
 
@@ -72,12 +72,31 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
 
 
 def firsts(found: list[Change]) -> list[Change]:
-    """The first loss, run-away or end of each row."""
+    """The first loss, excess or end of each row."""
     known: dict[tuple[int, str], Change] = {}
     for each in found:
         if not each.is_return:
             known.setdefault((each.row, each.after), each)
     return list(known.values())
+
+
+def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
+    """What changes.
+
+    Args:
+        at: where.
+        already: when, of a preload that is lost at the beginning of the range.
+    """
+    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
+    if change.after == PreloadState.LOST and change.value == 0.0:
+        return f"{name} has lost its preload {already}."
+    said = {
+        str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
+        str(PreloadState.LOST): f"{name} loses its preload {at}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times that at rest, {at}.",
+        "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
+    }
+    return said.get(change.after, f"{name}: not solved any more {at}.")
 
 
 def _labels(of: BearingSet, threads: int | None) -> NDArray[Any]:

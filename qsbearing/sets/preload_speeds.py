@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors
-from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name
+from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
 from qsbearing.units import rpm
 from qsbearing.validation import SPEED, SceneError, within
 
@@ -54,14 +53,4 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
 
 def speed_sentence(of: BearingSet, change: Change) -> str:
     """What changes at which speed."""
-    at = f"{change.value / rpm:.4g} rpm"
-    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
-    if change.after == PreloadState.LOST and change.value == 0.0:
-        return f"{name} has lost its preload already at rest, under these loads."
-    said = {
-        str(PreloadState.MAINTAINED): f"{name} has its preload back at {at}.",
-        str(PreloadState.LOST): f"{name} loses its preload at {at}.",
-        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times that at rest, at {at}.",
-        "no_equilibrium": f"{name} gives way at {at}: above there is no equilibrium.",
-    }
-    return said.get(change.after, f"{name}: not solved any more at {at}.")
+    return sentence(of, change, f"at {change.value / rpm:.4g} rpm", "already at rest, under these loads")

@@ -15,18 +15,24 @@ FASTER = 1.5
 """Times the speed of the set, up to which its preload is followed."""
 UNCHANGED = 0.005
 """Relative; a preload that changes by less is said to stay."""
+Limits = tuple[list[Change], list[Change]]
+"""Changes over speed and over loads."""
 
 
-def preload_summary(solution: SetSolution) -> list[str]:
-    """Sentences on the preload of a solved set, a single case."""
+def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[str]:
+    """Sentences on the preload of a solved set, a single case.
+
+    Args:
+        found: the set's `limits`, where they are known already.
+    """
     of = solution.set
     if not of.is_opposed:
         return [f"All rows carry in {of.rows[0].carries}: no row presses another, the axial load alone presses them."]
     is_pressed = solution.preload_at_rest is not None and bool((solution.preload_at_rest > 0.0).any())
-    return [_kind(solution), *_at_speed(solution), *(_limits(of) if is_pressed else [])]
+    return [_kind(solution), *_at_speed(solution), *(_limits(of, found or limits(of)) if is_pressed else [])]
 
 
-def limits(of: BearingSet) -> tuple[list[Change], list[Change]]:
+def limits(of: BearingSet) -> Limits:
     """Where the preload is lost, excessive or comes back, over speed and over loads; empty where nothing varies with
     them."""
     turning = float(np.asarray(of.operation.speed)) != 0.0 and depends_on_speed(of)
@@ -78,8 +84,8 @@ def _at_speed(solution: SetSolution) -> list[str]:
     return [f"In operation, without external loads, rows are pressed by {span} times what presses them at rest."]
 
 
-def _limits(of: BearingSet) -> list[str]:
-    speeds, loads = limits(of)
+def _limits(of: BearingSet, found: Limits) -> list[str]:
+    speeds, loads = found
     said = [speed_sentence(of, each) for each in speeds] + [load_sentence(of, each) for each in loads]
     speed = float(np.asarray(of.operation.speed))
     kept = []
