@@ -107,14 +107,35 @@ def contacts_outside_groove(case: recarray, work: recarray, balls: ndarray) -> i
 
 
 @kernel
+def has_angles_apart(case: recarray, work: recarray, balls: ndarray) -> bool:
+    """Whether a ball's two loaded contact lines lie more than a right angle apart.
+
+    Within the shoulders their axial forces then point the same way, so that only friction as large as the loads
+    balances them. Iterations pass through such states with other speeds than those of rolling
+    (`kinematics.inner_line`).
+    """
+    if not case.gyroscopic or not is_moving(case):
+        return False
+    for n in range(work.ball_count):
+        ball = balls[n]
+        along = ball.inner_sine * ball.outer_sine + ball.inner_cosine * ball.outer_cosine
+        if ball.inner_approach > 0.0 and along < -ANGLE_ROUNDING:
+            return True
+    return False
+
+
+@kernel
 def inadmissibility(case: recarray, work: recarray, balls: ndarray) -> int:
     """What makes an equilibrium inadmissible, as bits; 0 where nothing does.
 
-    Beside a contact outside its groove: friction at a contact without load, which does not exist. Friction below the
-    solver's accuracy is none. Under a friction bound: friction that would have to be above the load. Under the bound of
-    a case that says what friction there is, what is asked beyond makes a ball slip, and no equilibrium inadmissible.
+    Beside a contact outside its groove: contact lines more than a right angle apart, and friction at a contact
+    without load, which does not exist. Friction below the solver's accuracy is none. Under a friction bound: friction
+    that would have to be above the load. Under the bound of a case that says what friction there is, what is asked
+    beyond makes a ball slip, and no equilibrium inadmissible.
     """
     found = contacts_outside_groove(case, work, balls)
+    if found == 0 and has_angles_apart(case, work, balls):
+        found |= FRICTION_WITHOUT_LOAD
     if case.friction_coefficient != NO_BOUND and work.friction_bound != NO_BOUND:
         return found
     most, least = FAR_MORE_THAN_LOAD, STALLED

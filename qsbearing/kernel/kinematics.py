@@ -38,8 +38,8 @@ def inner_line(
     with the others at the orbit of equal contact angles, as if its inner line were the outer one. Between the two, with
     t = gap/(LOSING length), the line seen lies at ao + w (ai - ao), w = 1 - 3 t^2 + 2 t^3.
 
-    Lines are never seen more than a right angle apart: at two right angles the speeds would have no bound. Only a
-    contact over the shoulder lies further round, or a state on the way: for ai - ao stands then 180 degrees less it.
+    Lines are never seen more than a right angle apart: at two right angles the speeds would have no bound. Beyond one,
+    180 degrees less ai - ao takes its place, which iterations may pass through; an equilibrium there is refused.
     """
     along = si * so + ci * co
     if approach >= 0.0:

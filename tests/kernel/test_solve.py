@@ -298,6 +298,26 @@ def test_friction_at_a_contact_without_load(axial_load: float, rpm: float) -> No
     assert np.isnan(solution.inner.load).all()
 
 
+STEEP_THRUST = qs.BallBearing(
+    ball_count=24,
+    ball_diameter=23.334e-3,
+    pitch_diameter=254.717e-3,
+    inner_groove_radius=13.0459e-3,
+    outer_groove_radius=12.9221e-3,
+    free_contact_angle=56.16155 * qs.deg,
+)
+
+
+@pytest.mark.parametrize("rpm", [3300.0, 3354.557, 3600.0])
+def test_contact_lines_more_than_a_right_angle_apart(rpm: float) -> None:
+    """Iterations pass through such states with speeds other than those of rolling: none of them is a solution."""
+    effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(moment_shares="harris"))
+    scene = turning(rpm, STEEP_THRUST, effects=effects, control=INNER, axial_load=181.7515, tilt_y=0.0, tilt_z=0.0)
+    solution = qs.solve(scene)
+    assert solution.status is qs.Status.NO_EQUILIBRIUM
+    assert solution.reason == qs.Reason.FRICTION_WITHOUT_LOAD
+
+
 @pytest.mark.parametrize(
     "make", [lambda **o: resting(**o), lambda **o: turning(3000, **o)], ids=["at rest", "at speed"]
 )
