@@ -8,7 +8,7 @@ from qsbearing.compiled import kernel
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.effects.raceway_control import INNER, OUTER, outer_controls
-from qsbearing.kernel.ball_inertia import friction_asked, is_moving, is_rolled
+from qsbearing.kernel.ball_inertia import POSITION_ROUNDING, friction_asked, is_moving, is_rolled
 from qsbearing.kernel.newton import STALLED
 from qsbearing.kernel.raceway_stiffness import contact_loads, hertz_cosine, spin_constant
 
@@ -119,7 +119,7 @@ def has_angles_apart(case: recarray, work: recarray, balls: ndarray) -> bool:
     for n in range(work.ball_count):
         ball = balls[n]
         along = ball.inner_sine * ball.outer_sine + ball.inner_cosine * ball.outer_cosine
-        if ball.inner_approach > 0.0 and along < -ANGLE_ROUNDING:
+        if ball.inner_approach > POSITION_ROUNDING and along < -ANGLE_ROUNDING:
             return True
     return False
 

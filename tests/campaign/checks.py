@@ -65,8 +65,6 @@ class Findings:
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
     over_shoulder: NDArray
     """Whether some loaded inner contact lies beyond 90 degrees, over the shoulder of any groove."""
-    angles_apart: NDArray
-    """Whether a ball rolls on two loaded contacts more than 90 degrees apart: its speeds are not those of rolling."""
     friction_above_load: NDArray
     """Whether some contact needs more friction than its load: counted, not a failure, for the model takes friction to
     be there and reports what it demands."""
@@ -186,8 +184,6 @@ def findings(
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
         & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
         over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
-        angles_apart=_any([inner.loaded & (np.cos(inner.angle - outer.angle) < -ANGLE_ROUNDING)], there)
-        & (solution.raceway_control is not None),
         friction_above_load=_any((side.asked > np.maximum(side.load, 0.01 * small) for side in (inner, outer)), there),
         not_finite=_not_finite(scene, solution, there),
         control=control,

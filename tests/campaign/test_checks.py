@@ -56,7 +56,6 @@ SPOILT = {
     "infinite": (lambda s: change(s.displacement, np.inf, at=0), {"closure", "not_finite"}),
     "friction without load": (lose_inner_contact, {"friction_without_load", "imbalance"}),
     "over the shoulder": (lambda s: change(s.inner.angle, 1.6), {"over_shoulder", "closure"}),
-    "angles apart": (lambda s: change(s.outer.angle, -1.2), {"angles_apart", "closure"}),
     "open side": (lambda s: change(s.inner.angle, -0.1), {"open_side", "closure"}),
     "control": (lambda s: s._controls.__ixor__(1), {"control_unsaid"}),
 }
