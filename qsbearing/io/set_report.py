@@ -54,7 +54,8 @@ def tables(solution: SetSolution) -> Group:
 
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    return [_shaft(solution, found), *rows_tables(found), stiffness_table(found), stiffness_matrix_table(found)]
+    tables = [_shaft(solution, found), *rows_tables(found), stiffness_table(found)]
+    return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
 
 
 def _system_life(found: dict[str, Any]) -> list[Text]:

@@ -156,6 +156,11 @@ def warnings(solution: SetSolution, index: Index = None) -> list[str]:
                 f"Preload excessive: {row_name(row, number)} is pressed by {at_rest:.4g} N at rest and, without "
                 f"external loads, by {alone:.4g} N at speed."
             )
+    if not solution.control_is_consistent[place]:
+        said.append(
+            "No stiffness of the set is reported: raceway control contradicts itself in a row, which then has several "
+            "solutions side by side."
+        )
     for number, row_solution in enumerate(solution.rows):
         name = capital(row_name(rows[number], number))
         said += [f"{name}: {each}" for each in messages.warnings(row_solution, place or None)]

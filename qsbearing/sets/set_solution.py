@@ -127,6 +127,11 @@ class SetSolution:
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
+    def control_is_consistent(self) -> Any:
+        """Whether every row's is; shape (*cases)."""
+        return self._shaped(np.all([np.reshape(row.control_is_consistent, -1) for row in self.rows], axis=0))
+
+    @property
     def residual(self) -> Any:
         """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
         return self._shaped(self._outcome.residual)
@@ -192,13 +197,15 @@ class SetSolution:
         """The shaft's exact tangent stiffness dF/dd at the reference position; shape (*cases, 5, 5), SI.
 
         Rows are loads, columns displacements, in the order x, y, z, tilt y, tilt z; all channels, whether load or
-        displacement is prescribed. Sprung rings slide so that the spring's force stays what it is.
+        displacement is prescribed. Sprung rings slide so that the spring's force stays what it is. NaN where some row's
+        per-ball control contradicts itself: such a row has several solutions side by side and no tangent.
         """
         parts = [
             matrix.swapaxes(1, 2) @ row.stiffness.reshape(-1, 5, 5) @ matrix
             for matrix, row in zip(self._matrices, self.rows, strict=True)
         ]
         total = np.asarray(sum(parts))
+        total[~np.reshape(self.control_is_consistent, -1)] = np.nan
         if self.slide is not None:
             own = total[:, SLIDE, SLIDE]
             with np.errstate(invalid="ignore", divide="ignore"):

@@ -301,3 +301,19 @@ def test_ordinary_cases_are_solved_directly(monkeypatch: pytest.MonkeyPatch, arr
     assert turning.iterations.mean() < 7.0
     still = solved(replace(of, ball_effects=(), raceway_control=None))
     assert still.iterations.mean() < 5.5
+
+
+def test_no_stiffness_where_raceway_control_contradicts_itself() -> None:
+    """Such a row has several solutions side by side: differences of neighbours are no tangent, and none is reported."""
+    operation = qs.Operation(
+        np.array([424.2060708578242, 424.0]) * qs.rpm,
+        axial_load=np.array([1168.8530554521644, 9000.0]),
+        radial_load_y=np.array([103.73081221234129, 0.0]),
+        moment_z=0.0,
+    )
+    of = qs.BearingSet(rows("DT", B218), operation, ball_effects=BOTH, raceway_control=PER_BALL)
+    found = solved(of)
+    assert found.control_is_consistent.tolist() == [False, True]
+    assert np.isnan(found.stiffness).any(axis=(1, 2)).tolist() == [True, False]
+    assert np.isnan(found.effective_stiffness[0]).all()
+    assert any("No stiffness" in sentence for sentence in qs.warnings(found, 0))
