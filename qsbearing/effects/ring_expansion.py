@@ -68,6 +68,18 @@ class Body(NamedTuple):
         return displacement(radius, stress, self.elastic)
 
 
+class BodyTemperature(NamedTuple):
+    """A temperature, and where it comes from."""
+
+    value: Any
+    """[K]"""
+    taken_from: str
+    """given, as the inner ring, as the outer ring, or reference temperature."""
+
+
+RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
+"""The ring on or in a seat, whose temperature the seat has where its own is left out."""
+
 Seat = tuple[NDArray, NDArray]
 
 
@@ -112,8 +124,9 @@ class RingExpansion:
     shaft_material: Material | None = None
     """None: as the rings."""
     shaft_temperature: ArrayLike | None = None
-    """[K]; None, as for the other three: the reference temperature."""
+    """[K]; None: as the inner ring."""
     inner_ring_temperature: ArrayLike | None = None
+    """[K]; None, as for the outer ring: the reference temperature."""
     outer_ring_temperature: ArrayLike | None = None
     housing_interference: ArrayLike | None = None
     """Outside diameter less housing bore, likewise [m]; None: no housing is regarded."""
@@ -121,6 +134,7 @@ class RingExpansion:
     """[m]; needed with a housing."""
     housing_material: Material | None = None
     housing_temperature: ArrayLike | None = None
+    """[K]; None: as the outer ring."""
     reference_temperature: ArrayLike = 20.0 + zero_celsius
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
@@ -169,10 +183,27 @@ class RingExpansion:
             outer_groove_radius=outer_strain * np.asarray(bearing.outer_groove_radius, float),
         )
 
+    @property
+    def is_warm(self) -> bool:
+        """Whether any temperature is given."""
+        return any(each.taken_from == "given" for each in self.temperatures.values())
+
+    @property
+    def temperatures(self) -> dict[str, BodyTemperature]:
+        """Of shaft, inner_ring, outer_ring and housing."""
+        return {body: self._temperature(body) for body in ("shaft", "inner_ring", "outer_ring", "housing")}
+
+    def _temperature(self, body: str) -> BodyTemperature:
+        own = getattr(self, f"{body}_temperature")
+        if own is not None:
+            return BodyTemperature(own, "given")
+        if body not in RING_IN:
+            return BodyTemperature(self.reference_temperature, "reference temperature")
+        return BodyTemperature(self._temperature(RING_IN[body]).value, f"as the {RING_IN[body].replace('_', ' ')}")
+
     def _warmer(self, body: str) -> Any:
         """How much warmer than at the reference temperature [K]."""
-        temperature = getattr(self, f"{body}_temperature")
-        return 0.0 if temperature is None else np.asarray(temperature, float) - np.asarray(self.reference_temperature)
+        return np.asarray(self._temperature(body).value, float) - np.asarray(self.reference_temperature, float)
 
     def _states(
         self,

@@ -13,7 +13,7 @@ from qsbearing.case_index import Place
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.units import deg, um
+from qsbearing.units import deg, um, zero_celsius
 
 
 def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
@@ -41,6 +41,7 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
+        "temperatures": temperatures(solution, index),
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
@@ -114,6 +115,20 @@ def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | 
     return {
         side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
         for side in ("inner", "outer")
+    }
+
+
+def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, Any]] | None:
+    """Of rings, shaft and housing, and whether each is given; None where the scene gives none."""
+    effect = solution.scene.ring_expansion
+    if effect is None or not effect.is_warm:
+        return None
+    return {
+        body: {
+            "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
+            "from": each.taken_from,
+        }
+        for body, each in effect.temperatures.items()
     }
 
 

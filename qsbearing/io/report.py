@@ -199,7 +199,17 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for side, state in rings.items():
             table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
         tables.append(table)
-    return tables
+    return tables + temperature_tables(found)
+
+
+def temperature_tables(found: dict[str, Any]) -> list[Table]:
+    """The temperatures that a record was solved with, those that its file leaves out among them."""
+    if found["temperatures"] is None:
+        return []
+    table = plain_table("Temperatures", ("", "C", "from"), left=(0, 2))
+    for body, each in found["temperatures"].items():
+        table.add_row(body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+    return [table]
 
 
 def stiffness_table(found: dict[str, Any]) -> Table:

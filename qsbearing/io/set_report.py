@@ -19,6 +19,7 @@ from qsbearing.io.report import (
     ending,
     stiffness_matrix_table,
     stiffness_table,
+    temperature_tables,
 )
 from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
@@ -33,7 +34,7 @@ def set_result(solution: SetSolution) -> Group:
     found = set_record(solution)
     parts: list[RenderableType] = [heading(solution, found)]
     if found["status"] == "converged":
-        parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
+        parts += [Padding(table, (1, 0, 0, 0)) for table in [*_tables(solution, found), *_temperatures(found)]]
         for number, row in enumerate(found["rows"]):
             table = contacts_table(distinct(row["balls"]), len(row["balls"]))
             table.title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
@@ -55,6 +56,19 @@ def tables(solution: SetSolution) -> Group:
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
     return [_shaft(solution, found), *rows_tables(found), stiffness_table(found), stiffness_matrix_table(found)]
+
+
+def _temperatures(found: dict[str, Any]) -> list[Table]:
+    """Of each row; once where all are alike."""
+    rows = found["rows"]
+    if all(row["temperatures"] == rows[0]["temperatures"] for row in rows):
+        return temperature_tables(rows[0])
+    tables = []
+    for number, row in enumerate(rows, 1):
+        for table in temperature_tables(row):
+            table.title = f"Temperatures of row {number}"
+            tables.append(table)
+    return tables
 
 
 def _system_life(found: dict[str, Any]) -> list[Text]:

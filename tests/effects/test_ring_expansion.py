@@ -122,6 +122,29 @@ def test_heat_at_the_seats_is_an_interference() -> None:
     assert loose.seat_gap == pytest.approx(5 * qs.um, rel=ROUNDING)
 
 
+def test_a_seat_without_a_temperature_of_its_own_is_as_warm_as_its_ring() -> None:
+    """Ring and seat of one steel, equally warm: the pressure of the cold fit, whatever the temperature."""
+    fits = {
+        **{"shaft_interference": 15 * qs.um, "housing_interference": 8 * qs.um},
+        **{"housing_outside_diameter": 220 * qs.mm},
+    }
+    cold = rings(**fits).states(B218, qs.Operation())
+    left_out = rings(**fits, inner_ring_temperature=hot(70), outer_ring_temperature=hot(60))
+    given = replace(left_out, shaft_temperature=hot(70), housing_temperature=hot(60))
+    for before, one, other in zip(cold, *(e.states(B218, qs.Operation()) for e in (left_out, given)), strict=True):
+        assert one == other
+        assert one.seat_pressure == pytest.approx(before.seat_pressure, rel=1e-9)
+        assert one.seat_gap == 0.0
+    own = replace(left_out, shaft_temperature=hot(20)).states(B218, qs.Operation())[0]
+    assert own.seat_gap > 0.0
+    taken = {body: each.taken_from for body, each in left_out.temperatures.items()}
+    assert taken == {
+        **{"shaft": "as the inner ring", "inner_ring": "given"},
+        **{"outer_ring": "given", "housing": "as the outer ring"},
+    }
+    assert rings().temperatures["inner_ring"] == (hot(20), "reference temperature")
+
+
 def test_what_is_not_regarded_is_none() -> None:
     solution = solved(expanded(rings(), axial_load=5e3))
     assert solution.inner_ring.seat_pressure is None

@@ -71,7 +71,9 @@ def test_the_nearer_edge_counts() -> None:
 
 
 @pytest.mark.parametrize(
-    "part", [{}, {"shaft_interference": 30 * qs.um, "inner_ring_temperature": 60 + qs.zero_celsius}], ids=["warm", "fit"]
+    "part",
+    [{}, {"shaft_interference": 30 * qs.um, "inner_ring_temperature": 60 + qs.zero_celsius}],
+    ids=["warm", "fit"],
 )
 def test_shoulders_move_with_their_rings(part: dict[str, Any]) -> None:
     """Warm throughout, a bearing is similar to itself: margins grow by 1 + alpha dT where pressures stay, under a load
