@@ -75,7 +75,9 @@ def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
         return {}
     if mounted is None:
         return {"axial_load": scene.preload.spring}
-    return {"axial_displacement": mounted.displacement[..., 0]}
+    held, rings = mounted.displacement[..., 0], scene.ring_expansion
+    # A length of the shaft, which grows as it does.
+    return {"axial_displacement": held if rings is None else held * (1.0 + rings.seat_strains(scene.bearing)[0])}
 
 
 def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:

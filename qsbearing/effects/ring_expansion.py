@@ -4,12 +4,15 @@ Source        Timoshenko & Goodier, Theory of Elasticity (annulus.py has the for
               clearance and the free contact angle
 Equation      at a seat, one pressure p = overlap/(c of both bodies), overlap = interference/2 and what shaft less
               ring (or ring less housing) grow freely by rotation and heat; where that is negative, p = 0 and the
-              bodies stand apart. A groove centre moves by heat as the ring there, and by p and rotation as the bottom
-              of its groove; groove radii grow by heat. Clearance, pitch circle and free contact angle follow
+              bodies stand apart. A groove centre moves by heat as the ring there, radially and axially from the plane
+              of the balls' centres, and by p and rotation as the bottom of its groove; groove radii grow by heat.
+              Clearance, pitch circle and free contact angle follow. A displacement that a preload holds, and the
+              distance of inner rings, grow by the heat of the shaft; the distance of outer rings by the housing's
 Assumes       each ring a thick annulus from its seat to the bottom of its groove, shaft and housing annuli (or a solid
               shaft) as long as the ring, plane stress, each body at one temperature; shoulders, ball loads and the
-              flattening of rough seats do not count; groove centres keep their axial places in their rings
-When not      thin-walled housings that are not round, rings held axially, shaft growth between two bearings
+              flattening of rough seats do not count; pressure and rotation move nothing axially
+When not      thin-walled housings that are not round, rings held axially; what a shaft grows between this bearing and
+              one that is not in the scene (a set has both)
 Parameters    bore and outside diameter of the bearing; interference (diametral, negative: a loose fit) at a seat that
               is to be regarded, and there the shaft's bore or the housing's outside diameter; temperatures. A ring
               without a seat grows freely
@@ -173,15 +176,30 @@ class RingExpansion:
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing with its rings expanded."""
         inner, outer = self.states(bearing, operation)
-        inner_strain, outer_strain = (
-            _strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer")
-        )
+        inner_strain, outer_strain = self._ring_strains(bearing)
         return bearing.with_changed_lengths(
             inner_groove_centre=inner.groove_growth,
             outer_groove_centre=outer.groove_growth,
             inner_groove_radius=inner_strain * np.asarray(bearing.inner_groove_radius, float),
             outer_groove_radius=outer_strain * np.asarray(bearing.outer_groove_radius, float),
         )
+
+    def axial_growth(self, bearing: BallBearing) -> tuple[NDArray, NDArray]:
+        """By how much heat moves the inner and the outer groove centres axially from the balls' centres [m]."""
+        inner, outer = bearing.groove_centre_offsets
+        strains = self._ring_strains(bearing)
+        return strains[0] * inner, strains[1] * outer
+
+    def seat_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
+        """alpha dT of shaft and housing, which hold a preload and the distances between bearings."""
+        return (
+            _strain(self.shaft_material or bearing.ring_material, self._warmer("shaft")),
+            _strain(self.housing_material or bearing.ring_material, self._warmer("housing")),
+        )
+
+    def _ring_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
+        inner, outer = (_strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer"))
+        return inner, outer
 
     @property
     def is_warm(self) -> bool:
@@ -259,7 +277,7 @@ def _state(
     radial, hoop = ring.stress(ring.a, bore_pressure, outside_pressure)
     equivalent = np.maximum(np.abs(hoop - radial), np.maximum(np.abs(hoop), np.abs(radial)))
     pressure, gap = (None, None) if seat is None else seat
-    return RingState(pressure, gap, growth + ring.strain * centre, hoop, equivalent)
+    return RingState(pressure, gap, growth * (1.0 + ring.strain) + ring.strain * centre, hoop, equivalent)
 
 
 def _change(point: OperatingPoint) -> GeometryChange:

@@ -51,7 +51,8 @@ class Operation:
     """Outer ring about +x [rad/s]; None: it stands still."""
     axial_load: ArrayLike | None = None
     axial_displacement: ArrayLike | None = None
-    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place."""
+    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place. It
+    is the displacement in operation: heat does not change it."""
     radial_load_y: ArrayLike | None = None
     radial_displacement_y: ArrayLike | None = None
     radial_load_z: ArrayLike | None = None

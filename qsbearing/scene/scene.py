@@ -130,9 +130,11 @@ class Scene:
     def axial_datum_shift(self) -> NDArray:
         """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m].
 
-        Displacements count from where it does so at rest and cold, with the groove centres in their rings.
+        Displacements count from where it does so at rest and cold; heat moves the groove centres axially in their
+        rings, fits and rotation do not.
         """
-        return self.operating_bearing.touching_offset - self.bearing.touching_offset
+        moved = 0.0 if self.ring_expansion is None else sum(self.ring_expansion.axial_growth(self.bearing))
+        return np.asarray(self.operating_bearing.touching_offset - self.bearing.touching_offset - moved)
 
     @property
     def is_reshaped(self) -> bool:

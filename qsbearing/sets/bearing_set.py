@@ -42,7 +42,8 @@ class Row:
 
     bearing: BallBearing
     position: ArrayLike = 0.0
-    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle [m]."""
+    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle; at the reference
+    temperature [m]."""
     carries: Direction = Direction.PLUS
     """As a member or as its word."""
     offset: ArrayLike = 0.0
@@ -78,6 +79,9 @@ class BearingSet:
         axial_displacement: how far both directions together are pressed from touching, half of it each; held likewise;
         spring: the force on the outer rings of the sprung rows, which slide together.
     It leaves the shaft's axial channel free for a load or a displacement of its own.
+
+    With ring expansion, inner rings part as the shaft grows between them and outer ones as the housing does, both from
+    the reference position; offsets and held displacements are lengths of the shaft.
 
     Raises:
         SceneError: parts that do not fit together; every error, at once.

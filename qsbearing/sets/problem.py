@@ -16,7 +16,7 @@ from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
 from qsbearing.sets.outcome import Outcome
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, row_matrix
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, offset_in_operation, row_matrix
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.solution import Solution
 
@@ -43,7 +43,8 @@ class Problem:
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
         self.makers = [CaseMaker(scene, dict(given)) for scene in scenes]
         self.matrices = np.stack([row_matrix(of, number, self.shape) for number in range(len(of.rows))])
-        self.offsets = np.nan_to_num([self._flat(offset) for offset in offsets])
+        warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
+        self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self.outcome = Outcome.of(self.count)
         self.found = empty(len(of.rows), self.count, max(maker.ball_axis for maker in self.makers))
         """Of all rows: row, case, ball."""

@@ -181,13 +181,14 @@ def test_growth_takes_the_clearance_that_it_takes() -> None:
 
 
 def test_displacements_count_from_rest_and_cold() -> None:
-    """With the ring held in its place, groove centres stand apart by what the cold bearing says axially and the grown
-    one radially: hypot(A1, A2) is the contact line's length."""
+    """With the ring held in its place, groove centres stand apart axially by what the cold bearing says and the heat of
+    the inner ring adds, and radially as in the grown one: hypot(A1, A2) is the contact line's length."""
     place = 25 * qs.um
     effect = rings(inner_ring_temperature=hot(60), shaft_interference=30 * qs.um)
     solution = solved(expanded(effect, qs.BallExpansion(hot(40)), axial_displacement=place))
     grown = solution.scene.operating_bearing
     a1 = B218.groove_centre_distance * np.sin(B218.free_contact_angle) + place
+    a1 += 12e-6 * 40 * (B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)
     a2 = grown.inner_groove_centre_radius - grown.outer_groove_centre_radius
     line = solution.inner.approach + solution.outer.approach + grown.groove_centre_distance
     np.testing.assert_allclose(line, np.hypot(a1, a2), rtol=ROUNDING)

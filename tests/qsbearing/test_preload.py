@@ -15,6 +15,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE, resting, solved
+from tests.qsbearing.similarity import GROWN, cold_fits, grown, warm_fits
 
 HOT = 90.0 + qs.zero_celsius
 
@@ -75,9 +76,46 @@ def test_growing_rings_raise_what_a_moved_datum_would_lower() -> None:
     assert B218.diametral_clearance - tight.diametral_clearance == pytest.approx(10 * qs.um - grooves, rel=1e-9)
     trap = solved(resting(replace(B218, **lengths(tight)), axial_displacement=found.displacement[0])).load[0]
     assert trap < 2000.0 < 2500.0 < found.load[0]
-    # The ring where it is, seen from where the tight bearing touches.
-    moved = found.displacement[0] - (tight.touching_offset - B218.touching_offset)
+    # The ring where it is, its groove's centre further in it, seen from where the tight bearing touches.
+    further = 5 * qs.um / float(B218.inner_groove_centre_radius) * B218.groove_centre_offsets[0]
+    moved = found.displacement[0] + further - (tight.touching_offset - B218.touching_offset)
     assert solved(resting(tight, axial_displacement=moved)).load[0] == pytest.approx(found.load[0], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("preload", "power"),
+    [({"spring": 3000.0}, 0), ({"rigid": 3000.0}, 2), ({"axial_displacement": 20 * qs.um}, 1)],
+)
+def test_uniform_heat_is_a_similarity(preload: dict[str, float], power: int) -> None:
+    """All lengths grow by s = 1 + alpha dT, held displacements among them, and forces by s^2, but for a spring's: the
+    grown bearing, cold and with grown fits, is the same."""
+    (kind, value), s = *preload.items(), GROWN
+    loads = {"radial_load_y": 2e3, "radial_load_z": 500.0, "moment_y": 0.0, "moment_z": 30.0}
+    warm = solved(qs.Scene(B218, qs.Operation(**loads), ring_effects=warm_fits(), preload=qs.Preload(**preload)))
+    given = qs.Preload(**{kind: value * s**power})
+    same = solved(qs.Scene(grown(), qs.Operation(**loads), ring_effects=cold_fits(), preload=given))
+    for name in ("angle", "load", "max_pressure"):
+        np.testing.assert_allclose(getattr(warm.inner, name), getattr(same.inner, name), rtol=1e-8)
+    np.testing.assert_allclose(warm.load, same.load, rtol=1e-8, atol=1e-6)
+    np.testing.assert_allclose(warm.displacement, same.displacement, rtol=1e-8, atol=1e-15)
+
+
+def test_groove_centres_move_axially_in_their_rings_and_held_displacements_with_the_shaft() -> None:
+    """The groove centres, d and the touching ball: (r - D/2) sin a0 of each ring, and what the preload has moved the
+    inner ring by, grow with their bodies; balls of another temperature do not matter to where grooves are."""
+    bodies = {"shaft": 60.0, "inner_ring": 50.0, "outer_ring": 35.0}
+    scene = preloaded(
+        qs.Preload(rigid=2e3),
+        *warm_fits(**{body: celsius + qs.zero_celsius for body, celsius in bodies.items()}),
+        bearing=B218,
+    )
+    found = solved(scene)
+    held = solved(resting(axial_load=2e3)).displacement[0]
+    assert found.displacement[0] == pytest.approx(held * (1 + 12e-6 * 40.0), rel=1e-9)
+    line = found.inner.approach[0] + found.outer.approach[0] + found.scene.operating_bearing.groove_centre_distance
+    arm = float(B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)
+    apart = arm * (1 + 12e-6 * 30.0) + arm * (1 + 12e-6 * 15.0) + found.displacement[0]
+    assert line * np.sin(found.inner.angle[0]) == pytest.approx(apart, rel=1e-9)
 
 
 def lengths(bearing: qs.BallBearing) -> dict[str, Any]:
