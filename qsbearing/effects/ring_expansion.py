@@ -25,7 +25,7 @@ Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -35,7 +35,7 @@ from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_p
 from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
+from qsbearing.effects.ring_expansion_errors import TEMPERATURES, expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
 from qsbearing.validation import LENGTH, ErrorDetail, first, raise_if_any
 
@@ -200,6 +200,12 @@ class RingExpansion:
     def _ring_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
         inner, outer = (_strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer"))
         return inner, outer
+
+    @property
+    def without_heat(self) -> RingExpansion:
+        """The same rings and seats at the reference temperature."""
+        none = dict.fromkeys(TEMPERATURES)
+        return replace(self, **none, reference_temperature=RingExpansion.reference_temperature)
 
     @property
     def is_warm(self) -> bool:

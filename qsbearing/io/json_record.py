@@ -91,13 +91,17 @@ def choices(scene: Scene) -> dict[str, str | None]:
 
 
 def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
-    """The preload as mounted and in operation; None where the scene has none."""
+    """The preload before fitting, mounted and in operation; None where the scene has none."""
     if solution.scene.preload is None:
         return None
     return {
         "kind": solution.scene.preload.kind,
         "at_rest_N": number(np.asarray(solution.preload_at_rest)[index]),
+        "unmounted_N": number(np.asarray(solution.preload_unmounted)[index]),
+        "mounted_N": number(np.asarray(solution.preload_mounted)[index]),
         "in_operation_N": number(solution.load[index][0]),
+        "share": number(np.asarray(solution.preload_share)[index]),
+        "state": str(np.asarray(solution.preload_state)[index]) or None,
         "axial_displacement_um": number(solution.displacement[index][0] / um),
     }
 

@@ -66,7 +66,7 @@ def _temperatures(found: dict[str, Any]) -> list[Table]:
     tables = []
     for number, row in enumerate(rows, 1):
         for table in temperature_tables(row):
-            table.title = f"Temperatures of row {number}"
+            table.title = f"Row {number}. {table.title}"
             tables.append(table)
     return tables
 
@@ -115,12 +115,15 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
         table.add_row(*place, *(digits(load, noise) for load in loads))
     if all(row["preload_state"] is None for row in found["rows"]):
         return [table]
-    columns = ("row", "at rest\nN", "in operation\nN", "with the loads\nN", "")
-    preload = plain_table("Preload: axial load of each row, without external loads and with them", columns, left=(0, 4))
+    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of what\nis given %")
+    preload = plain_table(
+        "Preload: axial load of each row, without external loads and with them", ("row", *heads, ""), left=(0, 6)
+    )
     for number, row in enumerate(found["rows"], 1):
-        loads = [row["preload_at_rest_N"], row["preload_in_operation_N"], row["axial_load_N"]]
-        state = (row["preload_state"] or "").replace("_", " ")
-        preload.add_row(str(number), *(digits(load, noise) for load in loads), state)
+        loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
+        share = "-" if row["preload_share"] is None else f"{100.0 * row['preload_share']:.3g}"
+        state = row["preload_state"] or ""
+        preload.add_row(str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state)
     return [table, preload]
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
-from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.scene.operation import CHANNELS, TURNING, Operation
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
@@ -19,9 +19,6 @@ from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, offset_in_operation, row_matrix
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.solution import Solution
-
-TURNING = ("speed", "outer_speed", "first_ball_azimuth")
-"""What of an operation is not a channel's."""
 
 
 class Problem:

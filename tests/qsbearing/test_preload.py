@@ -157,6 +157,62 @@ def test_any_preload_can_be_mounted_that_does_not_crush_the_bearing() -> None:
     assert np.isnan(solution.preload_at_rest[5])
 
 
+@pytest.mark.parametrize("rpm", [0.0, 8_000.0])
+def test_a_preload_before_fitting_mounted_and_in_operation(rpm: float) -> None:
+    """Three solves by hand: the cold bearing at the place that 300 N took, with its fit at rest, and in operation."""
+    fit = {"shaft_interference": 8 * qs.um}
+    tight, warm = rings(**fit), rings(**fit, inner_ring_temperature=50 + qs.zero_celsius)
+    found = solved(preloaded(qs.Preload(rigid=300.0), warm, speed=rpm * qs.rpm, radial_load_y=50.0, tilt_z=0.0))
+    place = solved(resting(SPINDLE, axial_load=300.0)).displacement[0]
+    mounted = solved(replace(resting(SPINDLE, axial_displacement=place), ring_effects=(tight,))).load[0]
+    alone = solved(preloaded(qs.Preload(rigid=300.0), warm, speed=rpm * qs.rpm)).load[0]
+    assert found.preload_unmounted == found.preload_at_rest == pytest.approx(300.0, rel=1e-9)
+    assert found.preload_mounted == pytest.approx(mounted, rel=1e-9)
+    assert mounted > 450.0
+    assert found.preload_in_operation == pytest.approx(alone, rel=1e-9)
+    # given as the mounted load, it is the same preload
+    given = qs.Preload(mounted=mounted)
+    same = solved(replace(found.scene, preload=given))
+    np.testing.assert_allclose(same.displacement, found.displacement, rtol=1e-9, atol=1e-15)
+    assert same.preload_at_rest == same.preload_mounted == pytest.approx(mounted, rel=1e-9)
+    assert same.preload_unmounted == pytest.approx(300.0, rel=1e-9)
+    cold = solved(preloaded(given, tight))
+    assert cold.load[0] == pytest.approx(mounted, rel=1e-9), "at rest and cold it is what it says"
+
+
+def preload_warnings(preload: qs.Preload, *ring_effects: Any, **operation: Any) -> list[str]:
+    """What is said of the preload itself."""
+    said = qs.warnings(qs.solve(preloaded(preload, *ring_effects, **operation)))
+    return [each for each in said if each.startswith("Preload")]
+
+
+def test_a_bearing_warns_of_a_preload_that_has_grown_or_fallen() -> None:
+    """By the judgement of sets: beyond three times, below a hundredth; below half, what is left and the stiffness."""
+    rigid = qs.Preload(rigid=300.0)
+    assert preload_warnings(rigid) == preload_warnings(qs.Preload(spring=300.0), speed=12_000 * qs.rpm) == []
+    fit = rings(shaft_interference=20 * qs.um)
+    (said,) = preload_warnings(rigid, fit)
+    found = solved(preloaded(rigid, fit))
+    assert found.preload_state == "excessive"
+    three = f"{found.preload_unmounted:.4g} N before fitting, {found.preload_mounted:.4g} N mounted"
+    assert said.startswith(
+        f"Preload excessive: the bearing is pressed by {three} and {found.load[0]:.4g} N in operation"
+    )
+    assert preload_warnings(qs.Preload(mounted=300.0), fit) == [], "the fit is in it"
+    (lost,) = preload_warnings(rigid, rings(outer_ring_temperature=60 + qs.zero_celsius))
+    assert lost == "Preload lost: the bearing carries 0 N of the 300 N before fitting."
+    warm = rings(outer_ring_temperature=22.5 + qs.zero_celsius)
+    (fallen,), found = preload_warnings(rigid, warm), solved(preloaded(rigid, warm))
+    assert 0.01 < found.preload_share < 0.5
+    assert found.preload_state == "maintained"
+    before = solved(preloaded(rigid)).stiffness[0, 0] / 1e6
+    assert f"{found.load[0]:.4g} N, {100 * found.preload_share:.2g} % of the 300 N before fitting" in fallen
+    assert f"fell from {before:.4g} N/um mounted to {found.stiffness[0, 0] / 1e6:.4g} N/um" in fallen
+    several = solved(preloaded(qs.Preload(rigid=np.array([300.0, 5000.0])), fit))
+    assert list(several.preload_state) == ["excessive", "maintained"]
+    assert qs.warnings(several)[0].startswith("1 of 2 cases, the first 0: Preload excessive")
+
+
 # Files and results ----------------------------------------------------------------------------------------------------
 
 HEAD = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 12000\n'
@@ -168,6 +224,7 @@ EFFECTS = '[effects]\nball = ["centrifugal_force"]\nraceway_control = "outer"\n'
     [
         ("spring_N", 400, qs.Preload(spring=400.0)),
         ("rigid_N", 400, qs.Preload(rigid=400.0)),
+        ("mounted_N", 400, qs.Preload(mounted=400.0)),
         ("axial_displacement_um", 5, qs.Preload(axial_displacement=5e-6)),
     ],
 )
@@ -181,14 +238,19 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
     assert found["kind"] == preload.kind
     assert found["at_rest_N"] == pytest.approx(solution.preload_at_rest, rel=1e-9)
     assert found["in_operation_N"] == pytest.approx(solution.load[0], rel=1e-9)
+    assert found["unmounted_N"] == found["mounted_N"] == found["at_rest_N"], "without fits"
+    share = solution.load[0] / solution.preload_at_rest
+    assert (found["share"], found["state"]) == (pytest.approx(share, rel=1e-9), solution.preload_state)
     shown = CliRunner().invoke(cli, ["run", str(file), "--csv", str(target)]).stdout
-    assert f"{found['at_rest_N']:.6g} N at rest and cold, {found['in_operation_N']:.6g} N in operation" in " ".join(
-        shown.split()
+    three = (
+        "{unmounted_N:.6g} N before fitting, {mounted_N:.6g} N mounted, at rest, {in_operation_N:.6g} N in operation"
     )
+    assert f"{three.format(**found)}: {found['state']}, {100 * share:.3g} % of what is given" in " ".join(shown.split())
     with target.open(newline="") as written:
         row = next(csv.DictReader(written))
     assert float(row[f"preload_{key}"]) == pytest.approx(value)
-    assert float(row["preload_at_rest_N"]) == pytest.approx(found["at_rest_N"], rel=1e-12)
+    for state in ("at_rest_N", "unmounted_N", "mounted_N"):
+        assert float(row[f"preload_{state}"]) == pytest.approx(found[state], rel=1e-12)
     assert json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).stdout)["preload"] is None
 
 

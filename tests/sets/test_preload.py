@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.sets.preload_summary import preload_summary
 from qsbearing.sets.rigid_shaft import growth_along
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
@@ -235,6 +237,62 @@ def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner:
     assert found.preload_in_operation == pytest.approx(found.axial_loads, rel=1e-8, abs=1e-9)
     if outer > 20.0 and not speed:
         assert list(found.preload_state) == ["lost", "lost"]
+
+
+# Fits ---------------------------------------------------------------------------------------------------------------
+
+
+def fitted_pair(preload: qs.Preload, interference: float = 8 * qs.um, **operation: Any) -> qs.BearingSet:
+    """Two rows of S 6210 C on a fit."""
+    rings = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, shaft_interference=interference)
+    return qs.BearingSet(rows("DB"), qs.Operation(**operation), preload, ring_effects=(rings,))
+
+
+def test_a_preload_before_fitting_mounted_and_in_operation() -> None:
+    """Each row is the bearing alone with its fit, where the preload took it; given mounted, it is the same set."""
+    found = solved(fitted_pair(qs.Preload(rigid=300.0), axial_load=50.0))
+    alone = qs.solve(
+        qs.Scene(S6210C, qs.Operation(), ring_effects=found.set.ring_effects, preload=qs.Preload(rigid=300.0))
+    )
+    np.testing.assert_allclose(found.preload_unmounted, 300.0, rtol=1e-9)
+    np.testing.assert_allclose(found.preload_at_rest, 300.0, rtol=1e-9)
+    np.testing.assert_allclose(found.preload_mounted, alone.load[0], rtol=1e-9)
+    np.testing.assert_allclose(found.preload_in_operation, found.preload_mounted, rtol=1e-9)
+    mounted = solved(fitted_pair(qs.Preload(mounted=alone.load[0]), axial_load=50.0))
+    np.testing.assert_allclose(mounted.axial_loads, found.axial_loads, rtol=1e-9)
+    np.testing.assert_allclose(mounted.preload_at_rest, alone.load[0], rtol=1e-9)
+    np.testing.assert_allclose(mounted.preload_unmounted, 300.0, rtol=1e-9)
+    assert alone.load[0] > 600.0
+    assert list(mounted.preload_state) == ["maintained", "maintained"]
+
+
+def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
+    found = solved(fitted_pair(qs.Preload(rigid=300.0), 20 * qs.um))
+    first = found.warnings()[0]
+    assert first.startswith("Preload excessive: row 1 (S 6210 C, carries +x) is pressed by 300 N before fitting, ")
+    assert f"{found.preload_mounted[0]:.4g} N mounted and {found.preload_in_operation[0]:.4g} N in operation" in first
+    assert not any("at speed" in each for each in [*found.warnings(), *preload_summary(found)])
+    assert any(
+        each.startswith("Fitting changes what presses the rows from 300 N to") for each in preload_summary(found)
+    )
+    (excessive, _) = qs.preload_speeds(found.set, 1_000 * qs.rpm)
+    assert excessive.sentence.endswith("more than 3 times what is given, already at rest, under these loads.")
+
+
+def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
+    """Where a load relieves a row: its share, and how its stiffness fell."""
+    found = solved(pair("DB", 720.0, axial_load=1300.0))
+    share = found.axial_loads[1] / 720.0
+    assert list(found.preload_state) == ["maintained", "maintained"]
+    assert found.preload_share[1] == pytest.approx(share, rel=1e-9)
+    assert 0.01 < share < 0.5
+    (said,) = (each for each in found.warnings() if each.startswith("Preload"))
+    assert said.startswith(f"Preload reduced: row 2 (S 6210 C, carries -x) carries {found.axial_loads[1]:.4g} N")
+    before, now = (each.rows[1].stiffness[0, 0] / 1e6 for each in (found.mounted, found))
+    assert f"{100 * share:.2g} % of the 720 N before fitting; its axial stiffness fell from {before:.4g}" in said
+    assert f"to {now:.4g} N/um" in said
+    many = solved(pair("DB", 720.0, axial_load=np.array([0.0, 1300.0])))
+    assert "1 of 2 cases: row 2 (S 6210 C, carries -x) carries less than half of its preload." in many.warnings()
 
 
 # Heat -----------------------------------------------------------------------------------------------------------------
