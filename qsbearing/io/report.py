@@ -17,6 +17,7 @@ from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table
+from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
@@ -126,7 +127,7 @@ def preload_text(preload: dict[str, Any]) -> str:
     text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
     if preload["share"] is None:
         return text
-    return f"{text}: {preload['state']}, {100.0 * preload['share']:.3g} % of what is given"
+    return f"{text}: {preload['state']}, {percent(preload['share'])} of what is given"
 
 
 def ending(found: dict[str, Any]) -> Text:

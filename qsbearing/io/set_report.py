@@ -23,6 +23,7 @@ from qsbearing.io.report import (
 )
 from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
+from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
@@ -115,13 +116,13 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
         table.add_row(*place, *(digits(load, noise) for load in loads))
     if all(row["preload_state"] is None for row in found["rows"]):
         return [table]
-    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of what\nis given %")
+    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of what\nis given")
     preload = plain_table(
         "Preload: axial load of each row, without external loads and with them", ("row", *heads, ""), left=(0, 6)
     )
     for number, row in enumerate(found["rows"], 1):
         loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
-        share = "-" if row["preload_share"] is None else f"{100.0 * row['preload_share']:.3g}"
+        share = "-" if row["preload_share"] is None else percent(row["preload_share"])
         state = row["preload_state"] or ""
         preload.add_row(str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state)
     return [table, preload]

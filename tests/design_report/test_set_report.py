@@ -12,6 +12,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.design_report import set_curves
+from qsbearing.judgement import percent
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
 from tests.sets.arrangements import PAIR_FILE
@@ -124,7 +125,7 @@ def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
     forces = np.array([[float(cell) for cell in line[1:5]] for line in preload])
     known = solution.preload_unmounted, solution.preload_mounted, solution.preload_in_operation, solution.axial_loads
     np.testing.assert_allclose(forces, np.transpose(known), rtol=1e-5)
-    np.testing.assert_allclose([float(line[5]) for line in preload], 100.0 * solution.preload_share, rtol=5e-3)
+    assert [line[5] for line in preload] == [percent(share) for share in solution.preload_share]
     assert [line[6] for line in preload] == list(solution.preload_state)
     contacts = list(tables_with(page, "angle i deg", "load o N", "p0 i MPa"))
     assert len(contacts) == len(solution.rows)

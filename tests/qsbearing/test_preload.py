@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.judgement import percent
 from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE, resting, solved
 from tests.qsbearing.similarity import GROWN, cold_fits, grown, warm_fits
 
@@ -245,7 +246,7 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
     three = (
         "{unmounted_N:.6g} N before fitting, {mounted_N:.6g} N mounted, at rest, {in_operation_N:.6g} N in operation"
     )
-    assert f"{three.format(**found)}: {found['state']}, {100 * share:.3g} % of what is given" in " ".join(shown.split())
+    assert f"{three.format(**found)}: {found['state']}, {percent(share)} of what is given" in " ".join(shown.split())
     with target.open(newline="") as written:
         row = next(csv.DictReader(written))
     assert float(row[f"preload_{key}"]) == pytest.approx(value)
