@@ -117,7 +117,8 @@ def columns(solution: Solution) -> dict[str, NDArray]:
         values = solution.stiffness[..., row, column]
         out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
     if solution.preload_at_rest is not None:
-        out["preload_at_rest_N"] = per_case(solution.preload_at_rest)
+        for state in ("at_rest", "unmounted", "mounted"):
+            out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
     for name, values in _expansion(solution).items():
         out[name] = per_case(np.broadcast_to(values, solution.shape))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing import preload_state
 from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.case_index import Index
 from qsbearing.contact.first_yield import FIRST_YIELD_SHEAR, first_yield_pressure
@@ -25,6 +26,7 @@ from qsbearing.kernel.admissibility import (
     UNSUPPORTED,
 )
 from qsbearing.missing_messages import data_warnings, missing_warnings
+from qsbearing.preload_state import PreloadLoads, PreloadState
 from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
@@ -71,13 +73,13 @@ def message(solution: Solution | SetSolution, index: Index = None) -> str:
             f"Balls and ring are in equilibrium: largest imbalance {result['residual']:.1e} of the largest force, "
             f"after {result['iterations']} iterations."
         )
-    if solution._mounted is not None:
-        mounted = solution._mounted
-        numbers = np.arange(mounted._maker.count).reshape(mounted.shape)
+    if solution._preloaded is not None:
+        preloaded = solution._preloaded
+        numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
-        if mounted._results[number]["status"] != CONVERGED:
-            place = tuple(map(int, np.unravel_index(number, mounted.shape))) if mounted.shape else None
-            return f"At rest and cold, under its preload alone: {message(mounted, place)}"
+        if preloaded._results[number]["status"] != CONVERGED:
+            place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
+            return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
     if code == NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
     return (
@@ -184,6 +186,7 @@ def warnings(solution: Solution | SetSolution, index: Index = None) -> list[str]
 
 def _all_warnings(solution: Solution, part: slice) -> Warnings:
     """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
+    yield from _preload_warnings(solution, part)
     yield from _ring_warnings(solution, part)
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
@@ -194,6 +197,40 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield from _pressure_warnings(solution, pressure)
     yield from _sparse_warning(solution, part)
+
+
+def _preload_warnings(solution: Solution, part: slice) -> Warnings:
+    """A preload that is held and has been lost, has fallen or has grown."""
+    preload, found = solution.scene.preload, solution.preload_loads
+    if preload is None or preload.kind == "spring" or found is None:
+        return
+
+    def cases(values: Any) -> NDArray:
+        return np.broadcast_to(values, solution.shape).reshape(-1)[part]
+
+    loads = PreloadLoads(*map(cases, found))
+    words, who = preload_state.states(loads), "the bearing"
+
+    def of(i: int) -> PreloadLoads:
+        return PreloadLoads(*(float(each[i]) for each in loads))
+
+    def stiffness(each: Solution, i: int) -> float:
+        return float(cases(each.stiffness[..., 0, 0])[i])
+
+    yield words == PreloadState.LOST, lambda i: preload_state.lost(who, of(i), preload.state)
+    yield (
+        preload_state.is_reduced(loads),
+        lambda i: preload_state.reduced(
+            *(who, of(i), preload.state),
+            *(stiffness(solution._at_rest(True) or solution, i), stiffness(solution, i)),
+        ),
+    )
+    yield (
+        words == PreloadState.EXCESSIVE,
+        lambda i: preload_state.excessive(
+            *(who, of(i)), *(float(cases(each)[i]) for each in (solution.preload_unmounted, solution.preload_mounted))
+        ),
+    )
 
 
 def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:

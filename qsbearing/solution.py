@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import ring_stiffness
+from qsbearing import preload_state, ring_stiffness
 from qsbearing.case_index import Index, Place, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.effects import OperatingPoint, RingState
@@ -17,6 +18,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
+from qsbearing.preload_state import PreloadLoads
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.scene import Scene
 from qsbearing.solved_cases import SolvedCases
@@ -64,12 +66,14 @@ class Solution:
         controls: NDArray,
         seconds: float,
         threads: int,
-        mounted: Solution | None = None,
+        preloaded: Solution | None = None,
+        solve: Callable[[Scene], Solution] | None = None,
     ) -> None:
         self.scene: Scene = maker.scene
         self.shape = maker.shape
         self._maker = maker
-        self._mounted = mounted
+        self._preloaded = preloaded
+        self._solve = solve
         self._solved = SolvedCases(maker, cases, results, positions, controls, threads)
         self._results = results
         self._positions = positions
@@ -306,15 +310,68 @@ class Solution:
 
     @cached_property
     def preload_at_rest(self) -> Any:
-        """The axial load at rest and cold, nothing else acting; shape (*cases) [N]; None without a preload.
+        """The preload as it is given: the axial load at rest and cold, nothing else acting, before fitting or, with
+        `Preload(mounted=...)`, after it; shape (*cases) [N]; None without a preload.
 
         What it has become in operation is the axial load, `load[..., 0]`.
         """
         preload = self.scene.preload
         if preload is None:
             return None
-        at_rest = preload.spring if self._mounted is None else self._mounted.load[..., 0]
+        at_rest = preload.spring if self._preloaded is None else self._preloaded.load[..., 0]
         return np.broadcast_to(np.asarray(at_rest, float), self.shape)[()]
+
+    @cached_property
+    def preload_unmounted(self) -> Any:
+        """The axial load at rest and cold, before fitting, the rings where the preload holds them; likewise."""
+        return self._preload_of(self._at_rest(False))
+
+    @cached_property
+    def preload_mounted(self) -> Any:
+        """The same after fitting, at the reference temperature; likewise."""
+        return self._preload_of(self._at_rest(True))
+
+    @cached_property
+    def preload_in_operation(self) -> Any:
+        """The axial load in operation without radial loads and moments, straight and centred; likewise."""
+        if self._preloaded is None or self._solve is None:
+            return self.preload_at_rest
+        return self._preload_of(self._solve(replace(self.scene, operation=self.scene.operation.unloaded, readings={})))
+
+    def _at_rest(self, fitted: bool) -> Solution | None:
+        """The bearing before or after fitting, the rings where the preload holds them; None where none does."""
+        if self._preloaded is None or self._solve is None or self.scene.preload is None:
+            return None
+        if fitted == self.scene.preload.is_given_mounted:
+            return self._preloaded
+        held = np.nan_to_num(self._preloaded.displacement[..., 0])[()]
+        return self._solve(self.scene.at_rest(fitted, axial_displacement=held))
+
+    def _preload_of(self, other: Solution | None) -> Any:
+        if other is None:
+            return self.preload_at_rest
+        load = np.where(np.isnan(self.preload_at_rest), np.nan, other.load[..., 0])
+        return np.broadcast_to(load, self.shape)[()]
+
+    @cached_property
+    def preload_loads(self) -> PreloadLoads | None:
+        """What is given, left without radial loads and moments, and carried; fields (*cases); None likewise."""
+        if self.preload_at_rest is None:
+            return None
+        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.load[..., 0])
+
+    @cached_property
+    def preload_state(self) -> Any:
+        """maintained, lost or excessive; shape (*cases); empty where not solved; None likewise.
+
+        Lost: in operation below 1 % of what is given. Excessive: without radial loads and moments above three times it.
+        """
+        return None if self.preload_loads is None else preload_state.states(self.preload_loads)[()]
+
+    @property
+    def preload_share(self) -> Any:
+        """What is carried in operation over what is given; shape (*cases); NaN where nothing is; None likewise."""
+        return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]
 
     @cached_property
     def inner_ring(self) -> RingState | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -44,8 +45,9 @@ def solve(
     if scene.tolerance is not None:
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
     began = time.perf_counter()
-    mounted = None if scene.as_mounted is None else solve(scene.as_mounted, threads=threads)
-    maker = CaseMaker(scene, _preloaded(scene, mounted))
+    as_preloaded = scene.as_preloaded
+    preloaded = None if as_preloaded is None else solve(as_preloaded, threads=threads)
+    maker = CaseMaker(scene, _preloaded(scene, preloaded))
     count = maker.count
     found = _start(start, maker)
     made: dict[int, NDArray] = {}
@@ -66,16 +68,19 @@ def solve(
 
     in_threads(solve_stretch, count, workers)
     cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
-    return Solution(maker, cases, *found, time.perf_counter() - began, workers, mounted)
+    again = partial(solve, threads=threads)
+    return Solution(maker, cases, *found, time.perf_counter() - began, workers, preloaded, again)
 
 
-def _preloaded(scene: Scene, mounted: Solution | None) -> dict[str, Any]:
+def _preloaded(scene: Scene, preloaded: Solution | None) -> dict[str, Any]:
     """What the preload makes of the axial channel."""
     if scene.preload is None:
         return {}
-    if mounted is None:
+    if preloaded is None:
         return {"axial_load": scene.preload.spring}
-    return {"axial_displacement": mounted.displacement[..., 0]}
+    held, rings = preloaded.displacement[..., 0], scene.ring_expansion
+    # A length of the shaft, which grows as it does.
+    return {"axial_displacement": held if rings is None else held * (1.0 + rings.seat_strains(scene.bearing)[0])}
 
 
 def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:

@@ -13,7 +13,7 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
 from qsbearing.scene.operation import CHANNELS, Operation
-from qsbearing.scene.preload import Preload
+from qsbearing.scene.preload import FORCES, Preload
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.solver import solve
@@ -71,7 +71,7 @@ def _loaded(scene: Scene, parts: NDArray) -> Scene | None:
     operation: Operation = replace(scene.operation, **loads)
     preload: Preload | None = scene.preload
     if preload is not None:
-        forces = {kind: getattr(preload, kind) for kind in ("spring", "rigid")}
+        forces = {kind: getattr(preload, kind) for kind in FORCES}
         given = {kind: float(value) * parts for kind, value in forces.items() if value is not None}
         loads |= given
         preload = replace(preload, **given)

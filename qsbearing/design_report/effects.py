@@ -27,7 +27,8 @@ STEADY = (
     "load."
 )
 OF_SETS = (
-    "Shaft and housing are rigid: rows keep their distance, nothing bends, and nothing grows along the shaft with heat."
+    "Shaft and housing are rigid: nothing bends, and rows keep their distances but for what heat makes of them, by the "
+    "temperatures of shaft and housing in the input."
 )
 RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
+from qsbearing.effects import RingExpansion
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.scene_file import load_scene
@@ -27,6 +28,7 @@ from qsbearing.scene.keys import (
     Key,
 )
 from qsbearing.scene.scene import CHOICES, Scene
+from qsbearing.units import zero_celsius
 
 Line = tuple[str, str, str, str]
 FOLLOWS = {
@@ -123,6 +125,17 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
                 found.append((f"{effect.name}.{key.name}", _text(key.in_file(float(value))), key.unit, ""))
             elif isinstance(value, str):
                 found.append((each.name, str(value), "", ""))
+        if isinstance(effect, RingExpansion) and effect.is_warm:
+            found += [
+                (
+                    f"{effect.name}.{body}_temperature_C",
+                    _text(each.value - zero_celsius),
+                    "C",
+                    f"left out: {each.taken_from}",
+                )
+                for body, each in effect.temperatures.items()
+                if each.taken_from != "given"
+            ]
     return found
 
 

@@ -44,11 +44,11 @@ def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, An
     """
     lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
     lines: list[Line | Group] = [*ring_lines(solution, "shaft", lever), *_system_life_lines(readings)]
-    at_rest = solution.preload_at_rest
     for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
         axial = f"{_number(float(solution.axial_loads[number]))} N"
-        if at_rest is not None:
-            axial += f"; {_number(float(at_rest[number]))} N at rest and cold, by the preload alone"
+        if solution.preload_unmounted is not None and solution.preload_mounted is not None:
+            axial += f"; by the preload alone {_number(float(solution.preload_unmounted[number]))} N before fitting, "
+            axial += f"{_number(float(solution.preload_mounted[number]))} N mounted"
         lines += [Group(capital(row_name(solution.set.rows[number], number))), ("axial load", axial)]
         lines += [*contact_lines(row), *_life_lines(found)]
     return Table(HEADINGS, lines, "ll")
@@ -108,11 +108,11 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
 
 
 def _preload_lines(solution: Solution) -> list[Line]:
-    preload = solution.preload_at_rest if solution.scene.preload is not None else None
-    if preload is None:
+    if solution.scene.preload is None:
         return []
-    text = f"{_number(float(preload))} N at rest and cold, {_number(float(solution.load[0]))} N in operation"
-    return [("preload", text)]
+    loads = (solution.preload_unmounted, solution.preload_mounted, solution.load[0])
+    words = ("before fitting", "mounted, at rest", "in operation")
+    return [("preload", ", ".join(f"{_number(float(load))} N {word}" for load, word in zip(loads, words, strict=True)))]
 
 
 def _channels(

@@ -79,9 +79,9 @@ def _preload(of: BearingSet) -> list[Block]:
     own = float(np.asarray(getattr(of.preload, kind)))
     if own == 0.0:
         return []
-    name, size = ("spring force, N", 1.0) if kind == "spring" else ("preload as mounted, N", 1.0)
+    name, size = ("spring force, N", 1.0) if kind == "spring" else (f"preload {of.preload.state}, N", 1.0)
     if kind == "axial_displacement":
-        name, size = "preload as mounted, µm", um
+        name, size = "preload before fitting, µm", um
     values = own * np.linspace(*LOAD_RANGE, POINTS)
     swept = solve_set(replace(of, preload=replace(of.preload, **{kind: values}), readings={}))
     return _shown(swept, _figure(swept, values / size, own / size, name, []), "the preload, the loads as they are", [])

@@ -52,8 +52,14 @@ def types_in(slot: str) -> dict[str, type]:
 
 
 def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
-    """Those of these ring effects that a bearing has at rest and cold too."""
+    """Those of these ring effects that a bearing has at rest and cold too, before fitting."""
     return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations))
+
+
+def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
+    """Likewise, with its fits."""
+    fits = tuple(effect.without_heat for effect in ring_effects if isinstance(effect, RingExpansion))
+    return (*as_made(ring_effects), *fits)
 
 
 __all__ = [
@@ -70,6 +76,7 @@ __all__ = [
     "RingEffect",
     "RingExpansion",
     "RingState",
+    "as_fitted",
     "as_made",
     "types_in",
 ]

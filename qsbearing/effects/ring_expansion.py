@@ -4,12 +4,15 @@ Source        Timoshenko & Goodier, Theory of Elasticity (annulus.py has the for
               clearance and the free contact angle
 Equation      at a seat, one pressure p = overlap/(c of both bodies), overlap = interference/2 and what shaft less
               ring (or ring less housing) grow freely by rotation and heat; where that is negative, p = 0 and the
-              bodies stand apart. A groove centre moves by heat as the ring there, and by p and rotation as the bottom
-              of its groove; groove radii grow by heat. Clearance, pitch circle and free contact angle follow
+              bodies stand apart. A groove centre moves by heat as the ring there, radially and axially from the plane
+              of the balls' centres, and by p and rotation as the bottom of its groove; groove radii grow by heat.
+              Clearance, pitch circle and free contact angle follow. A displacement that a preload holds, and the
+              distance of inner rings, grow by the heat of the shaft; the distance of outer rings by the housing's
 Assumes       each ring a thick annulus from its seat to the bottom of its groove, shaft and housing annuli (or a solid
               shaft) as long as the ring, plane stress, each body at one temperature; shoulders, ball loads and the
-              flattening of rough seats do not count; groove centres keep their axial places in their rings
-When not      thin-walled housings that are not round, rings held axially, shaft growth between two bearings
+              flattening of rough seats do not count; pressure and rotation move nothing axially
+When not      thin-walled housings that are not round, rings held axially; what a shaft grows between this bearing and
+              one that is not in the scene (a set has both)
 Parameters    bore and outside diameter of the bearing; interference (diametral, negative: a loose fit) at a seat that
               is to be regarded, and there the shaft's bore or the housing's outside diameter; temperatures. A ring
               without a seat grows freely
@@ -22,7 +25,7 @@ Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -32,7 +35,7 @@ from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_p
 from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
+from qsbearing.effects.ring_expansion_errors import TEMPERATURES, expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
 from qsbearing.validation import LENGTH, ErrorDetail, first, raise_if_any
 
@@ -67,6 +70,18 @@ class Body(NamedTuple):
         stress = stress_by_pressure(radius, self.a, self.b, bore_pressure, outside_pressure)
         return displacement(radius, stress, self.elastic)
 
+
+class BodyTemperature(NamedTuple):
+    """A temperature, and where it comes from."""
+
+    value: Any
+    """[K]"""
+    taken_from: str
+    """given, as the inner ring, as the outer ring, or reference temperature."""
+
+
+RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
+"""The ring on or in a seat, whose temperature the seat has where its own is left out."""
 
 Seat = tuple[NDArray, NDArray]
 
@@ -112,8 +127,9 @@ class RingExpansion:
     shaft_material: Material | None = None
     """None: as the rings."""
     shaft_temperature: ArrayLike | None = None
-    """[K]; None, as for the other three: the reference temperature."""
+    """[K]; None: as the inner ring."""
     inner_ring_temperature: ArrayLike | None = None
+    """[K]; None, as for the outer ring: the reference temperature."""
     outer_ring_temperature: ArrayLike | None = None
     housing_interference: ArrayLike | None = None
     """Outside diameter less housing bore, likewise [m]; None: no housing is regarded."""
@@ -121,6 +137,7 @@ class RingExpansion:
     """[m]; needed with a housing."""
     housing_material: Material | None = None
     housing_temperature: ArrayLike | None = None
+    """[K]; None: as the outer ring."""
     reference_temperature: ArrayLike = 20.0 + zero_celsius
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
@@ -159,9 +176,7 @@ class RingExpansion:
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing with its rings expanded."""
         inner, outer = self.states(bearing, operation)
-        inner_strain, outer_strain = (
-            _strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer")
-        )
+        inner_strain, outer_strain = self._ring_strains(bearing)
         return bearing.with_changed_lengths(
             inner_groove_centre=inner.groove_growth,
             outer_groove_centre=outer.groove_growth,
@@ -169,10 +184,50 @@ class RingExpansion:
             outer_groove_radius=outer_strain * np.asarray(bearing.outer_groove_radius, float),
         )
 
+    def axial_growth(self, bearing: BallBearing) -> tuple[NDArray, NDArray]:
+        """By how much heat moves the inner and the outer groove centres axially from the balls' centres [m]."""
+        inner, outer = bearing.groove_centre_offsets
+        strains = self._ring_strains(bearing)
+        return strains[0] * inner, strains[1] * outer
+
+    def seat_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
+        """alpha dT of shaft and housing, which hold a preload and the distances between bearings."""
+        return (
+            _strain(self.shaft_material or bearing.ring_material, self._warmer("shaft")),
+            _strain(self.housing_material or bearing.ring_material, self._warmer("housing")),
+        )
+
+    def _ring_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
+        inner, outer = (_strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer"))
+        return inner, outer
+
+    @property
+    def without_heat(self) -> RingExpansion:
+        """The same rings and seats at the reference temperature."""
+        none = dict.fromkeys(TEMPERATURES)
+        return replace(self, **none, reference_temperature=RingExpansion.reference_temperature)
+
+    @property
+    def is_warm(self) -> bool:
+        """Whether any temperature is given."""
+        return any(each.taken_from == "given" for each in self.temperatures.values())
+
+    @property
+    def temperatures(self) -> dict[str, BodyTemperature]:
+        """Of shaft, inner_ring, outer_ring and housing."""
+        return {body: self._temperature(body) for body in ("shaft", "inner_ring", "outer_ring", "housing")}
+
+    def _temperature(self, body: str) -> BodyTemperature:
+        own = getattr(self, f"{body}_temperature")
+        if own is not None:
+            return BodyTemperature(own, "given")
+        if body not in RING_IN:
+            return BodyTemperature(self.reference_temperature, "reference temperature")
+        return BodyTemperature(self._temperature(RING_IN[body]).value, f"as the {RING_IN[body].replace('_', ' ')}")
+
     def _warmer(self, body: str) -> Any:
         """How much warmer than at the reference temperature [K]."""
-        temperature = getattr(self, f"{body}_temperature")
-        return 0.0 if temperature is None else np.asarray(temperature, float) - np.asarray(self.reference_temperature)
+        return np.asarray(self._temperature(body).value, float) - np.asarray(self.reference_temperature, float)
 
     def _states(
         self,
@@ -228,7 +283,7 @@ def _state(
     radial, hoop = ring.stress(ring.a, bore_pressure, outside_pressure)
     equivalent = np.maximum(np.abs(hoop - radial), np.maximum(np.abs(hoop), np.abs(radial)))
     pressure, gap = (None, None) if seat is None else seat
-    return RingState(pressure, gap, growth + ring.strain * centre, hoop, equivalent)
+    return RingState(pressure, gap, growth * (1.0 + ring.strain) + ring.strain * centre, hoop, equivalent)
 
 
 def _change(point: OperatingPoint) -> GeometryChange:

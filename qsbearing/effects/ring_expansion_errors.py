@@ -125,8 +125,9 @@ def _expansion_missing(effect: RingExpansion, bearing: BallBearing) -> list[Erro
             effect.inner_ring_temperature is not None or effect.outer_ring_temperature is not None,
         )
     }
-    for seat in ("shaft", "housing"):
-        material, is_warm = getattr(effect, f"{seat}_material"), getattr(effect, f"{seat}_temperature") is not None
+    for seat, ring in (("shaft", "inner_ring"), ("housing", "outer_ring")):
+        material = getattr(effect, f"{seat}_material")
+        is_warm = any(getattr(effect, f"{body}_temperature") is not None for body in (seat, ring))
         field = "bearing.ring_material" if material is None else f"{effect.name}.{seat}_material"
         known, before = asked.get(field, (material, False))
         asked[field] = (known, before or is_warm)

@@ -13,7 +13,7 @@ from qsbearing.case_index import Place
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
-from qsbearing.units import deg, um
+from qsbearing.units import deg, um, zero_celsius
 
 
 def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
@@ -41,6 +41,7 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
+        "temperatures": temperatures(solution, index),
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
@@ -90,13 +91,17 @@ def choices(scene: Scene) -> dict[str, str | None]:
 
 
 def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
-    """The preload as mounted and in operation; None where the scene has none."""
+    """The preload before fitting, mounted and in operation; None where the scene has none."""
     if solution.scene.preload is None:
         return None
     return {
         "kind": solution.scene.preload.kind,
         "at_rest_N": number(np.asarray(solution.preload_at_rest)[index]),
+        "unmounted_N": number(np.asarray(solution.preload_unmounted)[index]),
+        "mounted_N": number(np.asarray(solution.preload_mounted)[index]),
         "in_operation_N": number(solution.load[index][0]),
+        "share": number(np.asarray(solution.preload_share)[index]),
+        "state": str(np.asarray(solution.preload_state)[index]) or None,
         "axial_displacement_um": number(solution.displacement[index][0] / um),
     }
 
@@ -114,6 +119,20 @@ def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | 
     return {
         side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
         for side in ("inner", "outer")
+    }
+
+
+def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, Any]] | None:
+    """Of rings, shaft and housing, and whether each is given; None where the scene gives none."""
+    effect = solution.scene.ring_expansion
+    if effect is None or not effect.is_warm:
+        return None
+    return {
+        body: {
+            "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
+            "from": each.taken_from,
+        }
+        for body, each in effect.temperatures.items()
     }
 
 

@@ -17,6 +17,7 @@ from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table
+from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
@@ -116,11 +117,17 @@ def _heading(solution: Solution, found: dict[str, Any]) -> Text:
     solved = found["status"] == "converged"
     preload = found["preload"]
     if preload is not None and solved:
-        lines.append(
-            f"Preload ({preload['kind'].replace('_', ' ')}): {preload['at_rest_N']:.6g} N at rest and cold, "
-            f"{preload['in_operation_N']:.6g} N in operation\n"
-        )
+        lines.append(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}\n")
     return lines.append(ending(found))
+
+
+def preload_text(preload: dict[str, Any]) -> str:
+    """A record's preload in its three states, and what has become of it."""
+    states = (("unmounted_N", "before fitting"), ("mounted_N", "mounted, at rest"), ("in_operation_N", "in operation"))
+    text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
+    if preload["share"] is None:
+        return text
+    return f"{text}: {preload['state']}, {percent(preload['share'])} of what is given"
 
 
 def ending(found: dict[str, Any]) -> Text:
@@ -199,7 +206,17 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for side, state in rings.items():
             table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
         tables.append(table)
-    return tables
+    return tables + temperature_tables(found)
+
+
+def temperature_tables(found: dict[str, Any]) -> list[Table]:
+    """The temperatures that a record was solved with, those that its file leaves out among them."""
+    if found["temperatures"] is None:
+        return []
+    table = plain_table("Temperatures: shaft and housing hold rings and preload", ("", "C", "from"), left=(0, 2))
+    for body, each in found["temperatures"].items():
+        table.add_row(body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+    return [table]
 
 
 def stiffness_table(found: dict[str, Any]) -> Table:

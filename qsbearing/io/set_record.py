@@ -58,7 +58,11 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
 
 def _row(solution: SetSolution, i: int) -> dict[str, Any]:
     row, own = solution.set.rows[i], record(solution.rows[i])
-    at_rest, left, state = solution.preload_at_rest, solution.preload_in_operation, solution.preload_state
+    state = solution.preload_state
+
+    def of_row(values: NDArray | None) -> float | None:
+        return None if values is None else number(values[i])
+
     return {
         "position_mm": float(np.asarray(row.position) / mm),
         "carries": str(row.carries),
@@ -66,8 +70,11 @@ def _row(solution: SetSolution, i: int) -> dict[str, Any]:
         "offset_um": float(np.asarray(row.offset) / um),
         "axial_load_N": number(solution.axial_loads[i]),
         "share": of_channels(LOAD, solution.row_loads[i]),
-        "preload_at_rest_N": None if at_rest is None else number(at_rest[i]),
-        "preload_in_operation_N": None if left is None else number(left[i]),
+        "preload_at_rest_N": of_row(solution.preload_at_rest),
+        "preload_unmounted_N": of_row(solution.preload_unmounted),
+        "preload_mounted_N": of_row(solution.preload_mounted),
+        "preload_in_operation_N": of_row(solution.preload_in_operation),
+        "preload_share": of_row(solution.preload_share),
         "preload_state": None if state is None else str(state[i]) or None,
         **{key: value for key, value in own.items() if key not in OF_THE_SET},
     }

@@ -19,9 +19,11 @@ from qsbearing.io.report import (
     ending,
     stiffness_matrix_table,
     stiffness_table,
+    temperature_tables,
 )
 from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
+from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
@@ -33,7 +35,7 @@ def set_result(solution: SetSolution) -> Group:
     found = set_record(solution)
     parts: list[RenderableType] = [heading(solution, found)]
     if found["status"] == "converged":
-        parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
+        parts += [Padding(table, (1, 0, 0, 0)) for table in [*_tables(solution, found), *_temperatures(found)]]
         for number, row in enumerate(found["rows"]):
             table = contacts_table(distinct(row["balls"]), len(row["balls"]))
             table.title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
@@ -56,6 +58,19 @@ def tables(solution: SetSolution) -> Group:
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
     tables = [_shaft(solution, found), *rows_tables(found), stiffness_table(found)]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
+
+
+def _temperatures(found: dict[str, Any]) -> list[Table]:
+    """Of each row; once where all are alike."""
+    rows = found["rows"]
+    if all(row["temperatures"] == rows[0]["temperatures"] for row in rows):
+        return temperature_tables(rows[0])
+    tables = []
+    for number, row in enumerate(rows, 1):
+        for table in temperature_tables(row):
+            table.title = f"Row {number}. {table.title}"
+            tables.append(table)
+    return tables
 
 
 def _system_life(found: dict[str, Any]) -> list[Text]:
@@ -102,12 +117,15 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
         table.add_row(*place, *(digits(load, noise) for load in loads))
     if all(row["preload_state"] is None for row in found["rows"]):
         return [table]
-    columns = ("row", "at rest\nN", "in operation\nN", "with the loads\nN", "")
-    preload = plain_table("Preload: axial load of each row, without external loads and with them", columns, left=(0, 4))
+    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of what\nis given")
+    preload = plain_table(
+        "Preload: axial load of each row, without external loads and with them", ("row", *heads, ""), left=(0, 6)
+    )
     for number, row in enumerate(found["rows"], 1):
-        loads = [row["preload_at_rest_N"], row["preload_in_operation_N"], row["axial_load_N"]]
-        state = (row["preload_state"] or "").replace("_", " ")
-        preload.add_row(str(number), *(digits(load, noise) for load in loads), state)
+        loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
+        share = "-" if row["preload_share"] is None else percent(row["preload_share"])
+        state = row["preload_state"] or ""
+        preload.add_row(str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state)
     return [table, preload]
 
 

@@ -132,7 +132,7 @@ READINGS: dict[str, Reading] = {
     "pivot_points": Reading(_no_errors, lambda solution, arguments, oil: pivot_points(solution), ball_motion.NEEDS),
     "friction_estimate": Reading(_estimate_errors, _estimates),
     "overrun": Reading(
-        lambda scene, arguments, oil: overrun_errors(None if scene is None else scene.operating_bearing, **arguments),
+        lambda scene, arguments, oil: overrun_errors(None if scene is None else scene.bearing, **arguments),
         lambda solution, arguments, oil: overrun(solution, **arguments),
         shoulder_overrun.NEEDS,
     ),

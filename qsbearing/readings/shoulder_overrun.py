@@ -5,6 +5,9 @@ there at its contact angle alpha, and its ellipse reaches r sin(phi' - alpha) = 
 Kotzalas, *Essential Concepts of Bearing Technology*, put the ball's radius for r, which asks for slightly higher
 shoulders). Semi-axes grow as Q^(1/3), so the edge is reached at Q (limit/a)^3.
 
+Shoulders move with their rings: heat enlarges h and r alike, and a fit or rotation shifts groove and shoulder together,
+so that phi is that of the bearing as it is drawn, and r that in operation.
+
 Range: ellipses as of an endless groove; beyond the limit the pressure at the edge rises above Hertz's.
 """
 
@@ -18,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.raceway_contacts import RacewayContacts
-from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.bearing_numbers import INNER, OUTER
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing
@@ -62,14 +65,13 @@ def overrun(
 
     Args:
         inner_shoulder_diameter, outer_shoulder_diameter: of the shoulders on the side that contact angles above zero
-            lean to [m]; one of them at least.
+            lean to, at rest and cold as the bearing's own lengths [m]; one of them at least.
         inner_open_diameter, outer_open_diameter: of the other shoulders, lower in an angular-contact bearing [m];
             None: as high as the first.
 
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
     """
-    bearing = solution.scene.operating_bearing
     given = (
         (INNER, "inner", inner_shoulder_diameter, inner_open_diameter),
         (OUTER, "outer", outer_shoulder_diameter, outer_open_diameter),
@@ -79,7 +81,7 @@ def overrun(
         for _, name, shoulder, other in given
         for which, value in (("shoulder", shoulder), ("open", other))
     }
-    raise_if_any(overrun_errors(bearing, **arguments))
+    raise_if_any(overrun_errors(solution.scene.bearing, **arguments))
     found: list[RacewayOverrun | None] = []
     said = []
     for side, name, shoulder, other in given:
@@ -120,20 +122,20 @@ def overrun_errors(
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:
     """h, from a shoulder to the bottom of its groove [m]; side: INNER or OUTER."""
-    numbers = BearingNumbers(bearing)
-    r = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    offset = (r - 0.5 * numbers.ball_diameter) * np.cos(numbers.free_contact_angle)
-    bottom = 0.5 * numbers.pitch_diameter - side * (offset - r)
+    centre = bearing.inner_groove_centre_radius if side < 0 else bearing.outer_groove_centre_radius
+    bottom = centre + side * _groove_radius(bearing, side)
     return np.asarray(side * (bottom - 0.5 * np.asarray(shoulder_diameter, float)))
+
+
+def _groove_radius(bearing: BallBearing, side: float) -> NDArray:
+    return np.asarray(bearing.inner_groove_radius if side < 0 else bearing.outer_groove_radius, float)
 
 
 def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: ArrayLike) -> list[ErrorDetail]:
     array, errors = numeric(field, diameter, LENGTH)
     if array is None:
         return errors
-    numbers = BearingNumbers(bearing)
-    r = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    depth = groove_depth(bearing, array, side)
+    r, depth = _groove_radius(bearing, side), groove_depth(bearing, array, side)
     bad = (depth <= 0.0) | (depth > r)
     if not bad.any():
         return []
@@ -147,10 +149,9 @@ def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: Ar
 def _raceway(
     solution: Solution, contacts: RacewayContacts, side: float, shoulder: ArrayLike, other: ArrayLike
 ) -> RacewayOverrun:
-    bearing = solution.scene.operating_bearing
-    numbers = BearingNumbers(bearing)
-    r = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    edge, far = (np.arccos(1.0 - groove_depth(bearing, diameter, side) / r) for diameter in (shoulder, other))
+    drawn, r = solution.scene.bearing, _groove_radius(solution.scene.operating_bearing, side)
+    depths = (groove_depth(drawn, diameter, side) for diameter in (shoulder, other))
+    edge, far = (np.arccos(1.0 - depth / _groove_radius(drawn, side)) for depth in depths)
     solution.read_at_once(*NEEDS)
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, contacts.semi_major_axis)
     distance, load = filled(solution, 2, _fill, *of_cases(solution, r, edge, far), *arrays)

@@ -118,6 +118,12 @@ class BallBearing:
         """BD sin alpha0, axially between the groove centres where the free contact angle is just reached [m]."""
         return self.groove_centre_distance * np.sin(self._array("free_contact_angle"))
 
+    @property
+    def groove_centre_offsets(self) -> tuple[NDArray, NDArray]:
+        """(r - D/2) sin alpha0 of the inner and the outer ring, axially from the balls' centres there [m]."""
+        ball, sine = 0.5 * self._array("ball_diameter"), np.sin(self._array("free_contact_angle"))
+        return (self._array("inner_groove_radius") - ball) * sine, (self._array("outer_groove_radius") - ball) * sine
+
     def with_changed_lengths(
         self,
         *,

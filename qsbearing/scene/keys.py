@@ -74,6 +74,7 @@ SPECTRUM = (Key("share", "share"), *OPERATION)
 PRELOAD = (
     Key("spring_N", "spring", "N", N, FORCE),
     Key("rigid_N", "rigid", "N", N, FORCE),
+    Key("mounted_N", "mounted", "N", N, FORCE),
     Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH),
 )
 

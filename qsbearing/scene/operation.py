@@ -29,6 +29,11 @@ CHANNELS = (
 )
 """The five channels in the order of every array of displacements and loads: x, y, z, tilt y, tilt z."""
 
+TURNING = ("speed", "outer_speed", "first_ball_azimuth")
+"""What of an operation is not a channel's."""
+STRAIGHT = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
+"""A shaft that is neither moved sideways nor tilted."""
+
 # A radial load along y tilts the ring about z, and one along z about y.
 _TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, "radial_displacement_z": 3}
 
@@ -51,7 +56,8 @@ class Operation:
     """Outer ring about +x [rad/s]; None: it stands still."""
     axial_load: ArrayLike | None = None
     axial_displacement: ArrayLike | None = None
-    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place."""
+    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place. It
+    is the displacement in operation: heat does not change it."""
     radial_load_y: ArrayLike | None = None
     radial_displacement_y: ArrayLike | None = None
     radial_load_z: ArrayLike | None = None
@@ -65,6 +71,11 @@ class Operation:
 
     def __post_init__(self) -> None:
         raise_if_any(operation_errors(self))
+
+    @property
+    def unloaded(self) -> Operation:
+        """The same speeds without any load, straight and centred."""
+        return Operation(**{name: getattr(self, name) for name in TURNING}, **STRAIGHT)
 
 
 def operation_errors(operation: Operation) -> list[ErrorDetail]:

@@ -8,12 +8,20 @@ from numpy.typing import ArrayLike
 
 from qsbearing.validation import FORCE, LENGTH, ErrorDetail, raise_if_any, within
 
-KINDS = ("spring", "rigid", "axial_displacement")
+KINDS = ("spring", "rigid", "mounted", "axial_displacement")
+FORCES = ("spring", "rigid", "mounted")
+"""Those that are forces."""
+
+NOT_A_PRELOAD = f"qs.Preload(...) with one of {', '.join(KINDS)}"
+"""What to write in its place."""
 
 
 @dataclass(frozen=True)
 class Preload:
-    """A preload in +x, in one of three ways; SI units, which may be arrays that span cases.
+    """A preload in +x, in one of four ways; SI units, which may be arrays that span cases.
+
+    All but a spring hold the rings where the preload took them: at a displacement that grows with the heat of the shaft
+    and by nothing else (`RingExpansion.shaft_temperature`; the inner ring's where it is left out).
 
     Raises:
         SceneError: none of them, several, or one out of its range.
@@ -22,17 +30,30 @@ class Preload:
     spring: ArrayLike | None = None
     """The force of a spring, which stays what it is whatever the rings do [N]."""
     rigid: ArrayLike | None = None
-    """The axial load at rest and cold [N]; the rings are then held at the axial displacement that it takes."""
+    """The axial load at rest and cold, before fitting [N]; the rings are then held at the axial displacement that it
+    takes. Fits change the load to the mounted one."""
     axial_displacement: ArrayLike | None = None
     """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
+    mounted: ArrayLike | None = None
+    """The axial load after fitting, at rest and at the reference temperature [N]; held likewise."""
 
     def __post_init__(self) -> None:
         raise_if_any(preload_errors(self))
 
     @property
     def kind(self) -> str:
-        """The way that is given: spring, rigid or axial_displacement."""
+        """The way that is given: spring, rigid, mounted or axial_displacement."""
         return next(kind for kind in KINDS if getattr(self, kind) is not None)
+
+    @property
+    def is_given_mounted(self) -> bool:
+        """Whether it is what presses the bearing after fitting, and not before."""
+        return self.mounted is not None
+
+    @property
+    def state(self) -> str:
+        """In which it is given, in words."""
+        return "mounted" if self.is_given_mounted else "before fitting"
 
 
 def preload_errors(preload: Preload) -> list[ErrorDetail]:

@@ -19,6 +19,7 @@ from qsbearing.effects import (
     GyroscopicMoment,
     RingEffect,
     RingExpansion,
+    as_fitted,
     as_made,
     types_in,
 )
@@ -28,8 +29,8 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.case_axes import clash_errors, shapes_of
-from qsbearing.scene.operation import Operation
-from qsbearing.scene.preload import Preload, beside_preload
+from qsbearing.scene.operation import STRAIGHT, Operation
+from qsbearing.scene.preload import NOT_A_PRELOAD, Preload, beside_preload
 from qsbearing.units import mm, rpm
 from qsbearing.validation import (
     RATIO,
@@ -130,9 +131,11 @@ class Scene:
     def axial_datum_shift(self) -> NDArray:
         """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m].
 
-        Displacements count from where it does so at rest and cold, with the groove centres in their rings.
+        Displacements count from where it does so at rest and cold; heat moves the groove centres axially in their
+        rings, fits and rotation do not.
         """
-        return self.operating_bearing.touching_offset - self.bearing.touching_offset
+        moved = 0.0 if self.ring_expansion is None else sum(self.ring_expansion.axial_growth(self.bearing))
+        return np.asarray(self.operating_bearing.touching_offset - self.bearing.touching_offset - moved)
 
     @property
     def is_reshaped(self) -> bool:
@@ -140,19 +143,22 @@ class Scene:
         return self.operating_bearing is not self.bearing
 
     @property
-    def as_mounted(self) -> Scene | None:
-        """The bearing at rest and cold under its preload, straight and centred, by the same Hertz contacts.
+    def as_preloaded(self) -> Scene | None:
+        """The bearing at rest and cold under its preload alone, in the state in which that is given.
 
         None without a preload, and with a spring, whose force says all that there is to know.
         """
-        if self.preload is None or self.preload.kind == "spring":
+        preload = self.preload
+        if preload is None or preload.kind == "spring":
             return None
-        straight = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
-        operation = Operation(
-            axial_load=self.preload.rigid, axial_displacement=self.preload.axial_displacement, **straight
-        )
+        load = preload.mounted if preload.is_given_mounted else preload.rigid
+        return self.at_rest(preload.is_given_mounted, axial_load=load, axial_displacement=preload.axial_displacement)
+
+    def at_rest(self, fitted: bool, **axial: Any) -> Scene:
+        """The bearing at rest and cold, before or after fitting, straight and centred, by the same Hertz contacts."""
         choices = {name: getattr(self, name) for name in ("hertz_angle", "hertz_form", "tilt_lever")}
-        return Scene(self.bearing, operation, **choices, ring_effects=as_made(self.ring_effects))
+        effects = (as_fitted if fitted else as_made)(self.ring_effects)
+        return Scene(self.bearing, Operation(**axial, **STRAIGHT), **choices, ring_effects=effects)
 
     @property
     def ring_expansion(self) -> RingExpansion | None:
@@ -178,8 +184,7 @@ class Scene:
 def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
     if isinstance(preload, Preload):
         return beside_preload(operation)
-    cause = "qs.Preload(spring=...), qs.Preload(rigid=...) or qs.Preload(axial_displacement=...)"
-    return [ErrorDetail("preload", "is not a preload", preload, cause=cause)]
+    return [ErrorDetail("preload", "is not a preload", preload, cause=NOT_A_PRELOAD)]
 
 
 def effect_errors(

@@ -18,7 +18,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
-from qsbearing.scene.preload import Preload
+from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
 
@@ -42,7 +42,8 @@ class Row:
 
     bearing: BallBearing
     position: ArrayLike = 0.0
-    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle [m]."""
+    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
+    reference temperature [m]."""
     carries: Direction = Direction.PLUS
     """As a member or as its word."""
     offset: ArrayLike = 0.0
@@ -74,10 +75,15 @@ class BearingSet:
     speeds, axial displacement and tilts reversed.
 
     A preload presses the rows that carry in +x against those that carry in -x:
-        rigid: the axial load of the rows of either direction together at rest and cold; the rings are then held;
+        rigid: the axial load of the rows of either direction together at rest and cold, before fitting; the rings are
+            then held;
+        mounted: likewise after fitting, at the reference temperature;
         axial_displacement: how far both directions together are pressed from touching, half of it each; held likewise;
         spring: the force on the outer rings of the sprung rows, which slide together.
     It leaves the shaft's axial channel free for a load or a displacement of its own.
+
+    With ring expansion, inner rings part as the shaft grows between them and outer ones as the housing does, both from
+    the reference position; offsets and held displacements are lengths of the shaft.
 
     Raises:
         SceneError: parts that do not fit together; every error, at once.
@@ -182,8 +188,7 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
 def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
     sprung = [row for row in of.rows if row.sprung]
     if of.preload is not None and not isinstance(of.preload, Preload):
-        cause = "qs.Preload(spring=...), qs.Preload(rigid=...) or qs.Preload(axial_displacement=...)"
-        return [ErrorDetail("preload", "is not a preload", of.preload, cause=cause)]
+        return [ErrorDetail("preload", "is not a preload", of.preload, cause=NOT_A_PRELOAD)]
     kind = None if of.preload is None else of.preload.kind
     errors = []
     if kind == "spring" and not sprung:

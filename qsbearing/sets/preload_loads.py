@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from qsbearing.preload_state import PreloadState
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
-from qsbearing.sets.set_messages import PreloadState
 from qsbearing.validation import RATIO, ErrorDetail, SceneError, within
 
 LOST = str(PreloadState.LOST)
@@ -35,8 +35,8 @@ class PreloadLoad:
 def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None = None) -> list[PreloadLoad]:
     """The multiples of the loads on the shaft, up to the highest given, above which some row loses its preload.
 
-    All loads and moments grow together, the preload and all else stay. A preload counts as lost below 1 % of that at
-    rest. What changes and changes back between two of the 64 multiples tried is not seen.
+    All loads and moments grow together, the preload and all else stay. A preload counts as lost below 1 % of
+    what is given. What changes and changes back between two of the 64 multiples tried is not seen.
 
     Returns:
         At most one of each row and state, the least first; empty where all rows keep their preload.

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.preload_state import EXCESSIVE, PreloadState
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name, states
+from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.solve import solve_set
 from qsbearing.validation import ErrorDetail, SceneError
 
@@ -85,15 +86,17 @@ def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
 
     Args:
         at: where.
-        already: when, of a preload that is lost at the beginning of the range.
+        already: when, of a preload that is lost or excessive at the beginning of the range.
     """
     name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
     if change.after == PreloadState.LOST and change.value == 0.0:
         return f"{name} has lost its preload {already}."
+    if change.after == PreloadState.EXCESSIVE and change.value == 0.0:
+        return f"{name}: the preload is excessive, more than {EXCESSIVE:g} times what is given, {already}."
     said = {
         str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
         str(PreloadState.LOST): f"{name} loses its preload {at}.",
-        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times that at rest, {at}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times what is given, {at}.",
         "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
     }
     return said.get(change.after, f"{name}: not solved any more {at}.")
@@ -104,7 +107,7 @@ def _labels(of: BearingSet, threads: int | None) -> NDArray[Any]:
     solution = solve_set(of, threads=threads)
     if len(solution.shape) != 1:
         raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
-    words = states(solution)
+    words = solution.preload_state
     assert words is not None  # the set is opposed
     labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)
     unsolved = np.flatnonzero(~solution.converged)

@@ -27,7 +27,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
     """The speeds, up to the highest given, above which some row's preload is lost or excessive; lowest first.
 
     The set keeps its loads and all else but the speed; one number each, no arrays. A preload counts as lost below 1 %
-    of that at rest, and as excessive above three times it. What changes and changes back between two of the 64 speeds
+    of what is given, and as excessive above three times it. What changes and changes back between two of the 64 speeds
     tried is not seen.
 
     Returns:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_loads import MOST, load_changes, load_sentence, loads_of
@@ -29,7 +30,12 @@ def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[
     if not of.is_opposed:
         return [f"All rows carry in {of.rows[0].carries}: no row presses another, the axial load alone presses them."]
     is_pressed = solution.preload_at_rest is not None and bool((solution.preload_at_rest > 0.0).any())
-    return [_kind(solution), *_at_speed(solution), *(_limits(of, found or limits(of)) if is_pressed else [])]
+    return [
+        _kind(solution),
+        *_fitted(solution),
+        *_at_speed(solution),
+        *(_limits(of, found or limits(of)) if is_pressed else []),
+    ]
 
 
 def limits(of: BearingSet) -> Limits:
@@ -62,11 +68,23 @@ def _kind(solution: SetSolution) -> str:
             f"A spring presses {sprung} with {float(np.asarray(preload.spring)):.6g} N, whatever speed, heat and loads "
             f"do; the outer rings have slid by {slid:.4g} um."
         )
-    if preload.rigid is not None:
-        pressed = f"where {float(np.asarray(preload.rigid)):.6g} N took the rows of either direction at rest and cold"
-    else:
+    if preload.kind == "axial_displacement":
         pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} um"
+    else:
+        force = float(np.asarray(getattr(preload, preload.kind)))
+        pressed = f"where {force:.6g} N took the rows of either direction {preload.state}, at rest and cold"
     return f"Rings are held {pressed}: speed, heat and loads change what presses the rows."
+
+
+def _fitted(solution: SetSolution) -> list[str]:
+    before, after = solution.preload_unmounted, solution.preload_mounted
+    if before is None or after is None or not np.abs(after - before).max() > UNCHANGED * np.abs(before).max():
+        return []
+    return [f"Fitting changes what presses the rows from {_span(before)} N to {_span(after)} N, at rest and cold."]
+
+
+def _span(values: NDArray, digits: int = 4) -> str:
+    return " to ".join(dict.fromkeys(f"{each:.{digits}g}" for each in (values.min(), values.max())))
 
 
 def _at_speed(solution: SetSolution) -> list[str]:
@@ -76,12 +94,13 @@ def _at_speed(solution: SetSolution) -> list[str]:
     if not depends_on_speed(solution.set) or not np.isfinite(alone).all():
         return []
     if not pressed.any():
-        return [f"In operation, without external loads, speed and heat press the rows with up to {alone.max():.4g} N."]
+        return [f"In operation, without external loads, the rows are pressed with up to {alone.max():.4g} N."]
     ratios = alone[pressed] / at_rest[pressed]
     if np.abs(ratios - 1.0).max() < UNCHANGED:
-        return ["In operation, without external loads, each row keeps what presses it at rest."]
-    span = " to ".join(dict.fromkeys(f"{each:.3g}" for each in (ratios.min(), ratios.max())))
-    return [f"In operation, without external loads, rows are pressed by {span} times what presses them at rest."]
+        return ["In operation, without external loads, each row keeps its preload."]
+    state = "before fitting" if solution.set.preload is None else solution.set.preload.state
+    times = _span(ratios, 3)
+    return [f"In operation, without external loads, rows are pressed by {times} times their preload {state}."]
 
 
 def _limits(of: BearingSet, found: Limits) -> list[str]:

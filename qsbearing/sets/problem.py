@@ -11,17 +11,14 @@ from numpy.typing import NDArray
 from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
-from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.scene.operation import CHANNELS, TURNING, Operation
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
 from qsbearing.sets.outcome import Outcome
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, row_matrix
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, offset_in_operation, row_matrix
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.solution import Solution
-
-TURNING = ("speed", "outer_speed", "first_ball_azimuth")
-"""What of an operation is not a channel's."""
 
 
 class Problem:
@@ -43,7 +40,8 @@ class Problem:
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
         self.makers = [CaseMaker(scene, dict(given)) for scene in scenes]
         self.matrices = np.stack([row_matrix(of, number, self.shape) for number in range(len(of.rows))])
-        self.offsets = np.nan_to_num([self._flat(offset) for offset in offsets])
+        warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
+        self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self.outcome = Outcome.of(self.count)
         self.found = empty(len(of.rows), self.count, max(maker.ball_axis for maker in self.makers))
         """Of all rows: row, case, ball."""

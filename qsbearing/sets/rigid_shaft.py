@@ -6,15 +6,20 @@ outer rings slide. Loads travel back through the transpose: what the rows do to 
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects import RingExpansion
 from qsbearing.effects.tilt_lever import TiltLever
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.bearing_set import BearingSet, Row
 
 UNKNOWNS = 6
 """Of a case: five channels of the shaft, and the slide of the sprung rings towards their balls."""
 SLIDE = 5
+SHAFT, HOUSING = 0, 1
+"""Bodies that bearings are on and in."""
 
 
 def lever(of: BearingSet, number: int) -> NDArray:
@@ -24,12 +29,52 @@ def lever(of: BearingSet, number: int) -> NDArray:
     there); with the pitch circle's tilt lever, which leaves the groove centres out, that of the balls' centres.
     """
     row = of.rows[number]
-    place = np.asarray(row.position, float) - of.reference
+    place = np.asarray(row.position, float) - of.reference + growth_along(of, number, SHAFT)
     if of.tilt_lever is not TiltLever.GROOVE_CENTRE:
         return place
-    bearing = row.bearing
-    radius, diameter = np.asarray(bearing.inner_groove_radius, float), np.asarray(bearing.ball_diameter, float)
-    return place + row.sign * (radius - 0.5 * diameter) * np.sin(np.asarray(bearing.free_contact_angle, float))
+    rings = expansion(of, row)
+    moved = 0.0 if rings is None else rings.axial_growth(row.bearing)[0]
+    return np.asarray(place + row.sign * (row.bearing.groove_centre_offsets[0] + moved))
+
+
+def offset_in_operation(of: BearingSet, number: int, offset: NDArray) -> NDArray:
+    """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
+
+    What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from the
+    reference position.
+    """
+    strain = seat_strains(of, of.rows[number])[SHAFT]
+    apart = growth_along(of, number, SHAFT) - growth_along(of, number, HOUSING)
+    return np.asarray(offset * (1.0 + strain) + of.rows[number].sign * apart)
+
+
+def growth_along(of: BearingSet, number: int, body: int) -> NDArray:
+    """By how much heat moves a row in +x on the shaft or in the housing, counted from the reference position [m].
+
+    Between two rows the body grows by the mean of its strains there, beyond the outermost by that there.
+    """
+    if all(expansion(of, row) is None for row in of.rows):
+        return np.zeros(())
+    rows = [np.broadcast_arrays(row.position, seat_strains(of, row)[body], of.reference) for row in of.rows]
+    places, strains, reference = np.moveaxis(np.array(np.broadcast_arrays(*rows), float), 1, 0)
+    order = np.argsort(places, axis=0)
+    place, places = places[number], np.take_along_axis(places, order, 0)
+    strains = np.take_along_axis(strains, order, 0)
+    between = np.concatenate([strains[:1], 0.5 * (strains[1:] + strains[:-1]), strains[-1:]])
+    beyond = np.full_like(places[:1], np.inf)
+    low, high = np.concatenate([-beyond, places]), np.concatenate([places, beyond])
+    return np.asarray((between * (np.clip(place, low, high) - np.clip(reference[0], low, high))).sum(axis=0))
+
+
+def seat_strains(of: BearingSet, row: Row) -> tuple[Any, Any]:
+    """alpha dT of shaft and housing at a row."""
+    rings = expansion(of, row)
+    return (0.0, 0.0) if rings is None else rings.seat_strains(row.bearing)
+
+
+def expansion(of: BearingSet, row: Row) -> RingExpansion | None:
+    """The effect, where the row or the set names it."""
+    return next((effect for effect in of.effects_of(row) if isinstance(effect, RingExpansion)), None)
 
 
 def row_matrix(of: BearingSet, number: int, shape: tuple[int, ...]) -> NDArray:

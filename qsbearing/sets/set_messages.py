@@ -2,37 +2,20 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from qsbearing import messages
+from qsbearing import messages, preload_state
 from qsbearing.case_index import Index
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.preload_state import PreloadLoads, PreloadState
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import Row
 from qsbearing.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
-
-LOST = 0.01
-"""A row that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
-EXCESSIVE = 3.0
-"""A preload is excessive when it is this many times that at rest (chosen: makers' light, medium and heavy preloads are
-1 : 3 : 6, as GMN's are: a light one has become a medium one, unasked)."""
-
-
-class PreloadState(StrEnum):
-    """What has become of a row's preload."""
-
-    MAINTAINED = "maintained"
-    LOST = "lost"
-    """In operation, external loads included, the row carries next to nothing."""
-    EXCESSIVE = "excessive"
-    """Without external loads the row carries at speed a multiple of what it did at rest."""
 
 
 def row_name(row: Row, number: int) -> str:
@@ -108,54 +91,17 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def states(solution: SetSolution) -> NDArray | None:
-    """`PreloadState` of each row by its word; shape (*cases, row); None without a preload; empty where not solved."""
-    at_rest, alone = solution.preload_at_rest, solution.preload_in_operation
-    if at_rest is None or alone is None:
-        return None
-    out = np.full(at_rest.shape, str(PreloadState.MAINTAINED), dtype=f"<U{max(map(len, PreloadState))}")
-    with np.errstate(invalid="ignore"):
-        pressed = at_rest > 0.0
-        out[pressed & (alone > EXCESSIVE * at_rest)] = PreloadState.EXCESSIVE
-        out[pressed & (solution.axial_loads < LOST * at_rest)] = PreloadState.LOST
-    out[np.isnan(solution.axial_loads) | np.isnan(at_rest)] = ""
-    return out
-
-
 def warnings(solution: SetSolution, index: Index = None) -> list[str]:
     """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost their
     preload or have an excessive one, row by row."""
-    found = states(solution)
-    rows = solution.set.rows
+    of, rows = solution.preload_loads, solution.set.rows
     if index is None and solution.shape:
-        said = []
-        for number, row in enumerate(rows) if found is not None else ():
-            for state, word in (
-                (PreloadState.LOST, "loses its preload"),
-                (PreloadState.EXCESSIVE, "has an excessive preload"),
-            ):
-                count = int((found[..., number] == state).sum())  # type: ignore[index]
-                if count:
-                    said.append(f"{count} of {solution._outcome.status.size} cases: {row_name(row, number)} {word}.")
-        return said
+        return [] if of is None else _counted(solution, of)
     k = solution._flat_index(index)
     place = tuple(map(int, np.unravel_index(k, solution.shape))) if solution.shape else ()
-    said = []
     if solution._outcome.status[k] != CONVERGED:
-        return said
-    for number, row in enumerate(rows) if found is not None else ():
-        at_rest, alone = solution.preload_at_rest[place][number], solution.preload_in_operation[place][number]  # type: ignore[index]
-        if found[place][number] == PreloadState.LOST:  # type: ignore[index]
-            left = max(float(solution.axial_loads[place][number]), 0.0)
-            said.append(
-                f"Preload lost: {row_name(row, number)} carries {left:.4g} N of the {at_rest:.4g} N that press it at "
-                "rest."
-            )
-        elif found[place][number] == PreloadState.EXCESSIVE:  # type: ignore[index]
-            said.append(
-                f"Preload excessive: {row_name(row, number)} is pressed by {at_rest:.4g} N at rest and, without "
-                f"external loads, by {alone:.4g} N at speed."
-            )
+        return []
+    said = [] if of is None else [each for number in range(len(rows)) for each in _preload(solution, of, place, number)]
     if not solution.control_is_consistent[place]:
         said.append(
             "No stiffness of the set is reported: raceway control contradicts itself in a row, which then has several "
@@ -165,3 +111,36 @@ def warnings(solution: SetSolution, index: Index = None) -> list[str]:
         name = capital(row_name(rows[number], number))
         said += [f"{name}: {each}" for each in messages.warnings(row_solution, place or None)]
     return said
+
+
+def _counted(solution: SetSolution, of: PreloadLoads) -> list[str]:
+    """In how many cases each row has not kept its preload."""
+    kinds = (
+        (preload_state.states(of) == PreloadState.LOST, "loses its preload"),
+        (preload_state.is_reduced(of), "carries less than half of its preload"),
+        (preload_state.states(of) == PreloadState.EXCESSIVE, "has an excessive preload"),
+    )
+    return [
+        f"{which[..., number].sum()} of {solution._outcome.status.size} cases: {row_name(row, number)} {word}."
+        for number, row in enumerate(solution.set.rows)
+        for which, word in kinds
+        if which[..., number].any()
+    ]
+
+
+def _preload(solution: SetSolution, of: PreloadLoads, place: tuple[int, ...], number: int) -> list[str]:
+    """What to beware of in the preload of a row of a case."""
+    at = (*place, number)
+    own = PreloadLoads(*(float(each[at]) for each in of))
+    who, word = row_name(solution.set.rows[number], number), preload_state.states(own)
+    state = "before fitting" if solution.set.preload is None else solution.set.preload.state
+    if word == PreloadState.LOST:
+        return [preload_state.lost(who, own, state)]
+    if word == PreloadState.EXCESSIVE:
+        before, after = solution.preload_unmounted[at], solution.preload_mounted[at]  # type: ignore[index]
+        return [preload_state.excessive(who, own, before, after)]
+    if preload_state.is_reduced(own):
+        mounted = np.broadcast_to(solution.mounted.rows[number].stiffness, (*solution.shape, 5, 5))  # type: ignore[union-attr]
+        now = solution.rows[number].stiffness
+        return [preload_state.reduced(who, own, state, mounted[(*place, 0, 0)], now[(*place, 0, 0)])]
+    return []

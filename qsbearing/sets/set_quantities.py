@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,10 +54,10 @@ def _of_shaft(solution: SetSolution) -> Iterator[SetQuantity]:
 
 def _of_rows(solution: SetSolution) -> Iterator[SetQuantity]:
     for i in range(len(solution.set.rows)):
-        loads = {"axial_load": lambda: solution.axial_loads}
+        loads: dict[str, Callable[[], Any]] = {"axial_load": lambda: solution.axial_loads}
         if solution.set.is_opposed:
-            loads["preload_at_rest"] = lambda: np.asarray(solution.preload_at_rest)
-            loads["preload_in_operation"] = lambda: np.asarray(solution.preload_in_operation)
+            for state in ("at_rest", "unmounted", "mounted", "in_operation"):
+                loads[f"preload_{state}"] = partial(getattr, solution, f"preload_{state}")
         for name, of in loads.items():
             name = f"row_{i + 1}_{name}"
             yield SetQuantity(name, "N", f"{name}_N", lambda of=of, i=i: of()[..., i])  # type: ignore[misc]

@@ -9,9 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing import preload_state
 from qsbearing.case_index import Index, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD
+from qsbearing.effects import RingEffect, as_fitted, as_made
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.preload_state import PreloadLoads
 from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets import set_messages
@@ -20,6 +23,9 @@ from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.solution import Solution
 from qsbearing.status import STATUS_OF_CODE, Reason
+
+AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
+"""What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
 
 LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
@@ -40,7 +46,7 @@ class SetSolution:
         matrices: NDArray,
         outcome: Outcome,
         sides: dict[float, SetSolution],
-        unloaded: Callable[[bool], SetSolution],
+        unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
     ) -> None:
         self.set = of
@@ -154,7 +160,7 @@ class SetSolution:
     def displacement(self) -> NDArray:
         """Of the shaft at the reference position; shape (*cases, 5) [m, m, m, rad, rad].
 
-        Axially from where every row is pressed by its offset alone: with a rigid preload, from the set as mounted.
+        Axially from where every row is pressed by its offset and by the preload that is held.
         """
         return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
 
@@ -218,38 +224,67 @@ class SetSolution:
         return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
 
     @cached_property
+    def unmounted(self) -> SetSolution | None:
+        """The set at rest and cold under its preload alone, before its rings are fitted, straight and centred; None
+        where nothing presses one row against another."""
+        return self._unloaded(as_made) if self.set.is_opposed else None
+
+    @cached_property
     def mounted(self) -> SetSolution | None:
-        """The set at rest and cold under its preload alone, straight and centred; None where nothing presses one row
-        against another."""
-        return self._unloaded(False) if self._is_preloaded else None
+        """Likewise, with its fits."""
+        return self._unloaded(as_fitted) if self.set.is_opposed else None
 
     @cached_property
     def without_load(self) -> SetSolution | None:
         """The set in operation without its external loads, straight and centred; None likewise."""
-        return self._unloaded(True) if self._is_preloaded else None
+        return self._unloaded(None) if self.set.is_opposed else None
 
     @property
-    def _is_preloaded(self) -> bool:
-        return self.set.is_opposed
+    def preload_unmounted(self) -> NDArray | None:
+        """Axial load of each row at rest and cold, before fitting, nothing else acting; shape (*cases, row) [N]; None
+        likewise."""
+        return self._spread(self.unmounted)
+
+    @property
+    def preload_mounted(self) -> NDArray | None:
+        """Likewise, after fitting."""
+        return self._spread(self.mounted)
 
     @property
     def preload_at_rest(self) -> NDArray | None:
-        """Axial load of each row at rest and cold, nothing else acting; shape (*cases, row) [N]; None likewise."""
-        return None if self.mounted is None else self._spread(self.mounted)
+        """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other."""
+        return self.preload_mounted if self._is_given_mounted else self.preload_unmounted
+
+    @property
+    def _is_given_mounted(self) -> bool:
+        return self.set.preload is not None and self.set.preload.is_given_mounted
 
     @property
     def preload_in_operation(self) -> NDArray | None:
-        """What is left of it, or has grown, at speed without external loads; shape (*cases, row) [N]; None likewise."""
-        return None if self.without_load is None else self._spread(self.without_load)
+        """What is left of it, or has grown, in operation without external loads; shape (*cases, row) [N]; None
+        likewise."""
+        return self._spread(self.without_load)
 
     @cached_property
+    def preload_loads(self) -> PreloadLoads | None:
+        """What is given, left and carried, of each row; None likewise."""
+        if not self.set.is_opposed:
+            return None
+        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.axial_loads)
+
+    @property
     def preload_state(self) -> NDArray | None:
         """maintained, lost or excessive, of each row; shape (*cases, row); empty where not solved; None likewise.
 
-        Lost: in operation, external loads included, below 1 % of that at rest. Excessive: without external loads above
-        three times that at rest.
+        Lost: in operation, external loads included, below 1 % of what is given. Excessive: without external loads above
+        three times that.
         """
-        return set_messages.states(self)
+        return None if self.preload_loads is None else preload_state.states(self.preload_loads)
+
+    @property
+    def preload_share(self) -> NDArray | None:
+        """What each row carries, external loads included, over what is given; NaN where nothing is; else likewise."""
+        return None if self.preload_loads is None else preload_state.share(self.preload_loads)
 
     @cached_property
     def _free_channels(self) -> NDArray:
@@ -298,5 +333,5 @@ class SetSolution:
 
         return ross_bearing.of_solution(self, self.set.operation.speed, n, index, **arguments)
 
-    def _spread(self, other: SetSolution) -> NDArray:
-        return np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))
+    def _spread(self, other: SetSolution | None) -> NDArray | None:
+        return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))

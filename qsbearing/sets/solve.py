@@ -9,16 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects import as_made
-from qsbearing.scene.operation import Operation
+from qsbearing.effects import as_fitted, as_made
+from qsbearing.scene.operation import STRAIGHT, Operation
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.problem import TURNING, Problem
-from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.problem import Problem
+from qsbearing.sets.set_solution import AtRest, SetSolution
 from qsbearing.solver import TOLERANCE
 from qsbearing.threads import in_threads, thread_count
-
-STRAIGHT = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
-"""A shaft that is neither moved sideways nor tilted."""
 
 CHOICES_OF_CONTACT = ("hertz_angle", "hertz_form", "tilt_lever")
 
@@ -51,8 +48,8 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
 
     in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
 
-    def unloaded(at_speed: bool) -> SetSolution:
-        return solve_set(without_load(of, offsets, at_speed), threads=threads, tolerance=tolerance)
+    def unloaded(effects_at_rest: AtRest | None) -> SetSolution:
+        return solve_set(without_load(of, offsets, effects_at_rest), threads=threads, tolerance=tolerance)
 
     seconds = time.perf_counter() - began
     return SetSolution(
@@ -60,31 +57,37 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     )
 
 
-def without_load(of: BearingSet, offsets: list[NDArray], at_speed: bool) -> BearingSet:
-    """The set under its preload alone, straight and centred: in operation, or at rest and cold."""
+def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest | None) -> BearingSet:
+    """The set under its preload alone, straight and centred.
+
+    Args:
+        effects_at_rest: `as_made` or `as_fitted`, for the set at rest and cold; None: in operation.
+    """
     rows = tuple(
         replace(row, offset=np.nan_to_num(offset)[()], readings=None)
         for row, offset in zip(of.rows, offsets, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
-    if at_speed:
-        turning = {name: getattr(of.operation, name) for name in TURNING}
-        return replace(of, rows=rows, preload=preload, operation=Operation(**turning, **STRAIGHT), readings={})
-    cold = tuple(replace(row, ring_effects=as_made(of.effects_of(row))) for row in rows)
+    if effects_at_rest is None:
+        return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={})
+    cold = tuple(replace(row, ring_effects=effects_at_rest(of.effects_of(row))) for row in rows)
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
     return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, **choices)
 
 
 def _sides(of: BearingSet, threads: int | None, tolerance: float) -> dict[float, SetSolution]:
-    """Under a rigid preload: the rows of either direction alone, at rest and cold, under the preload."""
-    if of.preload is None or of.preload.kind != "rigid":
+    """Under a preload that is held and given as a force: the rows of either direction alone, at rest and cold."""
+    if of.preload is None or of.preload.kind not in ("rigid", "mounted"):
         return {}
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
-    force = np.asarray(of.preload.rigid, float)
+    force = np.asarray(getattr(of.preload, of.preload.kind), float)
+    effects_at_rest = as_fitted if of.preload.is_given_mounted else as_made
     sides = {}
     for sign in (1.0, -1.0):
         rows = tuple(
-            replace(row, ring_effects=as_made(of.effects_of(row)), readings=None) for row in of.rows if row.sign == sign
+            replace(row, ring_effects=effects_at_rest(of.effects_of(row)), readings=None)
+            for row in of.rows
+            if row.sign == sign
         )
         side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
         sides[sign] = solve_set(side, threads=threads, tolerance=tolerance)

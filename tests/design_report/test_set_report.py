@@ -12,6 +12,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.design_report import set_curves
+from qsbearing.judgement import percent
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
 from tests.sets.arrangements import PAIR_FILE
@@ -120,11 +121,12 @@ def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
     (stiffness,) = tables_with(page, "locked: other displacements constant", "effective: at constant other loads")
     effective = [float(line[2]) * unit for line, unit in zip(stiffness, (1e6, 1e6, 1e6, 1e3, 1e3), strict=True)]
     np.testing.assert_allclose(effective, solution.effective_stiffness, rtol=1e-5)
-    (preload,) = tables_with(page, "at rest N", "in operation N", "with the loads N")
-    forces = np.array([[float(cell) for cell in line[1:4]] for line in preload])
-    known = solution.preload_at_rest, solution.preload_in_operation, solution.axial_loads
+    (preload,) = tables_with(page, "before fitting N", "mounted N", "with the loads N")
+    forces = np.array([[float(cell) for cell in line[1:5]] for line in preload])
+    known = solution.preload_unmounted, solution.preload_mounted, solution.preload_in_operation, solution.axial_loads
     np.testing.assert_allclose(forces, np.transpose(known), rtol=1e-5)
-    assert [line[4] for line in preload] == list(solution.preload_state)
+    assert [line[5] for line in preload] == [percent(share) for share in solution.preload_share]
+    assert [line[6] for line in preload] == list(solution.preload_state)
     contacts = list(tables_with(page, "angle i deg", "load o N", "p0 i MPa"))
     assert len(contacts) == len(solution.rows)
     for table, row in zip(contacts, solution.rows, strict=True):
@@ -191,7 +193,7 @@ def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
     hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
     assert dict(shaft)["life of the set"] == f"{hours:,.0f} h"
     for number, (row, (_, *lines)) in enumerate(zip(solution.rows, rows, strict=True)):
-        axial = f"{solution.axial_loads[number]:.4g} N; 720 N at rest and cold, by the preload alone"
+        axial = f"{solution.axial_loads[number]:.4g} N; by the preload alone 720 N before fitting, 720 N mounted"
         assert dict(lines)["axial load"] == axial
         pressures = [side.max_pressure[side.load > 0.0].max() / 1e6 for side in (row.inner, row.outer)]
         assert dict(lines)["maximum contact pressure"] == f"inner {pressures[0]:.4g} MPa, outer {pressures[1]:.4g} MPa"

@@ -122,6 +122,29 @@ def test_heat_at_the_seats_is_an_interference() -> None:
     assert loose.seat_gap == pytest.approx(5 * qs.um, rel=ROUNDING)
 
 
+def test_a_seat_without_a_temperature_of_its_own_is_as_warm_as_its_ring() -> None:
+    """Ring and seat of one steel, equally warm: the pressure of the cold fit, whatever the temperature."""
+    fits = {
+        **{"shaft_interference": 15 * qs.um, "housing_interference": 8 * qs.um},
+        **{"housing_outside_diameter": 220 * qs.mm},
+    }
+    cold = rings(**fits).states(B218, qs.Operation())
+    left_out = rings(**fits, inner_ring_temperature=hot(70), outer_ring_temperature=hot(60))
+    given = replace(left_out, shaft_temperature=hot(70), housing_temperature=hot(60))
+    for before, one, other in zip(cold, *(e.states(B218, qs.Operation()) for e in (left_out, given)), strict=True):
+        assert one == other
+        assert one.seat_pressure == pytest.approx(before.seat_pressure, rel=1e-9)
+        assert one.seat_gap == 0.0
+    own = replace(left_out, shaft_temperature=hot(20)).states(B218, qs.Operation())[0]
+    assert own.seat_gap > 0.0
+    taken = {body: each.taken_from for body, each in left_out.temperatures.items()}
+    assert taken == {
+        **{"shaft": "as the inner ring", "inner_ring": "given"},
+        **{"outer_ring": "given", "housing": "as the outer ring"},
+    }
+    assert rings().temperatures["inner_ring"] == (hot(20), "reference temperature")
+
+
 def test_what_is_not_regarded_is_none() -> None:
     solution = solved(expanded(rings(), axial_load=5e3))
     assert solution.inner_ring.seat_pressure is None
@@ -158,13 +181,14 @@ def test_growth_takes_the_clearance_that_it_takes() -> None:
 
 
 def test_displacements_count_from_rest_and_cold() -> None:
-    """With the ring held in its place, groove centres stand apart by what the cold bearing says axially and the grown
-    one radially: hypot(A1, A2) is the contact line's length."""
+    """With the ring held in its place, groove centres stand apart axially by what the cold bearing says and the heat of
+    the inner ring adds, and radially as in the grown one: hypot(A1, A2) is the contact line's length."""
     place = 25 * qs.um
     effect = rings(inner_ring_temperature=hot(60), shaft_interference=30 * qs.um)
     solution = solved(expanded(effect, qs.BallExpansion(hot(40)), axial_displacement=place))
     grown = solution.scene.operating_bearing
     a1 = B218.groove_centre_distance * np.sin(B218.free_contact_angle) + place
+    a1 += 12e-6 * 40 * (B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)
     a2 = grown.inner_groove_centre_radius - grown.outer_groove_centre_radius
     line = solution.inner.approach + solution.outer.approach + grown.groove_centre_distance
     np.testing.assert_allclose(line, np.hypot(a1, a2), rtol=ROUNDING)

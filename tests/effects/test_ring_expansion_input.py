@@ -12,7 +12,9 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.design_report.inputs import effect_lines
 from tests.qsbearing.scenes import B218
+from tests.sets.arrangements import PAIR_FILE
 
 HEAD = """
 [bearing]
@@ -117,6 +119,37 @@ def test_a_coefficient_that_nothing_uses_and_one_that_is_missing(tmp_path: Path)
     file = tmp_path / "good.toml"
     file.write_text(unused + GOOD)
     assert qs.solve(qs.load_scene(file)).converged
+
+
+def test_a_seat_that_is_as_warm_as_its_ring_needs_a_coefficient(tmp_path: Path) -> None:
+    seat = "shaft_material = {elastic_modulus_GPa = 208, poisson_ratio = 0.3, density_kg_m3 = 7800}"
+    text = HEAD + GOOD.replace("[effects.ball", f"{seat}\n[effects.ball")
+    assert set(refused(tmp_path, text)) == {"shaft_material.thermal_expansion_per_K"}
+
+
+def test_results_say_which_temperatures_were_taken(tmp_path: Path) -> None:
+    """A seat's that is left out is its ring's, in tables, JSON and the report's input."""
+    file = tmp_path / "scene.toml"
+    file.write_text(HEAD + GOOD, encoding="utf-8")
+    found = json.loads(CliRunner().invoke(cli, ["run", str(file), "--json"]).stdout)["temperatures"]
+    assert found == {
+        "shaft": {"temperature_C": 70.0, "from": "as the inner ring"},
+        "inner_ring": {"temperature_C": 70.0, "from": "given"},
+        "outer_ring": {"temperature_C": 20.0, "from": "reference temperature"},
+        "housing": {"temperature_C": 20.0, "from": "as the outer ring"},
+    }
+    shown = [line.split() for line in CliRunner().invoke(cli, ["run", str(file)]).stdout.splitlines()]
+    assert ["shaft", "70", "as", "the", "inner", "ring"] in shown
+    lines = effect_lines(qs.load_scene(file).ring_effects)
+    assert ("ring_expansion.shaft_temperature_C", "70", "C", "left out: as the inner ring") in lines
+    assert json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).stdout)["temperatures"] is None
+    of_set = tmp_path / "set.toml"
+    ring = GOOD.partition("[effects.ball")[0].replace("90", "50").replace("160", "90")
+    of_set.write_text(PAIR_FILE.partition("[effects]")[0] + ring, encoding="utf-8")
+    record = json.loads(CliRunner().invoke(cli, ["run", str(of_set), "--json"]).stdout)
+    assert [row["temperatures"]["shaft"] for row in record["rows"]] == [found["shaft"]] * 2
+    shown = [line.split() for line in CliRunner().invoke(cli, ["run", str(of_set)]).stdout.splitlines()]
+    assert shown.count(["shaft", "70", "as", "the", "inner", "ring"]) == 1, "once for rows alike"
 
 
 def test_a_table_in_the_wrong_place(tmp_path: Path) -> None:

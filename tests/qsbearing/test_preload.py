@@ -14,7 +14,9 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.judgement import percent
 from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE, resting, solved
+from tests.qsbearing.similarity import GROWN, cold_fits, grown, warm_fits
 
 HOT = 90.0 + qs.zero_celsius
 
@@ -75,9 +77,46 @@ def test_growing_rings_raise_what_a_moved_datum_would_lower() -> None:
     assert B218.diametral_clearance - tight.diametral_clearance == pytest.approx(10 * qs.um - grooves, rel=1e-9)
     trap = solved(resting(replace(B218, **lengths(tight)), axial_displacement=found.displacement[0])).load[0]
     assert trap < 2000.0 < 2500.0 < found.load[0]
-    # The ring where it is, seen from where the tight bearing touches.
-    moved = found.displacement[0] - (tight.touching_offset - B218.touching_offset)
+    # The ring where it is, its groove's centre further in it, seen from where the tight bearing touches.
+    further = 5 * qs.um / float(B218.inner_groove_centre_radius) * B218.groove_centre_offsets[0]
+    moved = found.displacement[0] + further - (tight.touching_offset - B218.touching_offset)
     assert solved(resting(tight, axial_displacement=moved)).load[0] == pytest.approx(found.load[0], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("preload", "power"),
+    [({"spring": 3000.0}, 0), ({"rigid": 3000.0}, 2), ({"axial_displacement": 20 * qs.um}, 1)],
+)
+def test_uniform_heat_is_a_similarity(preload: dict[str, float], power: int) -> None:
+    """All lengths grow by s = 1 + alpha dT, held displacements among them, and forces by s^2, but for a spring's: the
+    grown bearing, cold and with grown fits, is the same."""
+    (kind, value), s = *preload.items(), GROWN
+    loads = {"radial_load_y": 2e3, "radial_load_z": 500.0, "moment_y": 0.0, "moment_z": 30.0}
+    warm = solved(qs.Scene(B218, qs.Operation(**loads), ring_effects=warm_fits(), preload=qs.Preload(**preload)))
+    given = qs.Preload(**{kind: value * s**power})
+    same = solved(qs.Scene(grown(), qs.Operation(**loads), ring_effects=cold_fits(), preload=given))
+    for name in ("angle", "load", "max_pressure"):
+        np.testing.assert_allclose(getattr(warm.inner, name), getattr(same.inner, name), rtol=1e-8)
+    np.testing.assert_allclose(warm.load, same.load, rtol=1e-8, atol=1e-6)
+    np.testing.assert_allclose(warm.displacement, same.displacement, rtol=1e-8, atol=1e-15)
+
+
+def test_groove_centres_move_axially_in_their_rings_and_held_displacements_with_the_shaft() -> None:
+    """The groove centres, d and the touching ball: (r - D/2) sin a0 of each ring, and what the preload has moved the
+    inner ring by, grow with their bodies; balls of another temperature do not matter to where grooves are."""
+    bodies = {"shaft": 60.0, "inner_ring": 50.0, "outer_ring": 35.0}
+    scene = preloaded(
+        qs.Preload(rigid=2e3),
+        *warm_fits(**{body: celsius + qs.zero_celsius for body, celsius in bodies.items()}),
+        bearing=B218,
+    )
+    found = solved(scene)
+    held = solved(resting(axial_load=2e3)).displacement[0]
+    assert found.displacement[0] == pytest.approx(held * (1 + 12e-6 * 40.0), rel=1e-9)
+    line = found.inner.approach[0] + found.outer.approach[0] + found.scene.operating_bearing.groove_centre_distance
+    arm = float(B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)
+    apart = arm * (1 + 12e-6 * 30.0) + arm * (1 + 12e-6 * 15.0) + found.displacement[0]
+    assert line * np.sin(found.inner.angle[0]) == pytest.approx(apart, rel=1e-9)
 
 
 def lengths(bearing: qs.BallBearing) -> dict[str, Any]:
@@ -119,6 +158,62 @@ def test_any_preload_can_be_mounted_that_does_not_crush_the_bearing() -> None:
     assert np.isnan(solution.preload_at_rest[5])
 
 
+@pytest.mark.parametrize("rpm", [0.0, 8_000.0])
+def test_a_preload_before_fitting_mounted_and_in_operation(rpm: float) -> None:
+    """Three solves by hand: the cold bearing at the place that 300 N took, with its fit at rest, and in operation."""
+    fit = {"shaft_interference": 8 * qs.um}
+    tight, warm = rings(**fit), rings(**fit, inner_ring_temperature=50 + qs.zero_celsius)
+    found = solved(preloaded(qs.Preload(rigid=300.0), warm, speed=rpm * qs.rpm, radial_load_y=50.0, tilt_z=0.0))
+    place = solved(resting(SPINDLE, axial_load=300.0)).displacement[0]
+    mounted = solved(replace(resting(SPINDLE, axial_displacement=place), ring_effects=(tight,))).load[0]
+    alone = solved(preloaded(qs.Preload(rigid=300.0), warm, speed=rpm * qs.rpm)).load[0]
+    assert found.preload_unmounted == found.preload_at_rest == pytest.approx(300.0, rel=1e-9)
+    assert found.preload_mounted == pytest.approx(mounted, rel=1e-9)
+    assert mounted > 450.0
+    assert found.preload_in_operation == pytest.approx(alone, rel=1e-9)
+    # given as the mounted load, it is the same preload
+    given = qs.Preload(mounted=mounted)
+    same = solved(replace(found.scene, preload=given))
+    np.testing.assert_allclose(same.displacement, found.displacement, rtol=1e-9, atol=1e-15)
+    assert same.preload_at_rest == same.preload_mounted == pytest.approx(mounted, rel=1e-9)
+    assert same.preload_unmounted == pytest.approx(300.0, rel=1e-9)
+    cold = solved(preloaded(given, tight))
+    assert cold.load[0] == pytest.approx(mounted, rel=1e-9), "at rest and cold it is what it says"
+
+
+def preload_warnings(preload: qs.Preload, *ring_effects: Any, **operation: Any) -> list[str]:
+    """What is said of the preload itself."""
+    said = qs.warnings(qs.solve(preloaded(preload, *ring_effects, **operation)))
+    return [each for each in said if each.startswith("Preload")]
+
+
+def test_a_bearing_warns_of_a_preload_that_has_grown_or_fallen() -> None:
+    """By the judgement of sets: beyond three times, below a hundredth; below half, what is left and the stiffness."""
+    rigid = qs.Preload(rigid=300.0)
+    assert preload_warnings(rigid) == preload_warnings(qs.Preload(spring=300.0), speed=12_000 * qs.rpm) == []
+    fit = rings(shaft_interference=20 * qs.um)
+    (said,) = preload_warnings(rigid, fit)
+    found = solved(preloaded(rigid, fit))
+    assert found.preload_state == "excessive"
+    three = f"{found.preload_unmounted:.4g} N before fitting, {found.preload_mounted:.4g} N mounted"
+    assert said.startswith(
+        f"Preload excessive: the bearing is pressed by {three} and {found.load[0]:.4g} N in operation"
+    )
+    assert preload_warnings(qs.Preload(mounted=300.0), fit) == [], "the fit is in it"
+    (lost,) = preload_warnings(rigid, rings(outer_ring_temperature=60 + qs.zero_celsius))
+    assert lost == "Preload lost: the bearing carries 0 N of the 300 N before fitting."
+    warm = rings(outer_ring_temperature=22.5 + qs.zero_celsius)
+    (fallen,), found = preload_warnings(rigid, warm), solved(preloaded(rigid, warm))
+    assert 0.01 < found.preload_share < 0.5
+    assert found.preload_state == "maintained"
+    before = solved(preloaded(rigid)).stiffness[0, 0] / 1e6
+    assert f"{found.load[0]:.4g} N, {100 * found.preload_share:.2g} % of the 300 N before fitting" in fallen
+    assert f"fell from {before:.4g} N/um mounted to {found.stiffness[0, 0] / 1e6:.4g} N/um" in fallen
+    several = solved(preloaded(qs.Preload(rigid=np.array([300.0, 5000.0])), fit))
+    assert list(several.preload_state) == ["excessive", "maintained"]
+    assert qs.warnings(several)[0].startswith("1 of 2 cases, the first 0: Preload excessive")
+
+
 # Files and results ----------------------------------------------------------------------------------------------------
 
 HEAD = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 12000\n'
@@ -130,6 +225,7 @@ EFFECTS = '[effects]\nball = ["centrifugal_force"]\nraceway_control = "outer"\n'
     [
         ("spring_N", 400, qs.Preload(spring=400.0)),
         ("rigid_N", 400, qs.Preload(rigid=400.0)),
+        ("mounted_N", 400, qs.Preload(mounted=400.0)),
         ("axial_displacement_um", 5, qs.Preload(axial_displacement=5e-6)),
     ],
 )
@@ -143,14 +239,19 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
     assert found["kind"] == preload.kind
     assert found["at_rest_N"] == pytest.approx(solution.preload_at_rest, rel=1e-9)
     assert found["in_operation_N"] == pytest.approx(solution.load[0], rel=1e-9)
+    assert found["unmounted_N"] == found["mounted_N"] == found["at_rest_N"], "without fits"
+    share = solution.load[0] / solution.preload_at_rest
+    assert (found["share"], found["state"]) == (pytest.approx(share, rel=1e-9), solution.preload_state)
     shown = CliRunner().invoke(cli, ["run", str(file), "--csv", str(target)]).stdout
-    assert f"{found['at_rest_N']:.6g} N at rest and cold, {found['in_operation_N']:.6g} N in operation" in " ".join(
-        shown.split()
+    three = (
+        "{unmounted_N:.6g} N before fitting, {mounted_N:.6g} N mounted, at rest, {in_operation_N:.6g} N in operation"
     )
+    assert f"{three.format(**found)}: {found['state']}, {percent(share)} of what is given" in " ".join(shown.split())
     with target.open(newline="") as written:
         row = next(csv.DictReader(written))
     assert float(row[f"preload_{key}"]) == pytest.approx(value)
-    assert float(row["preload_at_rest_N"]) == pytest.approx(found["at_rest_N"], rel=1e-12)
+    for state in ("at_rest_N", "unmounted_N", "mounted_N"):
+        assert float(row[f"preload_{state}"]) == pytest.approx(found[state], rel=1e-12)
     assert json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).stdout)["preload"] is None
 
 

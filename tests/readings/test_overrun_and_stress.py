@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -66,6 +68,28 @@ def test_the_nearer_edge_counts() -> None:
     assert pushed is not None
     assert pulled is not None
     assert pushed.edge_distance == pytest.approx(pulled.edge_distance, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "part",
+    [{}, {"shaft_interference": 30 * qs.um, "inner_ring_temperature": 60 + qs.zero_celsius}],
+    ids=["warm", "fit"],
+)
+def test_shoulders_move_with_their_rings(part: dict[str, Any]) -> None:
+    """Warm throughout, a bearing is similar to itself: margins grow by 1 + alpha dT where pressures stay, under a load
+    as its square. A fit or heat of one ring moves a groove and its shoulders together: the edge's angle stays."""
+    strain, hot = 12e-6 * 50, 70 + qs.zero_celsius
+    shoulders = {"inner_shoulder_diameter": 112e-3, "outer_shoulder_diameter": 139e-3}
+    throughout = {"inner_ring_temperature": hot, "outer_ring_temperature": hot}
+    effects = (qs.RingExpansion(90 * qs.mm, 160 * qs.mm, **part or throughout), qs.BallExpansion(hot))
+    cold = qs.readings.overrun(solved(resting(axial_load=20e3)), **shoulders)
+    scene = qs.Scene(B218, qs.Operation(axial_load=20e3 * (1 + strain) ** 2), ring_effects=effects)
+    warm = qs.readings.overrun(solved(scene), **shoulders)
+    for side in ("inner", "outer"):
+        before, after = getattr(cold, side), getattr(warm, side)
+        assert after.edge_angle == pytest.approx(before.edge_angle, rel=1e-12)
+        if not part:
+            np.testing.assert_allclose(after.edge_distance, before.edge_distance * (1 + strain), rtol=1e-9)
 
 
 def test_bad_shoulders() -> None:

@@ -56,6 +56,9 @@ def test_json_table_and_csv_agree(tmp_path: Path) -> None:
     loads = [row["axial_load_N"] for row in found["rows"]]
     assert loads[0] - loads[1] == pytest.approx(200.0, rel=1e-9)
     assert [row["preload_at_rest_N"] for row in found["rows"]] == pytest.approx([720.0, 720.0], rel=1e-9)
+    for state, loads in (("unmounted", solution.preload_unmounted), ("mounted", solution.preload_mounted)):
+        assert [row[f"preload_{state}_N"] for row in found["rows"]] == pytest.approx(list(loads), rel=1e-12)
+    assert [row["preload_share"] for row in found["rows"]] == pytest.approx(list(solution.preload_share), rel=1e-12)
     lives = [row["readings"]["life"]["duration_h"] for row in found["rows"]]
     assert found["system_life_h"] == pytest.approx(float(qs.system_life(lives)))
     assert found["rows"][1]["balls"][0]["inner"]["load_N"] == pytest.approx(solution.rows[1].inner.load[0], rel=1e-12)

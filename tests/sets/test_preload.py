@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.sets.preload_summary import preload_summary
+from qsbearing.sets.rigid_shaft import growth_along
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
+from tests.qsbearing.similarity import FITS, GROWN, warm_fits
 from tests.sets.arrangements import DISTANCE, S6210C, S6210E, pair, printed, rows, solved, spindle, with_load
 
 
@@ -215,8 +219,8 @@ def test_life_of_a_set() -> None:
 @pytest.mark.parametrize("speed", [0.0, 12_000 * qs.rpm])
 @pytest.mark.parametrize("inner, outer", [(20.0, 20.0), (60.0, 20.0), (20.0, 45.0)])
 def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner: float, outer: float) -> None:
-    """By symmetry the shaft of a pair stays: each row is the single bearing held where its preload took it, hot or
-    cold, still or turning; and rings that grow apart take the preload away, from both."""
+    """By symmetry the shaft of a pair stays: each row, with no shaft between them, is the single bearing held where its
+    preload took it, hot or cold, still or turning; and rings that grow apart take the preload away, from both."""
     temperatures = {"inner_ring_temperature": inner, "outer_ring_temperature": outer}
     hot = {name: value + qs.zero_celsius for name, value in temperatures.items()}
     growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **hot)  # type: ignore[arg-type]
@@ -225,10 +229,140 @@ def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner:
     steel = replace(S6210C.ring_material, thermal_expansion=12e-6)
     bearing = replace(S6210C, ring_material=steel)
     alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), ring_effects=(growth,), preload=preload, **effects))
-    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, ring_effects=(growth,), **effects))
+    close = rows("DB", bearing, distance=1e-12)
+    found = solved(qs.BearingSet(close, qs.Operation(speed), preload, ring_effects=(growth,), **effects))
     np.testing.assert_allclose(found.axial_loads, alone.load[0], rtol=1e-8, atol=1e-9)
     np.testing.assert_allclose(found.rows[0].displacement, alone.displacement, rtol=1e-9, atol=1e-15)
     assert found.preload_at_rest == pytest.approx(720.0, rel=1e-9)
     assert found.preload_in_operation == pytest.approx(found.axial_loads, rel=1e-8, abs=1e-9)
     if outer > 20.0 and not speed:
         assert list(found.preload_state) == ["lost", "lost"]
+
+
+# Fits ---------------------------------------------------------------------------------------------------------------
+
+
+def fitted_pair(preload: qs.Preload, interference: float = 8 * qs.um, **operation: Any) -> qs.BearingSet:
+    """Two rows of S 6210 C on a fit."""
+    rings = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, shaft_interference=interference)
+    return qs.BearingSet(rows("DB"), qs.Operation(**operation), preload, ring_effects=(rings,))
+
+
+def test_a_preload_before_fitting_mounted_and_in_operation() -> None:
+    """Each row is the bearing alone with its fit, where the preload took it; given mounted, it is the same set."""
+    found = solved(fitted_pair(qs.Preload(rigid=300.0), axial_load=50.0))
+    alone = qs.solve(
+        qs.Scene(S6210C, qs.Operation(), ring_effects=found.set.ring_effects, preload=qs.Preload(rigid=300.0))
+    )
+    np.testing.assert_allclose(found.preload_unmounted, 300.0, rtol=1e-9)
+    np.testing.assert_allclose(found.preload_at_rest, 300.0, rtol=1e-9)
+    np.testing.assert_allclose(found.preload_mounted, alone.load[0], rtol=1e-9)
+    np.testing.assert_allclose(found.preload_in_operation, found.preload_mounted, rtol=1e-9)
+    mounted = solved(fitted_pair(qs.Preload(mounted=alone.load[0]), axial_load=50.0))
+    np.testing.assert_allclose(mounted.axial_loads, found.axial_loads, rtol=1e-9)
+    np.testing.assert_allclose(mounted.preload_at_rest, alone.load[0], rtol=1e-9)
+    np.testing.assert_allclose(mounted.preload_unmounted, 300.0, rtol=1e-9)
+    assert alone.load[0] > 600.0
+    assert list(mounted.preload_state) == ["maintained", "maintained"]
+
+
+def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
+    found = solved(fitted_pair(qs.Preload(rigid=300.0), 20 * qs.um))
+    first = found.warnings()[0]
+    assert first.startswith("Preload excessive: row 1 (S 6210 C, carries +x) is pressed by 300 N before fitting, ")
+    assert f"{found.preload_mounted[0]:.4g} N mounted and {found.preload_in_operation[0]:.4g} N in operation" in first
+    assert not any("at speed" in each for each in [*found.warnings(), *preload_summary(found)])
+    assert any(
+        each.startswith("Fitting changes what presses the rows from 300 N to") for each in preload_summary(found)
+    )
+    (excessive, _) = qs.preload_speeds(found.set, 1_000 * qs.rpm)
+    assert excessive.sentence.endswith("more than 3 times what is given, already at rest, under these loads.")
+
+
+def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
+    """Where a load relieves a row: its share, and how its stiffness fell."""
+    found = solved(pair("DB", 720.0, axial_load=1300.0))
+    share = found.axial_loads[1] / 720.0
+    assert list(found.preload_state) == ["maintained", "maintained"]
+    assert found.preload_share[1] == pytest.approx(share, rel=1e-9)
+    assert 0.01 < share < 0.5
+    (said,) = (each for each in found.warnings() if each.startswith("Preload"))
+    assert said.startswith(f"Preload reduced: row 2 (S 6210 C, carries -x) carries {found.axial_loads[1]:.4g} N")
+    before, now = (each.rows[1].stiffness[0, 0] / 1e6 for each in (found.mounted, found))
+    assert f"{100 * share:.2g} % of the 720 N before fitting; its axial stiffness fell from {before:.4g}" in said
+    assert f"to {now:.4g} N/um" in said
+    many = solved(pair("DB", 720.0, axial_load=np.array([0.0, 1300.0])))
+    assert "1 of 2 cases: row 2 (S 6210 C, carries -x) carries less than half of its preload." in many.warnings()
+
+
+# Heat -----------------------------------------------------------------------------------------------------------------
+
+
+def of_b218(arrangement: str, scale: float, bearing: qs.BallBearing, kind: str, value: float) -> qs.BearingSet:
+    """Rows of B218 with all lengths of the set scaled, loaded from all sides, and preloaded in one of the ways."""
+    found = rows(arrangement, bearing, distance=60 * qs.mm * scale)
+    if kind == "spring":
+        found = tuple(replace(row, sprung=row.sign < 0.0) for row in found)
+    if kind == "offset":
+        found = (replace(found[0], offset=value), *found[1:])
+    preload = None if kind == "offset" else qs.Preload(**{kind: value})
+    loads = {"axial_load": 500.0, "radial_load_y": 900.0, "radial_load_z": -300.0, "moment_y": 20.0, "moment_z": -30.0}
+    larger = {name: load * scale ** (3 if "moment" in name else 2) for name, load in loads.items()}
+    return qs.BearingSet(found, qs.Operation(**larger), preload, reference_position=0.01 * scale)
+
+
+@pytest.mark.parametrize("arrangement", ["DB", "DF", "TBT"])
+@pytest.mark.parametrize(
+    ("kind", "value"), [("rigid", 8e3), ("axial_displacement", 5e-5), ("spring", 8e3), ("offset", 5e-5)]
+)
+def test_uniform_heat_is_a_similarity(arrangement: str, kind: str, value: float) -> None:
+    """Distances, offsets and held displacements grow as the bearings do: under loads that grow with their square and
+    moments with their cube, every row carries as much more. A spring keeps its force, and is given more here."""
+    cold = solved(replace(of_b218(arrangement, 1.0, B218, kind, value), ring_effects=(qs.RingExpansion(**FITS),)))
+    of = of_b218(arrangement, GROWN, B218, kind, value * GROWN**2 if kind == "spring" else value)
+    of = replace(of, rows=tuple(replace(row, position=row.position / GROWN) for row in of.rows))  # type: ignore[operator]
+    of = replace(of, reference_position=0.01, ring_effects=warm_fits())
+    warm = solved(of)
+    np.testing.assert_allclose(warm.axial_loads, cold.axial_loads * GROWN**2, rtol=1e-7)
+    np.testing.assert_allclose(warm.rows[0].inner.load, cold.rows[0].inner.load * GROWN**2, rtol=1e-7)
+    np.testing.assert_allclose(warm.displacement[:3], cold.displacement[:3] * GROWN, rtol=1e-7)
+    np.testing.assert_allclose(warm.displacement[3:], cold.displacement[3:], rtol=1e-7)
+
+
+def test_a_warmer_shaft_parts_inner_rings_as_spacers_would() -> None:
+    """Back to back it takes from the preload what its growth between the rows is, face to face it adds as much; in
+    tandem it shifts load from row to row. A set of rows at one place with offsets of that size carries the same."""
+    shaft, housing = 12e-6 * 40.0, 12e-6 * 10.0
+    bodies = {"shaft": 60.0, "inner_ring": 20.0, "outer_ring": 20.0, "housing": 30.0}
+    effects = warm_fits(**{body: celsius + qs.zero_celsius for body, celsius in bodies.items()})
+    carried = {}
+    for arrangement in ("DB", "DF", "TBT"):
+        apart = rows(arrangement, B218, distance=60 * qs.mm)
+        together = tuple(
+            replace(row, position=1e-9 * n, offset=row.sign * (shaft - housing) * float(row.position))
+            for n, row in enumerate(apart)
+        )
+        one, other = (
+            solved(qs.BearingSet(each, preload=qs.Preload(axial_displacement=8e-5), ring_effects=effects))
+            for each in (apart, together)
+        )
+        # the offsets given are lengths of the shaft, which grow by a two-thousandth once more
+        np.testing.assert_allclose(one.axial_loads, other.axial_loads, rtol=2e-3)
+        carried[arrangement] = one.axial_loads
+    at_one_place = rows("DB", B218, distance=1e-9)
+    none = solved(qs.BearingSet(at_one_place, preload=qs.Preload(axial_displacement=8e-5), ring_effects=effects))
+    assert carried["DB"][0] < none.axial_loads[0] < carried["DF"][0]
+
+
+def test_a_shaft_that_is_not_as_warm_at_every_row_grows_between_them_by_the_mean() -> None:
+    """Three rows at 20, 40 and 80 degrees, 50 and 100 mm apart, counted from 10 mm before the second."""
+    places, celsius = np.array([0.0, 0.05, 0.15]), (20.0, 40.0, 80.0)
+    effects = (warm_fits(shaft=each + qs.zero_celsius, housing=20.0 + qs.zero_celsius) for each in celsius)
+    found = tuple(
+        qs.Row(B218, float(place), "+x", ring_effects=effect)  # type: ignore[arg-type]
+        for place, effect in zip(places, effects, strict=True)
+    )
+    of = qs.BearingSet(found, qs.Operation(axial_load=1e3), reference_position=0.04)
+    moved = [float(growth_along(of, number, 0)) for number in range(3)]
+    expected = 12e-6 * np.array([-10.0 * 0.04, 10.0 * 0.01, 10.0 * 0.01 + 40.0 * 0.1])
+    np.testing.assert_allclose(moved, expected, rtol=1e-9)

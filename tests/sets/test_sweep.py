@@ -16,6 +16,8 @@ from tests.sets.test_files import written
 
 pytest.importorskip("xarray")
 
+SINGLE = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 0\n[preload]\nrigid_N = 500\n'
+
 
 def test_a_sweep_finds_what_python_does(tmp_path: Path) -> None:
     """Preload, load and speed; a preload that varies leaves the shaft its axial load."""
@@ -40,6 +42,14 @@ def test_a_sweep_finds_what_python_does(tmp_path: Path) -> None:
     }.items():
         np.testing.assert_allclose(found[name], values, rtol=1e-9, atol=1e-12, err_msg=name)
     assert found["row_1_axial_load"].attrs["units"] == "N"
+
+
+def test_a_mounted_preload_varies_as_one_before_fitting_does(tmp_path: Path) -> None:
+    fit = "[effects.ring_expansion]\nbore_diameter_mm = 50\noutside_diameter_mm = 90\nshaft_interference_um = 8\n"
+    for text, result in ((PAIR_FILE + fit, "row_1_preload_mounted"), (SINGLE + fit, "ring_load_axial")):
+        found = qs.sweep(qs.Study.of(written(tmp_path, text), {"preload.mounted_N": [300, 900]}))
+        assert (found["status"] == 0).all()
+        np.testing.assert_allclose(found[result], [300.0, 900.0], rtol=1e-9)
 
 
 def test_points_without_equilibrium_stay(tmp_path: Path) -> None:

@@ -27,6 +27,7 @@ _NAMES = {
     "least_loaded_azimuth": "azimuth of the least loaded ball",
     "speed": "speed of the inner ring",
     "rigid": "rigid preload",
+    "mounted": "mounted preload",
     "spring": "spring preload",
     "free_contact_angle": "free contact angle",
     "groove_radius_coefficient": "groove radius coefficient $f$",

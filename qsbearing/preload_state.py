@@ -1,0 +1,98 @@
+"""What has become of a preload, of a bearing or of a row of a set: maintained, lost or excessive, in sentences."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+LOST = 0.01
+"""A bearing that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
+REDUCED = 0.5
+"""Below this part of it, what is left is worth a sentence (chosen: stiffness at rest follows the cube root of the load,
+and has lost a fifth)."""
+EXCESSIVE = 3.0
+"""A preload is excessive when it is this many times what is given (chosen: makers' light, medium and heavy preloads are
+1 : 3 : 6, as GMN's are: a light one has become a medium one, unasked)."""
+
+
+class PreloadState(StrEnum):
+    """What has become of a preload."""
+
+    MAINTAINED = "maintained"
+    LOST = "lost"
+    """In operation, external loads included, the bearing carries next to nothing."""
+    EXCESSIVE = "excessive"
+    """Without external loads the bearing carries in operation a multiple of what is given."""
+
+
+class PreloadLoads(NamedTuple):
+    """Axial loads of a bearing; numbers or arrays of one shape [N]."""
+
+    given: Any
+    """By the preload alone, at rest and cold, in the state in which it is given: before fitting, or mounted."""
+    alone: Any
+    """In operation, without external loads."""
+    carried: Any
+    """In operation, with them."""
+
+
+def states(of: PreloadLoads) -> NDArray:
+    """`PreloadState` by its word; empty where not solved."""
+    given, alone, carried = np.broadcast_arrays(*of)
+    out = np.full(given.shape, str(PreloadState.MAINTAINED), dtype=f"<U{max(map(len, PreloadState))}")
+    with np.errstate(invalid="ignore"):
+        pressed = given > 0.0
+        out[pressed & (alone > EXCESSIVE * given)] = PreloadState.EXCESSIVE
+        out[pressed & (carried < LOST * given)] = PreloadState.LOST
+    out[np.isnan(carried) | np.isnan(given)] = ""
+    return out
+
+
+def share(of: PreloadLoads) -> NDArray:
+    """What is carried over what is given; NaN where nothing is given."""
+    given, _, carried = np.broadcast_arrays(*of)
+    return np.divide(carried, given, out=np.full(given.shape, np.nan), where=given > 0.0)
+
+
+def is_reduced(of: PreloadLoads) -> NDArray:
+    """Where a preload is maintained, but for less than half."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray((states(of) == PreloadState.MAINTAINED) & (share(of) < REDUCED))
+
+
+def lost(who: str, of: PreloadLoads, state: str) -> str:
+    """Of one case.
+
+    Args:
+        who: what bearing.
+        state: in which the preload is given.
+    """
+    return f"Preload lost: {who} carries {max(of.carried, 0.0):.4g} N of the {of.given:.4g} N {state}."
+
+
+def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -> str:
+    """Likewise.
+
+    Args:
+        before, now: its axial stiffness, mounted and in operation [N/m].
+    """
+    went = "fell" if now < before else "rose"
+    return (
+        f"Preload reduced: {who} carries {of.carried:.4g} N, {100.0 * float(share(of)):.2g} % of the {of.given:.4g} N "
+        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/um mounted to {1e-6 * now:.4g} N/um."
+    )
+
+
+def excessive(who: str, of: PreloadLoads, unmounted: float, mounted: float) -> str:
+    """Likewise.
+
+    Args:
+        unmounted, mounted: by the preload alone, at rest and cold, before fitting and after [N].
+    """
+    return (
+        f"Preload excessive: {who} is pressed by {unmounted:.4g} N before fitting, {mounted:.4g} N mounted and "
+        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times what is given."
+    )
