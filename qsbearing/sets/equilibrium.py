@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.ring_stiffness import SOFTEST
-from qsbearing.sets.rigid_shaft import UNKNOWNS
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
 from qsbearing.sets.row_cases import Found, RowCases
 
 # Choices that shape the way to an equilibrium, not the equilibrium.
@@ -199,9 +199,26 @@ def follow(s: Stretch, which: NDArray) -> tuple[NDArray, NDArray]:
     return np.sort(np.concatenate(done)), reached
 
 
+def is_beyond_spring(s: Stretch, which: NDArray) -> NDArray:
+    """Whether sprung rows would have to carry more axial load than their spring gives, no other row helping.
+
+    The shaft then moves as far as the sprung rings slide: that presses no row, and the load works more than the spring
+    resists.
+    """
+    found = np.zeros(which.size, bool)
+    for sign in (1.0, -1.0):
+        motion = np.array([sign, -1.0])
+        presses = [row.matrix[which][:, 0, [0, SLIDE]] @ motion > 0.0 for row in s.rows]
+        presses += [~row.cases["one_sided"][which] for row in s.rows]
+        works = s.load[which][:, [0, SLIDE]] @ motion > 0.0
+        found |= works & ~np.any(presses, axis=0) & ~s.held[which][:, [0, SLIDE]].any(axis=1)
+    return found
+
+
 def unsupported(s: Stretch, which: NDArray) -> NDArray:
     """Which unknowns of cases not solved are loaded although nothing resists them where the shaft went."""
     out = np.zeros((which.size, UNKNOWNS), bool)
+    out[:, 0] = is_beyond_spring(s, which)
     known = np.logical_and.reduce([row.found.results["status"][which] == CONVERGED for row in s.rows])
     cases = which[known]
     if not cases.size:
@@ -215,5 +232,5 @@ def unsupported(s: Stretch, which: NDArray) -> NDArray:
     along = np.where(soft, np.einsum("kij,ki->kj", vectors, imbalance), 0.0)
     part = np.abs(np.einsum("kij,kj->ki", vectors, along))
     size = np.linalg.norm(imbalance, axis=1, keepdims=True)
-    out[known] = (part > 0.5 * part.max(axis=1, keepdims=True)) & (part.max(axis=1, keepdims=True) > 0.5 * size)
+    out[known] |= (part > 0.5 * part.max(axis=1, keepdims=True)) & (part.max(axis=1, keepdims=True) > 0.5 * size)
     return out & ~s.held[which]

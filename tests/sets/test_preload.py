@@ -115,6 +115,19 @@ def test_more_than_the_spring_gives_way() -> None:
     assert np.isnan(found.rows[0].inner.load).all()
 
 
+def test_more_than_the_spring_is_unsupported_where_no_row_gives_way() -> None:
+    """At speed the rows may stay pressed on the way: that the spring gives no more is reason enough."""
+    first, second = rows("DB")
+    operation = qs.Operation(
+        14_937.207712996758 * qs.rpm, axial_load=-805.4271168722496, radial_load_y=94.72420263843988, moment_z=0.0
+    )
+    pair_on_spring = (first, replace(second, sprung=True))
+    of = qs.BearingSet(pair_on_spring, operation, qs.Preload(spring=300.0), ball_effects=BOTH, raceway_control=OUTER)
+    found = qs.solve_set(of)
+    assert (found.status, found.reason) == (qs.Status.NO_EQUILIBRIUM, qs.Reason.UNSUPPORTED)
+    assert "The axial load in -x is more than the spring's 300 N." in found.message()
+
+
 def test_a_preload_that_no_row_carries() -> None:
     """Balls of 2.4 mm under 100 MN: the row is pressed further than its balls are large, at rest already."""
     small = spindle("S 619/5 C TA", 0.52)
