@@ -35,7 +35,7 @@ from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_p
 from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.ring_expansion_errors import TEMPERATURES, expansion_errors, section_errors
+from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
 from qsbearing.validation import LENGTH, ErrorDetail, first, raise_if_any
 
@@ -204,8 +204,14 @@ class RingExpansion:
     @property
     def without_heat(self) -> RingExpansion:
         """The same rings and seats at the reference temperature."""
-        none = dict.fromkeys(TEMPERATURES)
-        return replace(self, **none, reference_temperature=RingExpansion.reference_temperature)
+        return replace(
+            self,
+            shaft_temperature=None,
+            inner_ring_temperature=None,
+            outer_ring_temperature=None,
+            housing_temperature=None,
+            reference_temperature=RingExpansion.reference_temperature,
+        )
 
     @property
     def is_warm(self) -> bool:

@@ -55,15 +55,15 @@ def growth_along(of: BearingSet, number: int, body: int) -> NDArray:
     """
     if all(expansion(of, row) is None for row in of.rows):
         return np.zeros(())
-    rows = [np.broadcast_arrays(row.position, seat_strains(of, row)[body], of.reference) for row in of.rows]
-    places, strains, reference = np.moveaxis(np.array(np.broadcast_arrays(*rows), float), 1, 0)
-    order = np.argsort(places, axis=0)
-    place, places = places[number], np.take_along_axis(places, order, 0)
-    strains = np.take_along_axis(strains, order, 0)
+    positions, heats = zip(*((row.position, seat_strains(of, row)[body]) for row in of.rows), strict=True)
+    numbers = np.array(np.broadcast_arrays(of.reference, *positions, *heats), float)
+    reference, places, strains = numbers[0], numbers[1 : len(of.rows) + 1], numbers[len(of.rows) + 1 :]
+    order, place = np.argsort(places, axis=0), places[number]
+    places, strains = (np.take_along_axis(each, order, 0) for each in (places, strains))
     between = np.concatenate([strains[:1], 0.5 * (strains[1:] + strains[:-1]), strains[-1:]])
     beyond = np.full_like(places[:1], np.inf)
     low, high = np.concatenate([-beyond, places]), np.concatenate([places, beyond])
-    return np.asarray((between * (np.clip(place, low, high) - np.clip(reference[0], low, high))).sum(axis=0))
+    return np.asarray((between * (np.clip(place, low, high) - np.clip(reference, low, high))).sum(axis=0))
 
 
 def seat_strains(of: BearingSet, row: Row) -> tuple[Any, Any]:

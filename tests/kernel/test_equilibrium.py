@@ -66,9 +66,11 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
         length = groove - 0.5 * own + contacts.approach
         reach += length * np.array([np.sin(contacts.angle), np.cos(contacts.angle)])
     # (Lo + do) no + (Li + di) ni leads from the outer to the displaced inner groove centre (19.3, 19.4), which stood
-    # BD sin(a0) from it at rest and cold; radially they stand apart as they have grown.
-    cold = solution.scene.bearing
-    offset = float(cold.groove_centre_distance * np.sin(cold.free_contact_angle))
+    # BD sin(a0) from it at rest and cold and has moved by heat in its ring; radially they stand apart as grown.
+    cold, rings = solution.scene.bearing, solution.scene.ring_expansion
+    strain = 0.0 if rings is None else 12e-6 * (float(rings.inner_ring_temperature) - 20.0 - qs.zero_celsius)
+    moved = strain * (float(cold.inner_groove_radius) - 0.5 * float(cold.ball_diameter))
+    offset = (float(cold.groove_centre_distance) + moved) * np.sin(float(cold.free_contact_angle))
     tilt = lever(solution.scene) * (d[3] * np.sin(psi) - d[4] * np.cos(psi))
     axial = offset + d[0] + tilt
     apart = float(bearing.inner_groove_centre_radius - bearing.outer_groove_centre_radius)
