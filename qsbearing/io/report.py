@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.console import Group, RenderableType
@@ -20,6 +20,9 @@ from qsbearing.io.tables import plain_table
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
+
+if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
@@ -59,7 +62,7 @@ def tables_of_balls(solution: Solution) -> Group:
 
 
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(found)]
+    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(solution, found)]
     return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
 
 
@@ -202,10 +205,19 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
     return tables
 
 
-def stiffness_table(found: dict[str, Any]) -> Table:
-    """Locked and effective stiffness of a record, channel by channel."""
+def freedom(free: Collection[int]) -> str:
+    """Which channels are free to move, and which are not, by the numbers of the free ones."""
+    names = {
+        is_free: [channel.label for i, channel in enumerate(CHANNELS) if (i in free) == is_free]
+        for is_free in (True, False)
+    }
+    return f"free: {', '.join(names[True]) or 'none'}; displacement given: {', '.join(names[False]) or 'none'}"
+
+
+def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+    """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
-    table = plain_table("Stiffness", heading, left=(0, 3))
+    table = plain_table(f"Stiffness ({freedom(solution._free_channels)})", heading, left=(0, 3))
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])
