@@ -84,11 +84,8 @@ def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
         parts += [Text(SCOPE[name])] if name in SCOPE else []
         for model in getattr(reading, "models", ()):
-            parts.append(
-                Text(
-                    f"{model.name}: {model.contains}; without {model.lacks}. Range: {model.range}. For heat: {model.heat}."
-                )
-            )
+            what = f"{model.name}: {model.contains}; without {model.lacks}."
+            parts.append(Text(f"{what} Range: {model.range}. For heat: {model.heat}."))
         parts += [Text.assemble(("Warning: ", "bold yellow"), each) for each in getattr(reading, "warnings", ())]
     return parts
 

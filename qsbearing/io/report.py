@@ -207,11 +207,9 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
 
 def freedom(free: Collection[int]) -> str:
     """Which channels are free to move, and which are not, by the numbers of the free ones."""
-    names = {
-        is_free: [channel.label for i, channel in enumerate(CHANNELS) if (i in free) == is_free]
-        for is_free in (True, False)
-    }
-    return f"free: {', '.join(names[True]) or 'none'}; displacement given: {', '.join(names[False]) or 'none'}"
+    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
+    found = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in found.items() if names)
 
 
 def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:

@@ -79,6 +79,8 @@ class FrictionEstimates:
     palmgren: FrictionEstimate | None
     speed_factor: NDArray
     """n dm: speed of one ring against the other by the mean of bore and outside diameter [m rad/s]."""
+    speed_over_rating: NDArray | None
+    """That speed over the bearing's rating [-]; None without it."""
 
     @property
     def models(self) -> tuple[FrictionModel, ...]:
@@ -113,8 +115,9 @@ def friction_estimates(
     if static_load_rating is not None and lubrication_factor is not None:
         rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
         palmgren = palmgren_torque(solution, **bearing, **rest)  # type: ignore[arg-type]
-    speed_factor = _loads(solution)[2] * rpm * 0.5 * (bore_diameter + outside_diameter)
-    return FrictionEstimates(skf, palmgren, speed_factor)
+    speed = _loads(solution)[2] * rpm
+    over_rating = None if speed_rating is None else speed / speed_rating
+    return FrictionEstimates(skf, palmgren, speed * 0.5 * (bore_diameter + outside_diameter), over_rating)
 
 
 def estimate_errors(
@@ -204,11 +207,12 @@ def skf_torque(
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
+    found: tuple[ArrayLike, str]
     if speed_rating is None:
         found = (True, "SKF's friction holds below the bearing's speed rating, which is not given (speed_rating)")
     else:
-        above = f"the speed is above the rating of {speed_rating / rpm:.6g} rpm, up to which SKF's friction holds"
-        found = (n * rpm > speed_rating, f"{above}: its torque and heat are extrapolated")
+        above = "the speed is above the bearing's speed rating, below which SKF's friction holds"
+        found = (n * rpm > np.asarray(speed_rating), f"{above}: its torque and heat are extrapolated")
     return _estimate(solution, rolling + sliding, SKF, remarks([found], solution.shape))
 
 

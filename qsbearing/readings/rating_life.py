@@ -203,10 +203,8 @@ def life(
     )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     if factor is not None:
-        capped = (
-            f"aISO is at its limit of {LARGEST:g}: the modified life is that many times the basic one by the cap of"
-        )
-        found.append((factor >= LARGEST, f"{capped} ISO 281, not by a prediction"))
+        capped = f"aISO is at its limit of {LARGEST:g}: the cap of ISO 281, not a prediction, makes the modified life"
+        found.append((factor >= LARGEST, capped))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         remarks(found, shape),

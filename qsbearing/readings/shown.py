@@ -67,6 +67,7 @@ CASE: dict[str, tuple[Shown, ...]] = {
     "friction": (Shown("power_W", "power"), Shown("torque_Nmm", "torque", Nmm)),
     "friction_estimate": (
         Shown("speed_factor_mm_rpm", "speed_factor", mm * rpm),
+        *_plain("speed_over_rating"),
         Shown("skf_torque_Nmm", "skf.torque", Nmm),
         Shown("skf_power_W", "skf.power"),
         Shown("palmgren_torque_Nmm", "palmgren.torque", Nmm),

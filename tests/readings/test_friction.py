@@ -269,7 +269,9 @@ def test_skf_s_estimate_is_warned_of_above_the_speed_rating() -> None:
     assert "not given" in qs.readings.skf_torque(solution, **size).warnings[0]
     (above,) = qs.readings.skf_torque(solution, **size, speed_rating=19e3 * qs.rpm).warnings
     assert above.startswith("1 of 2 cases, the first 1: ")
-    assert qs.readings.friction_estimates(solution, **size, speed_rating=19e3 * qs.rpm).warnings == (above,)
+    both = qs.readings.friction_estimates(solution, **size, speed_rating=19e3 * qs.rpm)
+    assert both.warnings == (above,)
+    assert both.speed_over_rating == pytest.approx([6 / 19, 24 / 19])
     assert qs.readings.skf_torque(solution, **size, speed_rating=25e3 * qs.rpm).warnings == ()
     with pytest.raises(qs.SceneError) as caught:
         qs.readings.skf_torque(solution, **size, speed_rating=-1.0)
