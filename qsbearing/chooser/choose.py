@@ -1,7 +1,8 @@
-"""`qs.solve`: a scene as it stands, or with just the effects and choices that a tolerance needs.
+"""`qs.solve`: a scene as it stands, or with effects and choices left out within a tolerance.
 
 The full model of an operating point has every effect and the finest of every choice that need nothing but to be named,
-and besides whatever the scene names with parameters. What the tolerance does not need is left out:
+and besides whatever the scene names with parameters. What is found to matter less than the tolerance is left out, which
+need not be all that could be:
 
 1. The scene is solved without anything that may be left out. What its indicator predicts to err by more than `MARGIN`
    times the tolerance is put in, and the rest judged again, until nothing is left to put in.
@@ -56,7 +57,7 @@ def solve(
 
     Args:
         scene: what to solve; its array fields broadcast to the case axes.
-        effects: "auto": just the effects and choices that `tolerance` needs; None: those that the scene names, or auto
+        effects: "auto": effects and choices are left out within `tolerance`; None: those that the scene names, or auto
             where it asks for that itself (`Scene.tolerance`).
         tolerance: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
         residual_tolerance: of the solver, 1e-13 to 1e-6: largest imbalance over the largest force at which a case

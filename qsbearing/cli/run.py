@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     "--accuracy",
     type=float,
     metavar="ERROR",
-    help="Choose the effects: just those that keep all results within this relative error of the full model of the "
-    "operating point, whether SCENE names them or not. 1e-3, for instance.",
+    help="Choose the effects: some are left out, whether SCENE names them or not, as long as all results stay within "
+    "this relative error of the full model of the operating point. 1e-3, for instance.",
 )
 def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Group, Table
+from qsbearing.io.report import freedom
 from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_messages import capital, row_name
@@ -102,7 +103,7 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/um"), (1.0 / mrad, "Nm/mrad"), free)
     given = set(range(len(CHANNELS))) - free
     reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "Nm"), given)
-    lines = [(f"displacement of the {what}", moved), ("effective stiffness", stiff)]
+    lines = [(f"displacement of the {what}", moved), (f"effective stiffness, {freedom(free)}", stiff)]
     lines.append(("load where a displacement is given", reactions))
     return [line for line in lines if line[1]]
 
@@ -132,19 +133,33 @@ def _life_lines(readings: Mapping[str, Any]) -> list[Line]:
     life = readings.get("life")
     if life is None:
         return []
-    modified = life.modified_reference_rating_life
-    name, turns = ("basic", life.basic_reference_rating_life) if modified is None else ("modified", modified)
+    factors = [] if life.reliability_factor == 1.0 else [f"a1 {life.reliability_factor:.2g}"]
+    if life.life_modification_factor is not None:
+        limit = ", at its limit" if life.is_at_limit else ""
+        factors.append(f"aISO {_number(float(life.life_modification_factor), 3)}{limit}")
+    lines = [("basic reference rating life", _life(life.basic_reference_rating_life, life.basic_duration))]
+    if factors:
+        text = f"{_life(life.reference_rating_life, life.duration)}: {', '.join(factors)}"
+        lines.append(("modified reference rating life", text))
+    return lines
+
+
+def _life(turns: NDArray, duration: NDArray) -> str:
     text = f"{_number(float(turns) / MILLION)} million revolutions"
-    hours = float(life.duration) / HOUR
-    return [(f"{name} reference rating life", f"{text}, {_number(hours)} h" if np.isfinite(hours) else text)]
+    return f"{text}, {_number(float(duration) / HOUR)} h" if np.isfinite(duration) else text
 
 
 def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[Line]:
     """Where every row has a life in hours."""
-    lives = [float(found["life"].duration) for found in readings if "life" in found]
-    if len(lives) < len(readings) or not np.isfinite(lives).all():
+    lives = [found["life"] for found in readings if "life" in found]
+    if len(lives) < len(readings) or not np.isfinite([life.duration for life in lives]).all():
         return []
-    return [("life of the set", f"{_number(float(system_life(lives)) / HOUR)} h")]
+    basic, modified = (
+        f"{_number(float(system_life([getattr(life, name) for life in lives])) / HOUR)} h"
+        for name in ("basic_duration", "duration")
+    )
+    lines = [("basic life of the set", basic), ("modified life of the set", modified)]
+    return lines if modified != basic else lines[:1]
 
 
 def _number(value: float, digits: int = 4) -> str:

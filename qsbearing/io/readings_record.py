@@ -33,6 +33,8 @@ def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) 
             holder[key] = None if values is None else _number(values[index][ball])
     if any(rows):
         out["balls"] = rows
+    if hasattr(reading, "models"):
+        out["models"] = [model._asdict() for model in reading.models]
     out["warnings"] = list(getattr(reading, "warnings", ()))
     return out
 

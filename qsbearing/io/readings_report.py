@@ -13,17 +13,21 @@ from rich.table import Table
 from rich.text import Text
 
 from qsbearing.io.tables import plain_table
+from qsbearing.readings.film_thickness import FACTOR_SPREAD
 from qsbearing.readings.shown import ball_values, case_values
 
 UNITS = {
-    "Mrev": "million rev", "m_s": "m/s", "MPa_m_s": "MPa m/s", "N": "N", "h": "h", "Hz": "Hz", "rpm": "rpm", "um": "um",
-    "mm": "mm", "MPa": "MPa", "W": "W", "Nmm": "Nmm", "deg": "deg",
+    "Mrev": "million rev", "mm_rpm": "mm rpm", "m_s": "m/s", "MPa_m_s": "MPa m/s", "N": "N", "h": "h", "Hz": "Hz",
+    "rpm": "rpm", "um": "um", "mm": "mm", "MPa": "MPa", "W": "W", "Nmm": "Nmm", "deg": "deg",
 }  # fmt: skip
 
 
 PLAIN_NAMES = {
     "reference_load_N": "reference load, C/(basic reference life)^(1/3)",
-    "duration_h": "life in hours, modified if that is asked for",
+    "basic_duration_h": "basic reference rating life in hours",
+    "reliability_factor": "reliability factor a1",
+    "life_modification_factor": "life modification factor aISO",
+    "duration_h": "reference life in hours, with a1 and aISO where given",
     "equivalent_load_N": "equivalent load P of ISO 281",
     "basic_rating_life_Mrev": "basic rating life of ISO 281",
     "static_equivalent_load_N": "static equivalent load P0 of ISO 76",
@@ -34,6 +38,11 @@ PLAIN_NAMES = {
     "nominal_ball_pass_inner_Hz": "ball pass inner, at the nominal contact angle",
     "nominal_ball_pass_outer_Hz": "ball pass outer, at the nominal contact angle",
     "nominal_ball_spin_Hz": "ball spin, at the nominal contact angle",
+    "speed_factor_mm_rpm": "speed factor n dm",
+    "skf_torque_Nmm": "torque by SKF",
+    "skf_power_W": "power by SKF",
+    "palmgren_torque_Nmm": "torque by Palmgren",
+    "palmgren_power_W": "power by Palmgren",
     "power_W": "power, of the contacts only",
     "torque_Nmm": "torque, of the contacts only",
     "near_pivot_mm": "pivot point nearer to the centre",
@@ -46,13 +55,18 @@ PLAIN_NAMES = {
     "orthogonal_shear_depth_mm": "its depth",
     "dent_um": "permanent dent",
     "spin_pressure_speed_MPa_m_s": "p v of spin",
+    "inlet_shear_heating": "inlet shear heating by SKF",
+    "central_thickness_um": "central thickness, isothermal",
+    "minimum_thickness_um": "minimum thickness, isothermal",
+    "reduced_minimum_thickness_um": "the minimum reduced by inlet heating",
+    "film_parameter": "film parameter, of the reduced minimum",
     "thermal_reduction": "film reduction by inlet heating",
 }
 """Of keys whose own words do not state what they are."""
 
 SCOPE = {
-    "friction": "Friction: of the contacts only, without viscous, cage and seal friction.",
-    "friction_estimate": "Friction estimate: of the whole bearing, by catalogue formulas.",
+    "film": "Film: isothermal but for the reduced minimum, of which the film parameter is; published factors of the "
+    f"reduction by inlet heating differ by some {100 * FACTOR_SPREAD:.0f} %.",
     "pivot_points": "Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
 }
 """Of readings whose name does not state what they cover."""
@@ -69,6 +83,9 @@ def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
         tables = [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
         parts += [Text(SCOPE[name])] if name in SCOPE else []
+        for model in getattr(reading, "models", ()):
+            what = f"{model.name}: {model.contains}; without {model.lacks}."
+            parts.append(Text(f"{what} Range: {model.range}. For heat: {model.heat}."))
         parts += [Text.assemble(("Warning: ", "bold yellow"), each) for each in getattr(reading, "warnings", ())]
     return parts
 

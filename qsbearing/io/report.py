@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.console import Group, RenderableType
@@ -21,6 +21,9 @@ from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
+
+if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
@@ -60,7 +63,7 @@ def tables_of_balls(solution: Solution) -> Group:
 
 
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(found)]
+    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(solution, found)]
     return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
 
 
@@ -219,10 +222,17 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
     return [table]
 
 
-def stiffness_table(found: dict[str, Any]) -> Table:
-    """Locked and effective stiffness of a record, channel by channel."""
+def freedom(free: Collection[int]) -> str:
+    """Which channels are free to move, and which are not, by the numbers of the free ones."""
+    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
+    found = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in found.items() if names)
+
+
+def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+    """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
-    table = plain_table("Stiffness", heading, left=(0, 3))
+    table = plain_table(f"Stiffness ({freedom(solution._free_channels)})", heading, left=(0, 3))
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])

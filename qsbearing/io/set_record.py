@@ -47,7 +47,8 @@ def set_record(solution: SetSolution) -> dict[str, Any]:
         "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness),
         "stiffness_SI": matrix_rows(solution.stiffness) if solved else None,
         "compliance_SI": matrix_rows(solution.compliance) if solved else None,
-        "system_life_h": _system_life(rows) if solved else None,
+        "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
+        "system_life_h": _system_life(rows, "duration_h") if solved else None,
         "rows": rows,
     }
 
@@ -80,9 +81,9 @@ def _row(solution: SetSolution, i: int) -> dict[str, Any]:
     }
 
 
-def _system_life(rows: list[dict[str, Any]]) -> float | None:
+def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
     """Hours that all rows survive together; None unless each has its life."""
-    lives = [((row["readings"] or {}).get("life") or {}).get("duration_h") for row in rows]
+    lives = [((row["readings"] or {}).get("life") or {}).get(key) for row in rows]
     known = [life for life in lives if life is not None]
     return number(system_life(known)) if len(known) == len(rows) else None
 

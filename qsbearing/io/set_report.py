@@ -56,7 +56,7 @@ def tables(solution: SetSolution) -> Group:
 
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    tables = [_shaft(solution, found), *rows_tables(found), stiffness_table(found)]
+    tables = [_shaft(solution, found), *rows_tables(found), stiffness_table(solution, found)]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
 
 
@@ -74,8 +74,11 @@ def _temperatures(found: dict[str, Any]) -> list[Table]:
 
 
 def _system_life(found: dict[str, Any]) -> list[Text]:
-    hours = found["system_life_h"]
-    return [] if hours is None else [Text(f"Life of all rows together: {hours:.5g} h")]
+    basic, modified = found["system_basic_life_h"], found["system_life_h"]
+    if modified is None:
+        return []
+    together = f"{basic:.5g} h" if modified == basic else f"basic {basic:.5g} h, modified {modified:.5g} h"
+    return [Text(f"Life of all rows together: {together}")]
 
 
 def heading(solution: SetSolution, found: dict[str, Any]) -> Text:

@@ -27,6 +27,7 @@ from qsbearing.readings.friction_estimate import (
     palmgren_torque,
     skf_torque,
 )
+from qsbearing.readings.friction_models import FrictionModel
 from qsbearing.readings.life_factors import life_modification_factor, reliability_factor, viscosity_ratio
 from qsbearing.readings.load_spectrum import SpectrumLife, spectrum_life
 from qsbearing.readings.lubricant import Lubricant, OilState
@@ -56,6 +57,7 @@ __all__ = [
     "Friction",
     "FrictionEstimate",
     "FrictionEstimates",
+    "FrictionModel",
     "Life",
     "Lubricant",
     "OilState",

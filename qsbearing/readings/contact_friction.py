@@ -1,8 +1,7 @@
 """Friction power of every contact and the bearing's torque: sliding in the ellipses, hysteresis, drag on the balls.
 
-Each part is computed only if its coefficient is given. What is not here: viscous rolling in the films' inlets, cage and
-seals, and the slip of a gyroscopic moment that friction cannot hold; `friction_estimate` has catalogue estimates that
-include most of these.
+Each part is computed only if its coefficient is given. What is in it, and what is not: `friction_models`;
+`friction_estimate` has catalogue estimates that include most of the rest.
 """
 
 from __future__ import annotations
@@ -32,6 +31,7 @@ from qsbearing.readings.ellipse_sliding import (
     sliding_table,
     tabulated_sliding_speed,
 )
+from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.solution import Solution
@@ -71,6 +71,8 @@ class Friction:
     torque: NDArray
     """power over the speed of one ring against the other; shape (*cases) [N m]; NaN at rest."""
     warnings: Remarks
+    models: tuple[FrictionModel, ...] = (CONTACTS,)
+    """What it contains, its range, and its use."""
 
 
 def friction(

@@ -2,14 +2,14 @@
 
 Sources: SKF General Catalogue, pp. 88-103; A. Palmgren's formula with Schaeffler's factors (HR 1, pp. 54-60; ISO 15312
 uses the same form). Both rest on whole bearings: bore, outside diameter and series, which a scene does not hold.
-Formulas in N, mm, rpm, mm^2/s; N mm.
+Formulas in N, mm, rpm, mm^2/s; N mm. What each contains, its range and its use: `friction_models`; the condition on
+the speed is of SKF's "The SKF model for calculating the frictional moment".
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -18,11 +18,13 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.film_thickness import inlet_shear_heating
+from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
+from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.solution import Solution
 from qsbearing.units import Nmm, deg, mm, rpm
-from qsbearing.validation import FORCE, LENGTH, RATIO, ErrorDetail, Quantity, choose, raise_if_any, within
+from qsbearing.validation import FORCE, LENGTH, RATIO, SPEED, ErrorDetail, Quantity, choose, raise_if_any, within
 
 
 class Series(StrEnum):
@@ -64,6 +66,9 @@ class FrictionEstimate:
     """[N m]."""
     power: NDArray
     """torque times the speed of one ring against the other [W]."""
+    model: FrictionModel
+    """What it contains, its range, and its use."""
+    warnings: Remarks = ()
 
 
 @dataclass(frozen=True)
@@ -72,6 +77,20 @@ class FrictionEstimates:
 
     skf: FrictionEstimate
     palmgren: FrictionEstimate | None
+    speed_factor: NDArray
+    """n dm: speed of one ring against the other by the mean of bore and outside diameter [m rad/s]."""
+    speed_over_rating: NDArray | None
+    """That speed over the bearing's rating [-]; None without it."""
+
+    @property
+    def models(self) -> tuple[FrictionModel, ...]:
+        """What each estimate contains, its range, and its use."""
+        return tuple(each.model for each in (self.skf, self.palmgren) if each is not None)
+
+    @property
+    def warnings(self) -> Remarks:
+        """Those of SKF's estimate; Palmgren's has none."""
+        return self.skf.warnings
 
 
 def friction_estimates(
@@ -83,6 +102,7 @@ def friction_estimates(
     series: Series | None = None,
     static_load_rating: float | None = None,
     lubrication_factor: float | None = None,
+    speed_rating: float | None = None,
 ) -> FrictionEstimates:
     """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
     bearing = {
@@ -90,11 +110,14 @@ def friction_estimates(
         "outside_diameter": outside_diameter,
         "kinematic_viscosity": kinematic_viscosity,
     }
-    skf = skf_torque(solution, **bearing, series=series, static_load_rating=static_load_rating)  # type: ignore[arg-type]
-    if static_load_rating is None or lubrication_factor is None:
-        return FrictionEstimates(skf, None)
-    rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
-    return FrictionEstimates(skf, palmgren_torque(solution, **bearing, **rest))  # type: ignore[arg-type]
+    of_skf = {"series": series, "static_load_rating": static_load_rating, "speed_rating": speed_rating}
+    skf, palmgren = skf_torque(solution, **bearing, **of_skf), None  # type: ignore[arg-type]
+    if static_load_rating is not None and lubrication_factor is not None:
+        rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
+        palmgren = palmgren_torque(solution, **bearing, **rest)  # type: ignore[arg-type]
+    speed = _loads(solution)[2] * rpm
+    over_rating = None if speed_rating is None else speed / speed_rating
+    return FrictionEstimates(skf, palmgren, speed * 0.5 * (bore_diameter + outside_diameter), over_rating)
 
 
 def estimate_errors(
@@ -106,6 +129,7 @@ def estimate_errors(
     series: Series | None = None,
     static_load_rating: float | None = None,
     lubrication_factor: float | None = None,
+    speed_rating: float | None = None,
 ) -> list[ErrorDetail]:
     """Every error of the arguments of the estimates; a deep-groove bearing needs its series and C0."""
     errors = within("bore_diameter", bore_diameter, LENGTH, 1e-4, 10.0) + within(
@@ -127,6 +151,8 @@ def estimate_errors(
         errors += within("lubrication_factor", lubrication_factor, RATIO, 0.1, 20.0)
         if static_load_rating is None:
             errors.append(ErrorDetail("static_load_rating", "missing: Palmgren's estimate needs it"))
+    if speed_rating is not None:
+        errors += within("speed_rating", speed_rating, SPEED, 1e-3, 1e6)
     return errors
 
 
@@ -140,6 +166,7 @@ def skf_torque(
     static_load_rating: float | None = None,
     sliding_coefficient: float = 0.05,
     replenishment: float = 3e-8,
+    speed_rating: float | None = None,
 ) -> FrictionEstimate:
     """SKF's model: M = phi_ish phi_rs Grr (nu n)^0.6 + mu_sl Gsl, without seals and oil-bath drag.
 
@@ -150,6 +177,7 @@ def skf_torque(
         static_load_rating: C0 of a deep-groove bearing [N].
         sliding_coefficient: mu_EHL: 0.05 mineral oil, 0.04 synthetic, 0.1 transmission fluid.
         replenishment: Krs: 3e-8 low oil bath or oil jet, 6e-8 grease or oil spot.
+        speed_rating: of the bearing, as its catalogue prints it [rad/s]: the model holds below it, and warns above it.
 
     Raises:
         SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
@@ -161,7 +189,7 @@ def skf_torque(
         "outside_diameter": outside_diameter,
         "kinematic_viscosity": kinematic_viscosity,
     }
-    rating = {"series": series, "static_load_rating": static_load_rating}
+    rating = {"series": series, "static_load_rating": static_load_rating, "speed_rating": speed_rating}
     raise_if_any(estimate_errors(deep, **size, **rating))  # type: ignore[arg-type]
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore_diameter + outside_diameter) / mm
@@ -179,7 +207,13 @@ def skf_torque(
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
-    return _estimate(solution, rolling + sliding)
+    found: tuple[ArrayLike, str]
+    if speed_rating is None:
+        found = (True, "SKF's friction holds below the bearing's speed rating, which is not given (speed_rating)")
+    else:
+        above = "the speed is above the bearing's speed rating, below which SKF's friction holds"
+        found = (n * rpm > np.asarray(speed_rating), f"{above}: its torque and heat are extrapolated")
+    return _estimate(solution, rolling + sliding, SKF, remarks([found], solution.shape))
 
 
 def angular_contact_terms(
@@ -220,7 +254,9 @@ def palmgren_torque(
     static_load_rating: float,
     lubrication_factor: float,
 ) -> FrictionEstimate:
-    """Palmgren's M = f0 (nu n)^(2/3) dM^3 1e-7 + f1 P1 dM, at nu n >= 2000 mm^2/s rpm; below that NaN.
+    """Palmgren's M = f0 (nu n)^(2/3) dM^3 1e-7 + f1 P1 dM; below nu n = 2000 mm^2/s rpm f0 160e-7 dM^3 + f1 P1 dM.
+
+    The two meet there to the rounding of 160: 0.8 % of the first part.
 
     Args:
         bore_diameter, outside_diameter: d and D of the bearing [m]; dM is their mean.
@@ -251,8 +287,8 @@ def palmgren_torque(
     is_thrust = BearingNumbers(solution.scene.bearing).is_thrust
     f1 = np.where(is_thrust, 0.0012 * (axial / static_load_rating) ** 0.33, f1)
     P1 = np.where(is_thrust, axial, P1)
-    speed_part = lubrication_factor * np.where(product >= 2000.0, product, np.nan) ** (2.0 / 3.0) * dm**3 * 1e-7
-    return _estimate(solution, speed_part + f1 * P1 * dm)
+    speed_part = lubrication_factor * np.where(product >= 2000.0, product ** (2.0 / 3.0), 160.0) * dm**3 * 1e-7
+    return _estimate(solution, speed_part + f1 * P1 * dm, PALMGREN)
 
 
 def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
@@ -263,7 +299,6 @@ def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
     return np.hypot(load[..., 1], load[..., 2]), np.abs(load[..., 0]), speed
 
 
-def _estimate(solution: Solution, torque: NDArray) -> FrictionEstimate:
+def _estimate(solution: Solution, torque: NDArray, model: FrictionModel, warnings: Remarks = ()) -> FrictionEstimate:
     """From N mm."""
-    speed = _loads(solution)[2] * 2.0 * pi / 60.0
-    return FrictionEstimate(torque * Nmm, torque * Nmm * speed)
+    return FrictionEstimate(torque * Nmm, torque * Nmm * _loads(solution)[2] * rpm, model, warnings)

@@ -48,9 +48,7 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
         SceneError: shares that are negative, do not add up to one, or are not as many as the points.
     """
     shares = np.atleast_1d(np.asarray(time_share, float))
-    each = life.modified_reference_rating_life
-    if each is None:
-        each = life.reliability_factor * life.basic_reference_rating_life
+    each = life.reference_rating_life
     points = each.shape[axis] if each.ndim else 0
     raise_if_any(spectrum_errors(points, time_share=time_share))
     shape = [1] * each.ndim

@@ -29,6 +29,7 @@ from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.life_arguments import life_errors
 from qsbearing.readings.life_factors import (
     GREATEST_RATIO,
+    LARGEST,
     LEAST_RATIO,
     life_modification_factor,
     reliability_factor,
@@ -85,13 +86,30 @@ class Life:
     warnings: Remarks
 
     @property
+    def reference_rating_life(self) -> NDArray:
+        """The reference life with a1 and, where it was asked for, aISO [rev]."""
+        modified = self.modified_reference_rating_life
+        return self.reliability_factor * self.basic_reference_rating_life if modified is None else modified
+
+    @property
     def duration(self) -> NDArray:
-        """The reference life as time, modified if it was asked for [s]; infinite at rest."""
-        life = self.modified_reference_rating_life
-        if life is None:
-            life = self.reliability_factor * self.basic_reference_rating_life
+        """`reference_rating_life` as time [s]; infinite at rest."""
+        return self._as_time(self.reference_rating_life)
+
+    @property
+    def basic_duration(self) -> NDArray:
+        """The basic reference life as time [s]; infinite at rest."""
+        return self._as_time(self.basic_reference_rating_life)
+
+    @property
+    def is_at_limit(self) -> NDArray | None:
+        """Whether aISO is at its limit, which then takes the place of a prediction; None where aISO is."""
+        factor = self.life_modification_factor
+        return None if factor is None else factor >= LARGEST
+
+    def _as_time(self, turns: NDArray) -> NDArray:
         with np.errstate(divide="ignore"):
-            return life * 2.0 * pi / np.abs(self.speed)
+            return turns * 2.0 * pi / np.abs(self.speed)
 
 
 def life(
@@ -184,6 +202,9 @@ def life(
         "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"
     )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
+    if factor is not None:
+        capped = f"aISO is at its limit of {LARGEST:g}: the cap of ISO 281, not a prediction, makes the modified life"
+        found.append((factor >= LARGEST, capped))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         remarks(found, shape),

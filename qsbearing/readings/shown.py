@@ -35,6 +35,7 @@ CASE: dict[str, tuple[Shown, ...]] = {
     "life": (
         Shown("dynamic_load_rating_N", "dynamic_load_rating"),
         Shown("basic_reference_rating_life_Mrev", "basic_reference_rating_life", MILLION),
+        Shown("basic_duration_h", "basic_duration", HOUR),
         Shown("inner_life_Mrev", "inner_life", MILLION),
         Shown("outer_life_Mrev", "outer_life", MILLION),
         Shown("reference_load_N", "reference_load"),
@@ -62,9 +63,11 @@ CASE: dict[str, tuple[Shown, ...]] = {
         for name in ("cage", "ball_pass_inner", "ball_pass_outer", "ball_spin")
     )
     + _plain("orbit_spread"),
-    "film": _plain("inlet_shear_heating"),
+    "film": (*_plain("inlet_shear_heating"), Shown("combined_roughness_um", "combined_roughness", um)),
     "friction": (Shown("power_W", "power"), Shown("torque_Nmm", "torque", Nmm)),
     "friction_estimate": (
+        Shown("speed_factor_mm_rpm", "speed_factor", mm * rpm),
+        *_plain("speed_over_rating"),
         Shown("skf_torque_Nmm", "skf.torque", Nmm),
         Shown("skf_power_W", "skf.power"),
         Shown("palmgren_torque_Nmm", "palmgren.torque", Nmm),
@@ -89,6 +92,7 @@ CONTACT: dict[str, tuple[Shown, ...]] = {
     "film": (
         Shown("central_thickness_um", "central_thickness", um),
         Shown("minimum_thickness_um", "minimum_thickness", um),
+        Shown("reduced_minimum_thickness_um", "reduced_minimum_thickness", um),
         Shown("film_parameter", "film_parameter"),
         Shown("thermal_reduction", "thermal_reduction"),
     ),

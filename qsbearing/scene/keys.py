@@ -134,6 +134,7 @@ READING_TABLES: dict[str, tuple[Key, ...]] = {
         Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
         Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
         Key("lubrication_factor", "lubrication_factor"),
+        Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED),
     ),
     "overrun": tuple(Key(f"{field}_mm", field, "mm", mm, LENGTH) for field in _SHOULDERS),
     "stress": (),

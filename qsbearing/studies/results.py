@@ -18,7 +18,7 @@ OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 """With these after its name, the largest or smallest over the balls of a result that each ball has."""
 
 _UNITS = {
-    **{"MPa_m_s": "MPa m/s", "m_s": "m/s", "Nmm": "N mm"},
+    **{"MPa_m_s": "MPa m/s", "m_s": "m/s", "mm_rpm": "mm rpm", "Nmm": "N mm"},
     **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "rpm", "um", "mm", "MPa")},
 }
 """Endings of the readings' keys, and the units that they stand for."""

@@ -215,7 +215,9 @@ def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp
     assert numbers("displacement of the inner ring") == pytest.approx(moved, rel=1e-3)
     assert "tilt" not in found["displacement of the inner ring"], "tilts are given"
     stiffness = solution.effective_stiffness[:3] * qs.um
-    assert numbers("effective stiffness") == pytest.approx(stiffness, rel=1e-3)
+    free = "free: axial, radial y, radial z; displacement given: tilt y, tilt z"
+    assert numbers(f"effective stiffness, {free}") == pytest.approx(stiffness, rel=1e-3)
+    assert f"Stiffness ({free})" in page_of(unequal, "unequal").text
     assert numbers("required friction coefficient")[1] == pytest.approx(
         solution.outer.required_friction.max(), rel=0.05
     )
@@ -226,6 +228,27 @@ def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp
     life = take_asked(qs.solve(qs.load_scene(spindle / "Spindle.toml")))["life"]
     assert numbers("basic reference rating life")[0] == pytest.approx(life.basic_reference_rating_life / 1e6, rel=1e-3)
     assert numbers("preload")[0] == pytest.approx(800.0)
+    # Basic first; then with a1, which is all that the scene asks for.
+    assert numbers("basic reference rating life")[1] == pytest.approx(life.basic_duration / 3600.0, rel=1e-3)
+    names = [name for name in found if "reference rating life" in name]
+    assert names == ["basic reference rating life", "modified reference rating life"]
+    modified = numbers("modified reference rating life")
+    assert modified[:2] == pytest.approx([life.reference_rating_life / 1e6, life.duration / 3600.0], rel=1e-3)
+    assert found[names[1]].endswith("h: a1 0.64")
+
+
+def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path) -> None:
+    """On page 1 and in what `run` prints: basic life before modified life, aISO, and that it is at its limit."""
+    text = '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 9000\naxial_load_N = 3000\n[readings.life]\n'
+    (tmp_path / "light.toml").write_text(f"{text}viscosity_ratio = 3\ncontamination_factor = 0.9\n")
+    assert call(str(tmp_path / "light.toml"), "--out", str(tmp_path)).exit_code == 0
+    found = value_of(tmp_path, "light")
+    assert " million revolutions, " in found["basic reference rating life"]
+    assert found["modified reference rating life"].endswith(" h: aISO 50, at its limit")
+    shown = CliRunner().invoke(cli, ["run", str(tmp_path / "light.toml")]).output
+    order = ["basic reference rating life", "factor aISO", "modified reference rating life", "aISO is at its limit"]
+    places = [shown.index(words) for words in order]
+    assert places == sorted(places)
 
 
 def test_warnings_stand_in_full_before_the_contents_end(spindle: Path, tmp_path: Path) -> None:

@@ -175,10 +175,11 @@ def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
     hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
     assert f"Life of all rows together: {hours:.5g} h" in pair.text
-    # Each life stands among the key results and in the table of its row.
-    assert pair.text.count("basic reference rating life") == 4
-    assert triple.text.count("basic reference rating life") == 2
+    # Each life stands among the key results and twice, in revolutions and hours, in the table of its row.
+    assert pair.text.count("basic reference rating life") == 6
+    assert triple.text.count("basic reference rating life") == 3
     assert "Life of all rows together" not in triple.text
+    assert "Stiffness (free: axial, radial y, radial z, tilt y, tilt z)" in pair.text
     assert triple.text.count("Geometry before it is loaded") == 1  # ring expansion of one row
     assert "Geometry before it is loaded" not in pair.text
 
@@ -191,7 +192,7 @@ def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
     x, y = (float(np.asarray(each)) / qs.um for each in solution.displacement[:2])
     assert dict(shaft)["displacement of the shaft"].startswith(f"axial {x:.4g} um, radial y {y:.4g} um")
     hours = qs.system_life([qs.readings.life(row).duration for row in solution.rows]) / 3600.0
-    assert dict(shaft)["life of the set"] == f"{hours:,.0f} h"
+    assert dict(shaft)["basic life of the set"] == f"{hours:,.0f} h"
     for number, (row, (_, *lines)) in enumerate(zip(solution.rows, rows, strict=True)):
         axial = f"{solution.axial_loads[number]:.4g} N; by the preload alone 720 N before fitting, 720 N mounted"
         assert dict(lines)["axial load"] == axial

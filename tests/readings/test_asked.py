@@ -77,6 +77,13 @@ def test_each_reading_of_a_file_is_the_function_s() -> None:
     assert found["film"]["balls"][3]["inner"]["minimum_thickness_um"] == pytest.approx(
         film.inner.minimum_thickness[3] * 1e6
     )
+    # The film parameter can be worked out again from what is shown beside it, in text too.
+    inner = found["film"]["balls"][3]["inner"]
+    parameter = inner["reduced_minimum_thickness_um"] / found["film"]["combined_roughness_um"]
+    assert inner["film_parameter"] == pytest.approx(parameter)
+    text = " ".join(text_of(result(solution)).split())
+    for words in ("minimum reduced by inlet heating", "combined roughness", "inlet heating differ by some 12 %"):
+        assert words in text
     friction = qs.readings.friction(solution, 0.05, drag_coefficient=0.5, fluid_density=20.0)
     assert found["friction"]["power_W"] == pytest.approx(float(friction.power))
     assert friction.drag_power is not None

@@ -76,8 +76,14 @@ def test_what_the_film_is_warned_of() -> None:
     assert found.outer.film_parameter == pytest.approx(
         found.outer.minimum_thickness * found.outer.thermal_reduction / np.hypot(0.1e-6, 0.3e-6)
     )
+    for raceway in (found.inner, found.outer):
+        assert raceway.reduced_minimum_thickness == pytest.approx(raceway.minimum_thickness * raceway.thermal_reduction)
+        assert raceway.film_parameter == pytest.approx(raceway.reduced_minimum_thickness / found.combined_roughness)
+    assert sum("12 %" in sentence for sentence in found.warnings) == 2
     skf = qs.readings.film(solution, OilState(oil.dynamic_viscosity, 2e-8, oil.kinematic_viscosity))
     assert skf.inner.thermal_reduction is None
+    assert skf.inner.reduced_minimum_thickness is None
+    assert skf.combined_roughness is None
     assert any(sentence.startswith("1 of 2 cases, the first 1: SKF") for sentence in skf.warnings)
 
 

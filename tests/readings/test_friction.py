@@ -10,11 +10,27 @@ from scipy.optimize import brentq
 from scipy.special import ellipe
 
 import qsbearing as qs
+from qsbearing.io.json_record import record
+from qsbearing.io.report import result
+from qsbearing.io.scene_file import scene_of
+from qsbearing.io.tables import text_of
 from qsbearing.readings import friction_estimate
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed, sliding_table
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
 
 ONE, NONE = np.ones(1), np.zeros(1)
+
+
+def scene_with_friction() -> qs.Scene:
+    """A 7210C that asks for all that there is of friction."""
+    sizes = {"bore_diameter_mm": 50, "outside_diameter_mm": 90, "static_load_rating_N": 37e3, "lubrication_factor": 2}
+    readings = {
+        "lubricant": {"iso_viscosity_grade": 32, "oil_temperature_C": 70},
+        "friction": {"friction_coefficient": 0.05},
+        "friction_estimate": sizes,
+    }
+    operation = {"speed_rpm": 6000, "axial_load_N": 1500}
+    return scene_of({"bearing": {"name": "7210C"}, "operation": operation, "readings": readings}, "test")
 
 
 @pytest.mark.parametrize("ratio", [1.0, 0.3, 0.1, 0.03])
@@ -210,8 +226,56 @@ def test_estimates_of_a_7210() -> None:
     M = 2.0 * (nu * n) ** (2 / 3) * dm**3 * 1e-7 + 0.001 * (P0 / 37e3) ** 0.33 * (1500 - 50) * dm
     assert palmgren.torque * 1e3 == pytest.approx(M, rel=1e-6)
     assert palmgren.power == pytest.approx(M * n / 9550, rel=1e-3)
-    slow = solved(turning(90, b, axial_load=1500.0))
-    assert np.isnan(qs.readings.palmgren_torque(slow, **size, static_load_rating=37e3, lubrication_factor=2.0).torque)
+
+
+def test_palmgren_s_estimate_of_slow_bearings() -> None:
+    """By hand below nu n = 2000: 160e-7 f0 dM^3, whatever the speed. Palmgren's two formulas meet there to the rounding
+    of his 160, which stands for 2000^(2/3) = 158.74: 0.8 % of that part."""
+    b, size = qs.load_scene("7210c").bearing, {"bore_diameter": 50e-3, "outside_diameter": 90e-3}
+    solution = solved(turning(np.array([0.0, 1.0, 99.999, 100.001]), b, axial_load=1500.0))
+    of = {"kinematic_viscosity": 20e-6, "static_load_rating": 37e3}
+    one, two = (qs.readings.palmgren_torque(solution, **size, **of, lubrication_factor=f0) for f0 in (1.0, 2.0))
+    speed_part = (two.torque - one.torque) * 1e3
+    assert speed_part[:3] == pytest.approx(160e-7 * 70.0**3, rel=1e-9)
+    assert speed_part[3] == pytest.approx(speed_part[2], rel=1 - 2000 ** (2 / 3) / 160 + 1e-5)
+    assert two.torque[0] > 0.0
+    assert two.power[0] == 0.0
+
+
+def test_what_each_friction_model_contains_is_said_alike_everywhere() -> None:
+    """Python, JSON and text: the words of one place; range and use, and whether the range holds."""
+    solution = solved(scene_with_friction())
+    found = qs.readings.take_asked(solution)
+    shown = " ".join(text_of(result(solution)).split())
+    names = {"friction": ["Contacts"], "friction_estimate": ["SKF", "Palmgren"]}
+    for reading, models in names.items():
+        assert [model.name for model in found[reading].models] == models
+        assert record(solution)["readings"][reading]["models"] == [model._asdict() for model in found[reading].models]
+        for model in found[reading].models:
+            for words in model:
+                assert " ".join(words.split()) in shown
+    estimates = found["friction_estimate"]
+    assert "no range of n dm is published" in estimates.skf.model.range
+    assert "no range of n dm is published" in estimates.palmgren.model.range
+    assert "lower bound" in found["friction"].models[0].heat
+    assert estimates.speed_factor / (qs.mm * qs.rpm) == pytest.approx(70.0 * 6000.0)
+
+
+def test_skf_s_estimate_is_warned_of_above_the_speed_rating() -> None:
+    """Or where that is not known."""
+    size = {"bore_diameter": 50e-3, "outside_diameter": 90e-3, "kinematic_viscosity": 20e-6}
+    b = qs.load_scene("7210c").bearing
+    solution = solved(turning(np.array([6e3, 24e3]), b, axial_load=1500.0))
+    assert "not given" in qs.readings.skf_torque(solution, **size).warnings[0]
+    (above,) = qs.readings.skf_torque(solution, **size, speed_rating=19e3 * qs.rpm).warnings
+    assert above.startswith("1 of 2 cases, the first 1: ")
+    both = qs.readings.friction_estimates(solution, **size, speed_rating=19e3 * qs.rpm)
+    assert both.warnings == (above,)
+    assert both.speed_over_rating == pytest.approx([6 / 19, 24 / 19])
+    assert qs.readings.skf_torque(solution, **size, speed_rating=25e3 * qs.rpm).warnings == ()
+    with pytest.raises(qs.SceneError) as caught:
+        qs.readings.skf_torque(solution, **size, speed_rating=-1.0)
+    assert [error.field for error in caught.value.errors] == ["speed_rating"]
 
 
 def test_palmgren_s_estimate_of_a_thrust_bearing() -> None:

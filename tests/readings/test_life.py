@@ -140,6 +140,21 @@ def test_modified_life_is_asked_for_or_absent() -> None:
     assert cleaner.life_modification_factor > asked.life_modification_factor
 
 
+def test_a_modification_factor_at_its_limit_is_said() -> None:
+    """A light load and clean oil: the cap of 50, which then makes the whole difference."""
+    solution = solved(turning(np.array([3e3, 3e3]), axial_load=np.array([2e3, 40e3])))
+    found = qs.readings.life(solution, viscosity_ratio=3.0, contamination_factor=0.9)
+    assert found.life_modification_factor[0] == 50.0
+    assert found.is_at_limit.tolist() == [True, False]
+    (said,) = (sentence for sentence in found.warnings if "aISO" in sentence)
+    assert said.startswith("1 of 2 cases, the first 0: aISO is at its limit of 50")
+    assert found.duration[0] == pytest.approx(50.0 * found.basic_duration[0])
+    plain = qs.readings.life(solution)
+    assert plain.is_at_limit is None
+    assert plain.duration == pytest.approx(plain.basic_duration)
+    assert plain.basic_duration == pytest.approx(plain.basic_reference_rating_life / 50.0)
+
+
 def test_arrays_and_unsolved_cases() -> None:
     """Cases in a batch live as alone; one without equilibrium has no life."""
     loads = np.array([5e3, -5e3, 20e3])
