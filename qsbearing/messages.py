@@ -14,7 +14,7 @@ from qsbearing.contact.first_yield import FIRST_YIELD_SHEAR, first_yield_pressur
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
-from qsbearing.judgement import lines_to_add, percent
+from qsbearing.judgement import estimated, lines_to_add
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -145,7 +145,7 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     if choice is None:
         return []
     what = {entry.name: entry.what for entry in EFFECTS}
-    out = [f"{what[one.effect]}: {percent(float(np.max(one.estimated_error)))}" for one in choice.left_out]
+    out = [f"{what[one.effect]}: {estimated(float(np.max(one.estimated_error)))}" for one in choice.left_out]
     left = f"left out, with the error expected: {'; '.join(out)}." if out else "nothing is left out."
     said = [f"Tolerance {choice.tolerance:g}: {left}"]
     if choice.added:

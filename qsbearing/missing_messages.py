@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.ball_messages import Warnings
-from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, lacking_data, lines_to_add, missing, percent
+from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, estimated, lacking_data, lines_to_add, missing
 from qsbearing.solution import Solution
 
 
@@ -24,7 +24,7 @@ def missing_warnings(solution: Solution, part: slice) -> Warnings:
         said = []
         for each in named:
             quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]}: about {percent(error)})")
+            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)})")
         lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
         return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
 
@@ -43,7 +43,7 @@ def data_warnings(solution: Solution, part: slice) -> Warnings:
         for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
             errors = {name: float(np.ravel(error)[part.start + i]) for name, error in each.errors.items()}
             changes = ", ".join(
-                f"{WORDS[name]} by about {percent(errors[name])}"
+                f"{WORDS[name]} {estimated(errors[name])}"
                 for name in sorted(errors, key=lambda one: -errors[one])
                 if errors[name] > WORTH_A_WARNING
             )

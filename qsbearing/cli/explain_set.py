@@ -6,7 +6,7 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.explained import found_table, remarks
+from qsbearing.cli.explained import remarks, table
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import solving
 
@@ -38,7 +38,7 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
         print_text(json.dumps(of_set, indent=1, allow_nan=False) + "\n")
     elif solution.converged:
         warnings = [Text.assemble(("Warning: ", "bold yellow"), each) for each in found["warnings"]]
-        parts: list[RenderableType] = [*rows_tables(found), Text("\n".join(said)), found_table(rows, tolerance)]
+        parts: list[RenderableType] = [*rows_tables(found), Text("\n".join(said)), table(rows, tolerance)]
         parts += [Group(*remarks(rows)), *warnings]
         print_table(Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts)))
     else:
