@@ -12,7 +12,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.io.tables import plain_table
+from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.readings.shown import ball_values, case_values
 
 UNITS = {
@@ -69,7 +69,7 @@ def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
         tables = [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
         parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
         parts += [Text(SCOPE[name])] if name in SCOPE else []
-        parts += [Text.assemble(("Warning: ", "bold yellow"), each) for each in getattr(reading, "warnings", ())]
+        parts += warning_lines(getattr(reading, "warnings", ()))
     return parts
 
 

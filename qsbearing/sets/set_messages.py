@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from qsbearing import messages
 from qsbearing.case_index import Index
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import Row
 from qsbearing.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
+
+PRELOAD = "sets#preload"
 
 LOST = 0.01
 """A row that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
@@ -122,13 +125,13 @@ def states(solution: SetSolution) -> NDArray | None:
     return out
 
 
-def warnings(solution: SetSolution, index: Index = None) -> list[str]:
+def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
     """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost their
     preload or have an excessive one, row by row."""
     found = states(solution)
     rows = solution.set.rows
+    said: list[RankedWarning] = []
     if index is None and solution.shape:
-        said = []
         for number, row in enumerate(rows) if found is not None else ():
             for state, word in (
                 (PreloadState.LOST, "loses its preload"),
@@ -136,27 +139,26 @@ def warnings(solution: SetSolution, index: Index = None) -> list[str]:
             ):
                 count = int((found[..., number] == state).sum())  # type: ignore[index]
                 if count:
-                    said.append(f"{count} of {solution._outcome.status.size} cases: {row_name(row, number)} {word}.")
+                    cases = f"{count} of {solution._outcome.status.size} cases"
+                    said.append(check_data(f"{cases}: {row_name(row, number)} {word}.", PRELOAD))
         return said
     k = solution._flat_index(index)
     place = tuple(map(int, np.unravel_index(k, solution.shape))) if solution.shape else ()
-    said = []
     if solution._outcome.status[k] != CONVERGED:
         return said
     for number, row in enumerate(rows) if found is not None else ():
         at_rest, alone = solution.preload_at_rest[place][number], solution.preload_in_operation[place][number]  # type: ignore[index]
         if found[place][number] == PreloadState.LOST:  # type: ignore[index]
             left = max(float(solution.axial_loads[place][number]), 0.0)
-            said.append(
-                f"Preload lost: {row_name(row, number)} carries {left:.4g} N of the {at_rest:.4g} N that press it at "
-                "rest."
-            )
+            lost = f"Preload lost: {row_name(row, number)} carries {left:.4g} N of the {at_rest:.4g} N at rest."
+            said.append(check_data(lost, PRELOAD))
         elif found[place][number] == PreloadState.EXCESSIVE:  # type: ignore[index]
-            said.append(
+            grown = (
                 f"Preload excessive: {row_name(row, number)} is pressed by {at_rest:.4g} N at rest and, without "
                 f"external loads, by {alone:.4g} N at speed."
             )
+            said.append(check_data(grown, PRELOAD))
     for number, row_solution in enumerate(solution.rows):
         name = capital(row_name(rows[number], number))
-        said += [f"{name}: {each}" for each in messages.warnings(row_solution, place or None)]
-    return said
+        said += [said_of(name, each) for each in messages.warnings(row_solution, place or None)]
+    return in_order(said)

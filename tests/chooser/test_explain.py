@@ -196,7 +196,7 @@ def test_of_many_cases_those_that_lack_it_are_counted() -> None:
     scene = qs.Scene(resting().bearing, qs.Operation(speed=[0.0, 100.0, 1500.0], axial_load=17_800.0))
     said, rings = qs.warnings(solved(scene))
     assert said.startswith("1 of 3 cases, the first 2: Missing here")
-    assert rings.startswith("1 of 3 cases, the first 2: Not in the scene for want of numbers")
+    assert rings.startswith("1 of 3 cases, the first 2: Missing for want of numbers")
     assert qs.warnings(solved(scene), 1) == []
 
 
@@ -210,7 +210,7 @@ def test_what_needs_numbers_of_the_scene_is_warned_of_and_the_estimate_is_right_
     row = next(row for row in explain(FAST_SPINDLE, 0.01)[1] if row.effect == "ring_expansion")
     assert (row.in_scene, row.verdict) == (False, "likely needed, data missing")
     assert row.predicted is not None
-    assert f"displacement {estimated(row.predicted['displacement'])}, " in said
+    assert f"(displacement {estimated(row.predicted['displacement'])})" in said
     rings = qs.RingExpansion(50 * qs.mm, 90 * qs.mm)
     given = solved(replace(FAST_SPINDLE, ring_effects=(rings,)))
     assert not any("expansion of the rings" in line for line in qs.warnings(given))
