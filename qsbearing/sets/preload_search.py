@@ -12,15 +12,16 @@ from numpy.typing import NDArray
 
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_messages import EXCESSIVE, PreloadState, capital, row_name, states
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
 from qsbearing.status import Status
 from qsbearing.validation import ErrorDetail, SceneError
 
 VALUES = 65
 """Of a range: two rounds find a value to 1/4096 of it."""
-STRETCH = 8
-"""Values solved at a time. That a set has no equilibrium takes it a hundred times as long as to find one, so that few
-are tried beyond its end."""
+STRIDES = 8, 1
+"""In which the end of a set is looked for, value by value: that it has no equilibrium takes a hundred times as long to
+find as one, so that nothing is tried beyond."""
 
 
 @dataclass(frozen=True)
@@ -110,27 +111,37 @@ def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
 
 
 def _labels(at: Callable[[NDArray], BearingSet], values: NDArray, threads: int | None) -> NDArray[Any]:
-    """What has become of each row, and last of the set as a whole, up to the first value without an equilibrium.
+    """What has become of each row, and last of the set as a whole, up to a value without an equilibrium.
 
     Returns:
         Words of shape (value, row + 1).
     """
-    found: list[NDArray[Any]] = []
-    for begin in range(0, values.size, STRETCH):
-        solution = solve_set(at(values[begin : begin + STRETCH]), threads=threads)
-        if len(solution.shape) != 1:
-            raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
-        words = states(solution)
-        assert words is not None  # the set is opposed
-        labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)
-        unsolved = np.flatnonzero(~solution.converged)
-        labels[unsolved] = ""
-        labels[unsolved, np.asarray(solution.row_that_gives_way)[unsolved]] = solution.status[unsolved]  # -1: the last
-        ends = np.flatnonzero(solution.status == Status.NO_EQUILIBRIUM)
-        found.append(labels[: ends[0] + 1] if ends.size else labels)
-        if ends.size:
-            break
-    return np.concatenate(found)
+    low, end, last = 0, values.size, []
+    for stride in STRIDES:
+        for k in range(low + stride, end, stride):
+            solution = _solved(at(values[k : k + 1]), threads)
+            if solution.status[0] == Status.NO_EQUILIBRIUM:
+                end, last = k, [_words(solution)]
+                break
+            low = k
+    return np.concatenate([_words(_solved(at(values[:end]), threads)), *last])
+
+
+def _solved(of: BearingSet, threads: int | None) -> SetSolution:
+    solution = solve_set(of, threads=threads)
+    if len(solution.shape) != 1:
+        raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
+    return solution
+
+
+def _words(solution: SetSolution) -> NDArray[Any]:
+    words = states(solution)
+    assert words is not None  # the set is opposed
+    labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)
+    unsolved = np.flatnonzero(~solution.converged)
+    labels[unsolved] = ""
+    labels[unsolved, np.asarray(solution.row_that_gives_way)[unsolved]] = solution.status[unsolved]  # -1: the last
+    return labels
 
 
 def _row(column: Any, labels: NDArray[Any]) -> int:
