@@ -8,10 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import NO_CONSISTENT_CONTROL
+from qsbearing.ranked_warning import Rank, RankedWarning, good_to_know, wrong_model
 from qsbearing.solution import Solution
 
 Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
+
+HYPOTHESES = "limits#hypotheses"
 
 FRICTION_IN_DOUBT = 0.06
 FRICTION_BEYOND = 0.1
@@ -27,9 +30,10 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
     """Raceway control that contradicts itself, balls without load."""
     yield (
         (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
-        lambda i: (
+        lambda i: wrong_model(
             "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
-            "tried is reported; outer and inner control bound the result."
+            "tried is reported.",
+            HYPOTHESES,
         ),
     )
     exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
@@ -37,15 +41,13 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
     off_outer = rows(solution.outer.load, part) == 0.0
     yield (
         (off_inner & off_outer).any(axis=-1),
-        lambda i: (
-            f"{_ball_list((off_inner & off_outer)[i])} carry no load; at rest the position of such a ball is "
-            "undetermined."
-        ),
+        lambda i: good_to_know(f"{_ball_list((off_inner & off_outer)[i])} carry no load.", "limits"),
     )
     yield (
         (off_inner & ~off_outer).any(axis=-1),
-        lambda i: (
-            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone."
+        lambda i: good_to_know(
+            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone.",
+            "limits",
         ),
     )
 
@@ -60,10 +62,10 @@ def _slip_warning(solution: Solution, part: slice) -> Warnings:
     asked = np.maximum(*(rows(side, part) for side in sides if side is not None))
     yield (
         np.asarray(slips.any(axis=-1)),
-        lambda i: (
-            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g} of the "
-            f"load, contacts carry {given[i]:.3g}. Loads and angles are those with that much; speeds stay those of "
-            "raceway control, which slip breaks."
+        lambda i: wrong_model(
+            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g}, contacts"
+            f" carry {given[i]:.3g}. Speeds stay those without slip.",
+            HYPOTHESES,
         ),
     )
 
@@ -79,15 +81,14 @@ def friction_warnings(solution: Solution, part: slice) -> Warnings:
         friction = rows(side.required_friction, part)
 
         def slipping(i: int, name: str = name, friction: NDArray = friction) -> str:
-            meaning = (
-                "more than lubricated contacts offer: expect gyroscopic slip, and take raceway control as broken"
-                if friction[i].max() > FRICTION_BEYOND
-                else "in the range where lubricated contacts begin to slip"
-            )
-            return (
-                f"The gyroscopic moment demands friction up to {friction[i].max():.3f} at the {name} raceway of "
-                f"{_ball_list(friction[i] > FRICTION_IN_DOUBT)}: {meaning} "
-                f"({FRICTION_IN_DOUBT:g} to {FRICTION_BEYOND:g} is typical)."
+            most, balls = friction[i].max(), _ball_list(friction[i] > FRICTION_IN_DOUBT)
+            is_beyond = most > FRICTION_BEYOND
+            return RankedWarning(
+                f"The gyroscopic moment demands friction up to {most:.2f} at the {name} raceway of {balls}: "
+                f"{'expect slip' if is_beyond else 'slip may begin'} (typical {FRICTION_IN_DOUBT:g} to "
+                f"{FRICTION_BEYOND:g}).",
+                Rank.WRONG_MODEL if is_beyond else Rank.GOOD_TO_KNOW,
+                HYPOTHESES,
             )
 
         yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping

@@ -6,8 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.ball_messages import Warnings
+from qsbearing.ranked_warning import check_data, wrong_model
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, um
+
+HEAT = "how_to#heat-fits-and-rotation"
 
 
 def expansion_warnings(solution: Solution, part: slice) -> Warnings:
@@ -19,9 +22,9 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
     wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
     yield (
         wedged < 0.0,
-        lambda i: (
-            f"The expansion has taken up all clearance and {-wedged[i]:.4g} um more (diametral): the balls are wedged "
-            "between the rings whatever the load."
+        lambda i: check_data(
+            f"The expansion has taken up all clearance and {-wedged[i]:.4g} um more (diametral): the balls are wedged.",
+            HEAT,
         ),
     )
     effect = solution.scene.ring_expansion
@@ -36,9 +39,10 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
         stress = cases(state.equivalent_stress)
 
         def yields(i: int, ring: str = ring, stress: NDArray = stress) -> str:
-            return (
+            return wrong_model(
                 f"The {ring} ring is stressed by {stress[i] / MPa:.4g} MPa at its bore, beyond its yield strength of "
-                f"{effect.yield_strength / MPa:.5g} MPa: its fit and growth are not elastic."
+                f"{effect.yield_strength / MPa:.5g} MPa.",
+                HEAT,
             )
 
         yield stress > effect.yield_strength, yields
@@ -49,9 +53,10 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
         def lost(
             i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
         ) -> str:
-            return (
-                f"The fit of the {ring} ring is lost in operation: mounted with {interference[i] / um:.4g} um of "
-                f"interference, it stands {gap[i] / um:.4g} um (diametral) off the {seat} and may creep."
+            return check_data(
+                f"The fit of the {ring} ring is lost in operation: mounted with {interference[i] / um:.4g} um, it "
+                f"stands {gap[i] / um:.4g} um (diametral) off the {seat}.",
+                HEAT,
             )
 
         yield (interference > 0.0) & (gap > 0.0), lost

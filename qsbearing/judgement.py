@@ -106,6 +106,11 @@ def _toml(value: Any) -> str:
     return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
 
 
+def estimated(error: float, unit: str = " %") -> str:
+    """A predicted relative error in per cent: with ≈, in as many digits as it is good for, which is one."""
+    return f"≈ {float(f'{100.0 * error:.1g}'):.0f}{unit}" if error > 0.0095 else f"≈ {100.0 * error:.1g}{unit}"
+
+
 def percent(error: float) -> str:
     """A relative error in as many digits as it is good for, which are two."""
     digits = f"{100.0 * error:.2g}"

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from qsbearing import preload_state
 from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.case_index import Index
-from qsbearing.contact.first_yield import FIRST_YIELD_SHEAR, first_yield_pressure
+from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.expansion_messages import expansion_warnings
-from qsbearing.judgement import lines_to_add, percent
+from qsbearing.judgement import estimated, lines_to_add
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -27,6 +27,7 @@ from qsbearing.kernel.admissibility import (
 )
 from qsbearing.missing_messages import data_warnings, missing_warnings
 from qsbearing.preload_state import PreloadLoads, PreloadState
+from qsbearing.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
 from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
@@ -36,6 +37,8 @@ from qsbearing.units import GPa, MPa, mrad, um
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
+
+STATUSES = "how_to#what-a-status-means"
 
 STATIC_PRESSURE_LIMIT = 4200e6
 """Contact pressure of the static load rating of ball bearings (ISO 76) [Pa]: a permanent dent of 1e-4 D."""
@@ -147,7 +150,7 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     if choice is None:
         return []
     what = {entry.name: entry.what for entry in EFFECTS}
-    out = [f"{what[one.effect]}: {percent(float(np.max(one.estimated_error)))}" for one in choice.left_out]
+    out = [f"{what[one.effect]}: {estimated(float(np.max(one.estimated_error)))}" for one in choice.left_out]
     left = f"left out, with the error expected: {'; '.join(out)}." if out else "nothing is left out."
     said = [f"Tolerance {choice.tolerance:g}: {left}"]
     if choice.added:
@@ -157,8 +160,11 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     return said
 
 
-def warnings(solution: Solution | SetSolution, index: Index = None) -> list[str]:
+def warnings(solution: Solution | SetSolution, index: Index = None) -> list[RankedWarning]:
     """Sentences on what to beware of in the numbers of a case of a bearing or set; empty where there is nothing.
+
+    First what says that the model is wrong for the case, then what to check of the data, then what is good to know;
+    each sentence has its `rank`, and in `see` the page of the guide that has more.
 
     Of several cases without an index, one sentence for each kind of warning: how many cases have it, which is the
     first, and what there is to say about that one.
@@ -174,14 +180,15 @@ def warnings(solution: Solution | SetSolution, index: Index = None) -> list[str]
     solved = solution._results["status"] == CONVERGED
     if index is not None or not solution.shape:
         k = solution._flat_index(index)
-        return [sentence(0) for which, sentence in _all_warnings(solution, slice(k, k + 1)) if which[0] and solved[k]]
+        said = _all_warnings(solution, slice(k, k + 1))
+        return in_order(sentence(0) for which, sentence in said if which[0] and solved[k])
     found = []
     for which, sentence in _all_warnings(solution, slice(0, solved.size)):
         cases = np.flatnonzero(which & solved)
         if cases.size:
             where = f"{cases.size} of {solved.size} cases, the first {solution._case_name(cases[0])}"
-            found.append(f"{where}: {sentence(int(cases[0]))}")
-    return found
+            found.append(said_of(where, sentence(int(cases[0]))))
+    return in_order(found)
 
 
 def _all_warnings(solution: Solution, part: slice) -> Warnings:
@@ -237,25 +244,23 @@ def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
     """Dents, and first yield where the scene gives a yield strength."""
     rings = solution.scene.ring_expansion
     first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
-    below = (
-        ""
-        if rings is None
-        else f" Below the surface, steel with a yield strength of {rings.yield_strength / MPa:.5g} MPa first yields "
-        f"near {first_yield / GPa:.2g} GPa (Tresca, largest shear {FIRST_YIELD_SHEAR:g} p0)."
-    )
+    below = ""
+    if rings is not None:
+        below = f" Steel of {rings.yield_strength / MPa:.5g} MPa first yields near {first_yield / GPa:.2g} GPa."
     yield (
         pressure > STATIC_PRESSURE_LIMIT,
-        lambda i: (
+        lambda i: wrong_model(
             f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
-            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa: permanent dents of more than about 1e-4 of the ball's diameter, "
-            f"and elastic numbers that are no longer true.{below}"
+            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa: permanent dents.{below}",
+            "limits",
         ),
     )
     yield (
         (pressure > first_yield) & (pressure <= STATIC_PRESSURE_LIMIT),
-        lambda i: (
+        lambda i: good_to_know(
             f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
-            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa.{below}"
+            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa.{below}",
+            "limits",
         ),
     )
 
@@ -266,9 +271,10 @@ def _sparse_warning(solution: Solution, part: slice) -> Warnings:
     filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
     yield (
         filled < SPARSE,
-        lambda i: (
-            f"The balls fill {100.0 * filled[i]:.2g} % of the pitch circle, those of the catalogue's bearings 59 to "
-            "90 %: is the ball count, the ball diameter or the pitch diameter mistaken, perhaps by its decimal point?"
+        lambda i: check_data(
+            f"The balls fill {100.0 * filled[i]:.2g} % of the pitch circle, 59 to 90 % is usual: are ball count, ball "
+            "diameter and pitch diameter right?",
+            "ten_minutes#2-write-your-own",
         ),
     )
 
@@ -276,7 +282,12 @@ def _sparse_warning(solution: Solution, part: slice) -> Warnings:
 def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     free = solution._free_channels
     unloaded = (solution._results["notes"][part] & UNLOADED_RING) != 0
-    yield unloaded, lambda i: "Nothing loads the ring: its position is not determined; one possible one is reported."
+    yield (
+        unloaded,
+        lambda i: check_data(
+            "Nothing loads the ring: its position is not determined; one possible one is reported.", STATUSES
+        ),
+    )
     stiffness, _ = scaled_tangents(solution, part, solution._maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
@@ -285,7 +296,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     def undetermined(i: int) -> str:
         share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
         names = ", ".join(CHANNELS[channel].label for channel in free[share > 0.1])
-        return f"Nothing resists the ring in: {names}. What is reported there is not determined by the bearing."
+        return check_data(f"Nothing resists the ring in: {names}. What is reported there is not determined.", STATUSES)
 
     yield ~unloaded & soft.any(axis=-1), undetermined
     bearing = solution.scene.bearing
@@ -298,14 +309,16 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
     yield (
         can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
-        lambda i: (
+        lambda i: check_data(
             f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} um, to "
-            "where its balls carry at contact angles of zero. An angular-contact bearing needs an axial load or a "
-            "preload."
+            "contact angles of zero.",
+            "how_to#preload-of-one-bearing",
         ),
     )
     tilt = np.abs(moved[:, 3:]).max(axis=-1)
     yield (
         tilt > SMALL_TILT,
-        lambda i: f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.",
+        lambda i: wrong_model(
+            f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.", "limits"
+        ),
     )

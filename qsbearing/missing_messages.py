@@ -6,8 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.ball_messages import Warnings
-from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, lacking_data, lines_to_add, missing, percent
+from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, estimated, lacking_data, lines_to_add, missing
+from qsbearing.ranked_warning import wrong_model
 from qsbearing.solution import Solution
+
+EXPLAINED = "accuracy"
 
 
 def missing_warnings(solution: Solution, part: slice) -> Warnings:
@@ -24,9 +27,9 @@ def missing_warnings(solution: Solution, part: slice) -> Warnings:
         said = []
         for each in named:
             quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]}: about {percent(error)})")
+            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)})")
         lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
-        return f"Missing here, and predicted to matter: {' and '.join(said)}. To include it, under [effects]: {lines}"
+        return wrong_model(f"Missing here: {' and '.join(said)}. Under [effects]: {lines}", EXPLAINED)
 
     yield np.asarray(matters.any(axis=0)), sentence
 
@@ -41,18 +44,9 @@ def data_warnings(solution: Solution, part: slice) -> Warnings:
     def sentence(i: int) -> str:
         said = []
         for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
-            errors = {name: float(np.ravel(error)[part.start + i]) for name, error in each.errors.items()}
-            changes = ", ".join(
-                f"{WORDS[name]} by about {percent(errors[name])}"
-                for name in sorted(errors, key=lambda one: -errors[one])
-                if errors[name] > WORTH_A_WARNING
-            )
-            entry = each.entry
-            said.append(
-                f"{entry.what}, estimated ({entry.without_parameters}) to change {changes}. To include it, give "
-                f"{entry.needs}."
-            )
-        return f"Not in the scene for want of numbers, and likely needed: {' Also: '.join(said)}"
+            quantity, error = each.worst(part.start + i)
+            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)}): give {each.entry.needs}")
+        return wrong_model(f"Missing for want of numbers: {'; '.join(said)}", EXPLAINED)
 
     yield np.asarray(matters.any(axis=0)), sentence
 

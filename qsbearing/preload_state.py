@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.ranked_warning import RankedWarning, check_data
+
 LOST = 0.01
 """A bearing that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
 REDUCED = 0.5
@@ -63,36 +65,39 @@ def is_reduced(of: PreloadLoads) -> NDArray:
         return np.asarray((states(of) == PreloadState.MAINTAINED) & (share(of) < REDUCED))
 
 
-def lost(who: str, of: PreloadLoads, state: str) -> str:
+def lost(who: str, of: PreloadLoads, state: str) -> RankedWarning:
     """Of one case.
 
     Args:
         who: what bearing.
         state: in which the preload is given.
     """
-    return f"Preload lost: {who} carries {max(of.carried, 0.0):.4g} N of the {of.given:.4g} N {state}."
+    left = max(of.carried, 0.0)
+    return check_data(f"Preload lost: {who} carries {left:.4g} N of the {of.given:.4g} N {state}.", "sets#preload")
 
 
-def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -> str:
+def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -> RankedWarning:
     """Likewise.
 
     Args:
         before, now: its axial stiffness, mounted and in operation [N/m].
     """
     went = "fell" if now < before else "rose"
-    return (
+    return check_data(
         f"Preload reduced: {who} carries {of.carried:.4g} N, {100.0 * float(share(of)):.2g} % of the {of.given:.4g} N "
-        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/um mounted to {1e-6 * now:.4g} N/um."
+        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/um mounted to {1e-6 * now:.4g} N/um.",
+        "sets#preload",
     )
 
 
-def excessive(who: str, of: PreloadLoads, unmounted: float, mounted: float) -> str:
+def excessive(who: str, of: PreloadLoads, unmounted: float, mounted: float) -> RankedWarning:
     """Likewise.
 
     Args:
         unmounted, mounted: by the preload alone, at rest and cold, before fitting and after [N].
     """
-    return (
+    return check_data(
         f"Preload excessive: {who} is pressed by {unmounted:.4g} N before fitting, {mounted:.4g} N mounted and "
-        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times what is given."
+        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times what is given.",
+        "sets#preload",
     )

@@ -1,4 +1,4 @@
-"""Why a scene needs each effect and choice or does not: indicator, predicted error, cost in time, verdict."""
+"""Why a scene needs each effect and choice or does not: what leaving it out changes, cost in time, verdict."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, Entry
-from qsbearing.judgement import Judgement, judge, lines_to_add
+from qsbearing.judgement import estimated, judge, lines_to_add
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import Solution
 from qsbearing.solver import solve
@@ -18,12 +18,12 @@ from qsbearing.solver import solve
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 DATA_MISSING = "likely needed, data missing"
 
-LIGHT_BALL = (
-    "some ball carries little or nothing, where small causes have large effects: --verify solves with and without"
-)
-
-REPEATS = 9
-"""Solves of which the median is the time."""
+NOTHING = 1e-6
+"""Changes below it are not worth showing."""
+FEWEST, REPEATS = 3, 9
+"""Solves, at least and at most, of which the median is the time."""
+ENOUGH = 0.1
+"""Seconds, after which a scene that takes long is not solved more often than it must be."""
 
 
 @dataclass(frozen=True)
@@ -35,23 +35,39 @@ class Row:
     in_scene: bool
     indicator: float | None
     predicted: dict[str, float | None] | None
-    """Relative change of the reported results if it is left out, or was."""
+    """Relative change of the reported results if it is left out, or was, as its indicator estimates it."""
     actual: dict[str, float | None] | None
-    """The same, found by solving with and without it."""
+    """The same, found by solving with and without it; null where its parameters are not known."""
     time_with_over_without: float | None
     verdict: str
     why: str
     add: list[str]
     """Lines for a scene file that lacks it, under [effects]."""
 
+    def change(self, quantity: str) -> str:
+        """What leaving it out changes of one of `QUANTITIES`, in per cent: with ≈ where it is estimated."""
+        found = self.predicted if self.actual is None else self.actual
+        value = None if found is None else found.get(quantity, 0.0)  # what is not named does not change
+        if self.actual is None and value is not None and value > NOTHING:
+            return estimated(value, "")
+        return two_digits(value, 100.0)
 
-def explain(scene: Scene, tolerance: float, verify: bool = False) -> tuple[Solution, list[Row]]:
+
+def two_digits(value: float | None, size: float = 1.0) -> str:
+    """A number in so many, times a size; a dash where there is none."""
+    if value is None:
+        return "-"
+    return "0" if value < NOTHING else f"{value * size:.2g}" if value * size < 100.0 else f"{value * size:.0f}"
+
+
+def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
     """The scene's solution, and a row for every effect and choice, named by the scene or not.
+
+    Each is solved with and without; estimated alone is what takes parameters that the scene does not give.
 
     Args:
         scene: a single case, with its effects as it names them.
         tolerance: the relative error below which an effect is not needed.
-        verify: whether to solve with and without each.
 
     Raises:
         ValueError: the scene has array fields.
@@ -59,22 +75,23 @@ def explain(scene: Scene, tolerance: float, verify: bool = False) -> tuple[Solut
     solution = solve(scene)
     if solution.shape:
         raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")
-    return solution, [_row(entry, solution, tolerance, verify) for entry in EFFECTS]
+    return solution, [_row(entry, solution, tolerance) for entry in EFFECTS]
 
 
-def _row(entry: Entry, solution: Solution, tolerance: float, verify: bool) -> Row:
+def _row(entry: Entry, solution: Solution, tolerance: float) -> Row:
     scene = solution.scene
     is_in = entry.is_in(scene)
     finer, coarser = entry.finer(scene), entry.coarser(scene)
-    judged, actual, ratio = None, None, None
+    judged, actual, ratio, error = None, None, None, None
     if solution.converged and (finer is not coarser or entry.without_parameters):
         judged = judge(entry, solution)
-    if judged is not None and finer is not coarser:
-        ratio = _time_ratio(finer, coarser)
-        actual = by_quantity(solve(coarser), solve(finer)) if verify else None
+        error = float(judged.largest)
+        if finer is not coarser:
+            actual, ratio = _solved(finer, coarser)
+            error = float(max(actual.values()))
     (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
     predicted = as_floats(None if judged is None else judged.errors)
-    found, why = _verdict(entry, solution, judged, actual, tolerance)
+    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance)
     lines = lines_to_add(scene, [entry])
     return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines)
 
@@ -82,21 +99,6 @@ def _row(entry: Entry, solution: Solution, tolerance: float, verify: bool) -> Ro
 def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
     """Plain numbers; null for what is none."""
     return None if errors is None else {name: float(x) if np.isfinite(x) else None for name, x in errors.items()}
-
-
-def _verdict(
-    entry: Entry, solution: Solution, judged: Judgement | None, actual: dict[str, Any] | None, tolerance: float
-) -> tuple[str, str]:
-    error = None
-    if judged is not None:
-        error = float(judged.largest) if actual is None else float(max(actual.values()))
-    is_solved, is_in = bool(solution.converged), entry.is_in(solution.scene)
-    found = verdict(entry, "scene", is_solved, is_in, error, tolerance)
-    point = solution.operating_point
-    if found[0] == NOT_NEEDED and judged is not None and actual is None and bool(point.has_light_ball):
-        is_nothing = judged.indicator == 0.0 and point.largest_load > 0.0
-        return found if is_nothing else (NOT_ASSESSED, LIGHT_BALL)
-    return found
 
 
 def verdict(
@@ -123,10 +125,15 @@ def verdict(
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 
-def _time_ratio(finer: Scene, coarser: Scene) -> float:
-    """Time of a solve with it over that of one without, in turn; medians."""
-    times: dict[str, list[float]] = {"finer": [], "coarser": []}
-    for _ in range(REPEATS):
-        for name, scene in (("finer", finer), ("coarser", coarser)):
-            times[name].append(solve(scene, threads=1).seconds)
-    return statistics.median(times["finer"]) / statistics.median(times["coarser"])
+def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float]:
+    """What a solve with it and one without differ by, and the time of the first over that of the other: medians of
+    solves in turn."""
+    scenes = finer, coarser
+    times: list[list[float]] = [[], []]
+    found: list[Solution] = []
+    while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
+        found = [solve(each, threads=1) for each in scenes]
+        for taken, each in zip(times, found, strict=True):
+            taken.append(each.seconds)
+    with_it, without = found
+    return by_quantity(without, with_it), statistics.median(times[0]) / statistics.median(times[1])

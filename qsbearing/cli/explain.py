@@ -8,7 +8,7 @@ import sys
 import click
 
 from qsbearing.cli.explain_set import show_set
-from qsbearing.cli.explained import predicted_table, remarks
+from qsbearing.cli.explained import remarks, table
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
 
@@ -16,18 +16,19 @@ from qsbearing.cli.scene import load_one, solving
 @click.command(short_help="Show which effects a scene calls for, and by how much.")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
-@click.option("--verify", is_flag=True, help="Also solve with and without each, and show what it really changes.")
+@click.option("--verify", is_flag=True, hidden=True, help="What is done anyway: solve with and without each.")
 @click.option(
     "--tolerance", type=float, default=0.01, show_default=True, help="The relative change below which none is needed."
 )
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
-    Each has an indicator, a dimensionless number that its influence follows; what leaving it out is predicted to change
-    of contact angles, loads, pressures, displacement and stiffness; how much longer a solve takes with it; and a
-    verdict: needed, not needed, likely needed but without the data that it takes, or not assessed and why.
+    Each is solved with and without: what leaving it out changes of contact angles, loads, pressures, displacement and
+    stiffness; how much longer a solve takes with it; and a verdict: needed, not needed, likely needed but without the
+    data that it takes (then its changes are estimated, and marked ≈), or not assessed and why. The indicator is a
+    dimensionless number that its influence follows.
 
-    A set of rows is always solved with and without each; what its preload does is said first.
+    Of a set of rows, what its preload does is said first.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
@@ -44,12 +45,12 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
         return
     assert loaded is not None
     with solving():
-        solution, rows = explain(replace(loaded, tolerance=None), tolerance, verify)
+        solution, rows = explain(replace(loaded, tolerance=None), tolerance)
     if as_json:
         found = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
         print_text(json.dumps(found | {"effects": [vars(row) for row in rows]}, indent=1, allow_nan=False) + "\n")
     else:
-        print_table(predicted_table(rows, tolerance))
+        print_table(table(rows, tolerance))
         for each in remarks(rows):
             print_table(each)
     if not solution.converged:

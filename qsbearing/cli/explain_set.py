@@ -6,7 +6,7 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.explained import found_table, remarks
+from qsbearing.cli.explained import remarks, table
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import solving
 
@@ -24,6 +24,7 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
     from rich.text import Text
 
     from qsbearing.chooser.explain_set import explain_set
+    from qsbearing.io.report import warnings_below
     from qsbearing.io.set_record import set_record
     from qsbearing.io.set_report import heading, rows_tables
     from qsbearing.sets.preload_summary import preload_summary
@@ -37,9 +38,8 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
         of_set |= {"preload": said, "tolerance": tolerance, "effects": [vars(row) for row in rows]}
         print_text(json.dumps(of_set, indent=1, allow_nan=False) + "\n")
     elif solution.converged:
-        warnings = [Text.assemble(("Warning: ", "bold yellow"), each) for each in found["warnings"]]
-        parts: list[RenderableType] = [*rows_tables(found), Text("\n".join(said)), found_table(rows, tolerance)]
-        parts += [Group(*remarks(rows)), *warnings]
+        parts: list[RenderableType] = [*rows_tables(found), Text("\n".join(said)), table(rows, tolerance)]
+        parts += [Group(*remarks(rows)), *warnings_below(found["warnings"])]
         print_table(Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts)))
     else:
         print_table(heading(solution, found))

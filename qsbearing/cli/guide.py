@@ -20,24 +20,30 @@ if TYPE_CHECKING:
 @click.option("--html", "target", metavar="DIR", help="Write the whole guide to DIR/guide.html, one file of its own.")
 @click.option("--open", "is_opened", is_flag=True, help="Open that file in the browser, at TOPIC if one is named.")
 def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
-    """List the topics of the guide, print TOPIC, or write the whole guide as HTML.
+    """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or write the whole guide as HTML.
 
     Exit codes: 0 done, 2 bad input.
     """
     from qsbearing.documents.guide import topics
 
     pages = topics()
-    if topic is not None and topic not in pages:
-        import difflib
+    text = ""
+    if topic is not None:
+        page, _, section = topic.partition("#")
+        if page not in pages:
+            import difflib
 
-        near = difflib.get_close_matches(topic, pages, 1)
-        refuse(f"no topic {topic}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
+            near = difflib.get_close_matches(page, pages, 1)
+            refuse(f"no topic {page}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
+        text = pages[page].part(section) if section else pages[page].text
+        if not text:
+            refuse(f"no section {section} in {page}")
     if target is not None or is_opened:
-        _write(topic, target, is_opened)
-    elif topic is not None:
+        _write(topic and topic.replace("#", "-"), target, is_opened)
+    elif text:
         from rich.markdown import Markdown
 
-        print_table(Markdown(pages[topic].text, hyperlinks=False))
+        print_table(Markdown(text, hyperlinks=False))
     else:
         _list(pages)
 

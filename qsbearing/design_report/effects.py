@@ -20,8 +20,6 @@ from qsbearing.solution import Solution
 
 DEFAULT_TOLERANCE = 0.01
 
-ESTIMATED = "≈ "
-"""Before what was not found by solving."""
 STEADY = (
     "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
     "load."
@@ -70,7 +68,7 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
         asked: the scene as it was given, which may leave the choice of effects to a tolerance.
         tolerance: above which a change counts.
     """
-    _, rows = explain(solution.scene, tolerance, verify=True)
+    _, rows = explain(solution.scene, tolerance)
     said = [] if solution.choice is None else chosen(solution, asked)
     return _section("What this solution assumes:", assumptions(solution.scene), said, rows, tolerance)
 
@@ -97,13 +95,5 @@ def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequ
 
 
 def _line(row: Row) -> list[Cell]:
-    found, mark = (row.predicted, ESTIMATED) if row.actual is None else (row.actual, "")
-    changes = [_percent(None if found is None else found.get(name, 0.0), mark) for name in QUANTITIES]
     status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
-    return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, status)]
-
-
-def _percent(value: float | None, mark: str) -> str:
-    if value is None:
-        return ""
-    return "0" if value < 1e-6 else mark + (f"{100 * value:.2g}" if value < 1.0 else f"{100 * value:.0f}")
+    return [row.what, "yes" if row.in_scene else "no", *map(row.change, QUANTITIES), Badge(row.verdict, status)]

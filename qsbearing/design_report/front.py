@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from qsbearing import provenance
 from qsbearing.documents.model import Block, Cell, Facts, Md, Remark, Table
+from qsbearing.ranked_warning import in_order
 
 
 def head(message: str, key_results: Table, warnings: Sequence[str], command: str) -> list[Block]:
@@ -13,10 +14,10 @@ def head(message: str, key_results: Table, warnings: Sequence[str], command: str
 
     Args:
         message: how the case ended; it is solved.
-        warnings: in full, where nobody misses them.
+        warnings: all of them, where nobody misses them.
         command: that makes the report.
     """
-    said = [Remark(f"Warning: {each}", "warning") for each in warnings] or [Remark("No warnings.")]
+    said = [Remark(each.line, each.rank.status) for each in in_order(warnings)] or [Remark("No warnings.")]
     return [Remark(message, "pass"), key_results, *said, Facts(_facts(command))]
 
 

@@ -13,6 +13,7 @@ from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
+from qsbearing.ranked_warning import said_of
 from qsbearing.sets.preload_summary import Limits, limits, preload_summary
 from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
@@ -30,7 +31,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     taken = [readings.taken(row) for row in solution.rows]
     changes = limits(of)
     warnings = solution.warnings() + [
-        f"{capital(row_name(of.rows[number], number))}: {each}"
+        said_of(capital(row_name(of.rows[number], number)), each)
         for number, found in enumerate(taken)
         for each in readings.warnings_of(found)
     ]
@@ -80,6 +81,6 @@ def _row(solution: SetSolution, number: int, taken: dict[str, Any]) -> Section:
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
         width=0.85,
     )
-    said = [Remark(each, "warning") for each in messages.warnings(row)]
+    said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))
     return Section(title, [*tables, drawn, *readings.tables(taken), *said], f"row-{number + 1}")

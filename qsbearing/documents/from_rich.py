@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.ranked_warning import Rank
 
-WARNING = "Warning: "
 SIDES = {"right": "r", "center": "c"}
 
 
@@ -37,8 +37,9 @@ def _table(table: Any) -> Table:
 
 
 def _sentences(text: str) -> list[Block]:
-    if text.startswith(WARNING):
-        return [Remark(text.removeprefix(WARNING), "warning")]
+    for rank in Rank:
+        if text.startswith(f"{rank.words}: "):
+            return [Remark(text, rank.status)]
     return [Paragraph(line) for line in text.split("\n") if line.strip()]
 
 

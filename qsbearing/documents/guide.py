@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from qsbearing.documents.markdown import Links, sections
-from qsbearing.documents.model import Document, Section
+from qsbearing.documents.model import Document, Section, anchor_of
 
 FOLDER = Path(__file__).parents[1] / "guide"
 FIRST = "index"
@@ -26,6 +26,11 @@ class Page:
     def text(self) -> str:
         """Its Markdown, without what only tells the tools where a table was made."""
         return re.sub(r"<!--.*?-->\n?", "", self.path.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+    def part(self, section: str) -> str:
+        """One of its sections, by the name that links give it; empty where there is none."""
+        parts = re.split(r"^(?=## )", self.text, flags=re.MULTILINE)
+        return next((each for each in parts if anchor_of(each.partition("\n")[0]) == section), "")
 
 
 def topics(folder: Path = FOLDER) -> dict[str, Page]:

@@ -7,7 +7,8 @@ alpha. At an unchanged axial load delta stays and the line turns:
 
 loads change by dalpha cot(alpha), axial stiffness by twice that, and the ring moves by dA1. At an unchanged axial
 position, and at small contact angles, where the axial way out is long, delta changes by cos(alpha) dA2 - dBD and loads
-follow its power 3/2.
+follow its power 3/2; at speed the two contact angles, which the centrifugal force parts the further the lighter the
+load, close by their loads' part of their distance, half of it each, and axial stiffness changes by that as well.
 """
 
 from __future__ import annotations
@@ -50,6 +51,9 @@ def geometry_errors(point: OperatingPoint, change: GeometryChange) -> Errors:
             turn = np.abs(change.radial - cosine * change.distance) / (point.bearing.groove_centre_distance * sine)
             moved = nearer / sine / size
         tighter = np.where(held | (angle < SMALL_ANGLE), 1.5 * nearer / approach, 0.0)
+    if held:
+        parted = np.abs(solution.inner.angle - solution.outer.angle)
+        turn = turn + 0.5 * point.at_largest_load(parted) * np.minimum(tighter, 1.0)
     turned = (0.0 if held else 1.0) * turn * cosine / sine
     load = np.maximum(turned, tighter)
     found = {
@@ -57,7 +61,7 @@ def geometry_errors(point: OperatingPoint, change: GeometryChange) -> Errors:
         "load": load,
         "pressure": load / 3.0,
         "displacement": np.maximum(moved, np.where(angle < SMALL_ANGLE, tighter, 0.0)),
-        "stiffness": np.maximum(load / 3.0, 2.0 * turned),
+        "stiffness": load / 3.0 + 2.0 * turn / angle if held else np.maximum(load / 3.0, 2.0 * turned),
     }
     return {name: np.broadcast_to(error, solution.shape) for name, error in found.items()}
 

@@ -12,7 +12,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.io.tables import plain_table
+from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.readings.film_thickness import FACTOR_SPREAD
 from qsbearing.readings.shown import ball_values, case_values
 
@@ -86,7 +86,7 @@ def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
         for model in getattr(reading, "models", ()):
             what = f"{model.name}: {model.contains}; without {model.lacks}."
             parts.append(Text(f"{what} Range: {model.range}. For heat: {model.heat}."))
-        parts += [Text.assemble(("Warning: ", "bold yellow"), each) for each in getattr(reading, "warnings", ())]
+        parts += warning_lines(getattr(reading, "warnings", ()))
     return parts
 
 

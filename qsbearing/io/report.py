@@ -16,7 +16,7 @@ from rich.text import Text
 from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
-from qsbearing.io.tables import plain_table
+from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import Solution
@@ -46,9 +46,12 @@ def result(solution: Solution) -> Group:
             from qsbearing.readings.asked import take_asked
 
             parts += readings_tables(take_asked(solution))
-    for sentence in found["warnings"]:
-        parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
-    return Group(*parts)
+    return Group(*parts, *warnings_below(found["warnings"]))
+
+
+def warnings_below(warnings: Sequence[str]) -> list[RenderableType]:
+    """All warnings of a record, parted from what is above."""
+    return [Padding(Group(*warning_lines(warnings)), (1, 0, 0, 0))] if warnings else []
 
 
 def tables(solution: Solution) -> Group:

@@ -20,6 +20,7 @@ from qsbearing.io.report import (
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
+    warnings_below,
 )
 from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
@@ -43,9 +44,7 @@ def set_result(solution: SetSolution) -> Group:
             if solution.rows[number].scene.readings:
                 parts += _readings(solution, number)
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
-    for sentence in found["warnings"]:
-        parts.append(Padding(Text.assemble(("Warning: ", "bold yellow"), sentence), (1, 0, 0, 0)))
-    return Group(*parts)
+    return Group(*parts, *warnings_below(found["warnings"]))
 
 
 def tables(solution: SetSolution) -> Group:

@@ -12,8 +12,9 @@ from rich.text import Text
 from qsbearing import __version__, messages
 from qsbearing.columns import LOAD
 from qsbearing.io.json_record import number, record
-from qsbearing.io.report import asked_for
+from qsbearing.io.report import asked_for, warnings_below
 from qsbearing.io.tables import plain_table
+from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.asked import take_asked
 from qsbearing.solution import Solution
 from qsbearing.units import rpm
@@ -73,14 +74,13 @@ def spectrum_result(solution: Solution) -> Group:
     if found["duration_h"] is not None:
         together = f"Life under all of them: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
         parts.append(Padding(Text(together), (1, 0, 0, 0)))
-    said: dict[str, list[str]] = {}
+    said: dict[RankedWarning, list[str]] = {}
     for k in range(len(found["points"])):
         for sentence in found["points"][k]["warnings"]:
             said.setdefault(sentence, []).append(f"{k + 1}")
-    sentences = [f"point {', '.join(points)}: {sentence}" for sentence, points in said.items()]
-    sentences += [f"life (points counted from 0): {sentence}" for sentence in life.warnings]
-    parts += [Padding(Text.assemble(("Warning, ", "bold yellow"), each), (1, 0, 0, 0)) for each in sentences]
-    return Group(*parts)
+    sentences = [said_of(f"point {', '.join(points)}", sentence) for sentence, points in said.items()]
+    sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
+    return Group(*parts, *warnings_below(sentences))
 
 
 def _text(value: Any) -> str:

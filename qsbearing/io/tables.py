@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rich import box
@@ -14,9 +14,12 @@ from rich.table import Table
 from rich.text import Text
 
 from qsbearing.io.catalogue import Entry
+from qsbearing.ranked_warning import Rank, in_order
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
+
+COLOURS = {Rank.WRONG_MODEL: "bold red", Rank.CHECK_DATA: "bold yellow", Rank.GOOD_TO_KNOW: "bold"}
 
 
 def text_of(renderable: RenderableType, width: int | None = None) -> str:
@@ -38,6 +41,15 @@ def plain_table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)
     for number, name in enumerate(heading):
         table.add_column(name, justify="left" if number in left else "right", no_wrap=True)
     return table
+
+
+def warning_lines(warnings: Iterable[str]) -> list[Text]:
+    """Each on a line of its own, what matters most first."""
+    lines = []
+    for each in in_order(warnings):
+        lines.append(Text(each.line))
+        lines[-1].stylize(COLOURS[each.rank], 0, len(each.rank.words) + 1)
+    return lines
 
 
 def catalogue(entries: Sequence[Entry]) -> Group:

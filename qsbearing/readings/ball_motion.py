@@ -30,9 +30,10 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry, kernel
 from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.solution import Solution
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
@@ -105,7 +106,8 @@ def motion_arrays(solution: Solution) -> tuple[Any, ...]:
 def control_remarks(solution: Solution) -> Remarks:
     """That raceway control was assumed, where it was."""
     assumed = solution.scene.raceway_control is None
-    return remarks([(assumed, "no raceway control is named: all spin is put on the inner raceway")], ())
+    said = good_to_know("no raceway control is named: all spin is put on the inner raceway", CHOICES)
+    return remarks([(assumed, said)], ())
 
 
 def ring_speeds(solution: Solution) -> tuple[NDArray, NDArray]:

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.compiled import entry
 from qsbearing.contact.elliptic import second_kind
 from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.ranked_warning import wrong_model
 from qsbearing.readings.ball_motion import (
     AXIS,
     contact_motion,
@@ -201,10 +202,10 @@ def _drag(solution: Solution, coefficient: NDArray, density: NDArray) -> NDArray
 
 
 def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, str]]:
-    found = []
+    found: list[tuple[Any, str]] = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
             slips = (side.required_friction > np.asarray(mu, float)[..., None]).any(axis=-1)
             more = f"the gyroscopic moment asks more friction of an {name} contact than the coefficient given"
-            found.append((slips, f"{more}: that ball slips, which is not counted"))
+            found.append((slips, wrong_model(f"{more}: that ball slips, which is not counted", "limits#hypotheses")))
     return found

@@ -35,11 +35,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry, kernel
 from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
 from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.solution import Solution
 from qsbearing.units import mm, rpm
 from qsbearing.validation import LENGTH, ErrorDetail, Quantity, raise_if_any, within
@@ -246,16 +247,19 @@ def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArra
     found: list[tuple[Any, str]] = []
     if oil.is_estimated:
         rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
-        found.append((True, f"{rough}, which is 15 % of the film"))
+        found.append((True, check_data(f"{rough}, which is 15 % of the film", CHOICES)))
     if factor is not None and inner.thermal_reduction is None:
         hot = f"SKF's inlet shear heating factor is below {WARM_INLET:g}"
-        found.append((factor < WARM_INLET, f"{hot}: the true film is thinner than this isothermal one"))
+        isothermal = wrong_model(f"{hot}: the true film is thinner than this isothermal one", CHOICES)
+        found.append((factor < WARM_INLET, isothermal))
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.thermal_reduction is not None:
             heated = np.asarray(raceway.thermal_reduction < WARM_INLET).any(axis=-1)
             much = f"the heat of an {name} contact's inlet takes more than {100 * (1 - WARM_INLET):.0f} % of its film"
-            found.append((heated, f"{much}; published factors for it differ by {100 * FACTOR_SPREAD:.0f} %"))
+            differ = f"published factors for it differ by {100 * FACTOR_SPREAD:.0f} %"
+            found.append((heated, good_to_know(f"{much}; {differ}", CHOICES)))
         if raceway.film_parameter is not None:
             thin = np.asarray(raceway.film_parameter < MIXED).any(axis=-1)
-            found.append((thin, f"a film parameter is below 1: much of that {name} contact is touched by asperities"))
+            touched = f"a film parameter is below 1: much of that {name} contact is touched by asperities"
+            found.append((thin, good_to_know(touched, CHOICES)))
     return found

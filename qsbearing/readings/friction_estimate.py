@@ -15,11 +15,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.solution import Solution
@@ -209,10 +210,14 @@ def skf_torque(
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
     found: tuple[ArrayLike, str]
     if speed_rating is None:
-        found = (True, "SKF's friction holds below the bearing's speed rating, which is not given (speed_rating)")
+        unknown = "SKF's friction holds below the bearing's speed rating, which is not given (speed_rating)"
+        found = (True, good_to_know(unknown, CHOICES))
     else:
         above = "the speed is above the bearing's speed rating, below which SKF's friction holds"
-        found = (n * rpm > np.asarray(speed_rating), f"{above}: its torque and heat are extrapolated")
+        found = (
+            n * rpm > np.asarray(speed_rating),
+            wrong_model(f"{above}: its torque and heat are extrapolated", CHOICES),
+        )
     return _estimate(solution, rolling + sliding, SKF, remarks([found], solution.shape))
 
 

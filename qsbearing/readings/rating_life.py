@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
+from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
@@ -35,7 +36,7 @@ from qsbearing.readings.life_factors import (
     reliability_factor,
 )
 from qsbearing.readings.passes import filled_cases, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
 from qsbearing.solution import Solution
@@ -198,13 +199,14 @@ def life(
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     found = _found(solution, rating, dynamic_load_rating is None and capacity is Capacity.ISO_16281, viscosity_ratio)
-    uncovered = (
-        "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"
+    uncovered = wrong_model(
+        "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10",
+        CHOICES,
     )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     if factor is not None:
         capped = f"aISO is at its limit of {LARGEST:g}: the cap of ISO 281, not a prediction, makes the modified life"
-        found.append((factor >= LARGEST, capped))
+        found.append((factor >= LARGEST, good_to_know(capped, CHOICES)))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         remarks(found, shape),
@@ -260,26 +262,32 @@ def _found(
         for most in (INNER_GROOVE_COVERED, OUTER_GROOVE_COVERED)
     )
     wide = (inner_f > inner_most + 1e-9) | (outer_f > outer_most + 1e-9)
-    found = [
+    found: list[tuple[NDArray, str]] = [
         (
             numbers.is_hybrid,
-            "ceramic balls are given the dynamic rating of steel ones (ISO 20056-1), and the life modification factor "
-            "was made for steel balls",
+            good_to_know(
+                "ceramic balls are given the dynamic rating and the life modification factor of steel ones", CHOICES
+            ),
         ),
         (
             largest_pressure(solution) > PLASTIC_PRESSURE,
-            f"a contact is pressed beyond {PLASTIC_PRESSURE / MPa:.0f} MPa, ISO 76's static limit: permanent dents, "
-            "and no rating life that holds",
+            wrong_model(
+                f"a contact is pressed beyond {PLASTIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no rating life "
+                "that holds",
+                "limits",
+            ),
         ),
     ]
     if from_geometry and rating is Rating.ISO_281:
         covered = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
-        found.append((wide, f'{covered}: a wider one bears less (rating = "lundberg_palmgren" knows the grooves)'))
+        wider = f'{covered}: a wider one bears less (rating = "lundberg_palmgren" knows the grooves)'
+        found.append((wide, wrong_model(wider, CHOICES)))
         gamma = numbers.nominal_gamma
         outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
-        found.append((outside, "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"))
+        found.append((outside, wrong_model("ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40", CHOICES)))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)
-        found.append((kappa < LEAST_RATIO, f"aISO is not defined below kappa = {LEAST_RATIO:g}"))
-        found.append((kappa > GREATEST_RATIO, f"kappa above {GREATEST_RATIO:g} counts as {GREATEST_RATIO:g} in aISO"))
+        thin = wrong_model(f"aISO is not defined below kappa = {LEAST_RATIO:g}", CHOICES)
+        thick = good_to_know(f"kappa above {GREATEST_RATIO:g} counts as {GREATEST_RATIO:g} in aISO", CHOICES)
+        found += [(kappa < LEAST_RATIO, thin), (kappa > GREATEST_RATIO, thick)]
     return found

@@ -7,6 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.ranked_warning import in_order, said_of
+
+CHOICES = "readings#choices-that-change-the-numbers"
+"""Where the guide says more of most of them."""
 Remarks = tuple[str, ...]
 
 
@@ -14,10 +18,10 @@ def remarks(found: Iterable[tuple[Any, str]], shape: tuple[int, ...]) -> Remarks
     """The sentences that hold in some case, each with the cases that it holds in.
 
     Args:
-        found: (where it holds, the sentence); the first broadcasts to the case axes.
+        found: (where it holds, the sentence with its rank); the first broadcasts to the case axes.
         shape: the case axes of the solution; none for a single case.
     """
-    said = []
+    said: list[str] = []
     for where, sentence in found:
         marked = np.broadcast_to(np.asarray(where, bool), shape)
         if not marked.any():
@@ -27,5 +31,5 @@ def remarks(found: Iterable[tuple[Any, str]], shape: tuple[int, ...]) -> Remarks
             continue
         first = tuple(int(i) for i in np.argwhere(marked)[0])
         name = first[0] if len(first) == 1 else first
-        said.append(f"{np.count_nonzero(marked)} of {marked.size} cases, the first {name}: {sentence}")
-    return tuple(said)
+        said.append(said_of(f"{np.count_nonzero(marked)} of {marked.size} cases, the first {name}", sentence))
+    return tuple(in_order(said))

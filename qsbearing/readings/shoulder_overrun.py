@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.ranked_warning import wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
@@ -91,7 +92,8 @@ def overrun(
         contacts = solution.inner if side < 0 else solution.outer
         raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
         cut = (raceway.edge_distance < 0.0).any(axis=-1)
-        said.append((cut, f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"))
+        over = f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"
+        said.append((cut, wrong_model(over, "limits")))
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
 

@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
+from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.passes import filled_cases, of_balls
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, deg, mm
@@ -180,21 +181,28 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
     found = [
         (
             contact < 1.0,
-            f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents of more than about 1e-4 of "
-            "the ball's diameter, and elastic results that are no longer true",
+            wrong_model(
+                f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no elastic contact",
+                "limits",
+            ),
         ),
         (
             moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny),
-            "the ring carries a moment, which P0 of ISO 76 does not know; contact_safety does",
+            wrong_model("the ring carries a moment, which P0 of ISO 76 does not know; contact_safety does", CHOICES),
         ),
         (
             np.isnan(equivalent) & np.isfinite(radial),
-            "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one: no static safety",
+            wrong_model(
+                "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one",
+                CHOICES,
+            ),
         ),
         (
             BearingNumbers(bearing).is_hybrid,
-            f"ceramic balls are judged by {STATIC_PRESSURE / MPa:.0f} MPa like steel ones; ISO 20056-2 allows somewhat "
-            "more and asks for larger safety factors",
+            good_to_know(
+                f"ceramic balls are judged by {STATIC_PRESSURE / MPa:.0f} MPa like steel ones; ISO 20056-2 allows more",
+                "readings#what-is-not-here",
+            ),
         ),
     ]
     return StaticSafety(rating, equivalent, safety, contact, remarks(found, solution.shape))

@@ -25,10 +25,11 @@ from numpy.typing import NDArray
 from qsbearing.compiled import entry, formula
 from qsbearing.contact.hertz import subsurface_shear
 from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.solution import Solution
 from qsbearing.units import mm
 
@@ -79,9 +80,10 @@ def stress(solution: Solution) -> Stress:
     found = []
     for name, raceway in (("inner", inner), ("outer", outer)):
         deep = raceway.dent > NOTICEABLE * numbers.ball_diameter[..., None]
-        found.append((deep.any(axis=-1), f"an {name} contact dents by more than {NOTICEABLE:g} of the ball's diameter"))
+        dented = good_to_know(f"an {name} contact dents by more than {NOTICEABLE:g} of the ball's diameter", "limits")
+        found.append((deep.any(axis=-1), dented))
     ceramic = "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields"
-    found.append((numbers.is_hybrid, ceramic))
+    found.append((numbers.is_hybrid, good_to_know(ceramic, CHOICES)))
     return Stress(inner, outer, remarks(found, solution.shape))
 
 

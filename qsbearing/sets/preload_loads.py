@@ -36,7 +36,8 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
     """The multiples of the loads on the shaft, up to the highest given, above which some row loses its preload.
 
     All loads and moments grow together, the preload and all else stay. A preload counts as lost below 1 % of
-    what is given. What changes and changes back between two of the 64 multiples tried is not seen.
+    what is given. What changes and changes back between two of the 64 multiples tried is not seen, nor what comes after
+    the first without an equilibrium.
 
     Returns:
         At most one of each row and state, the least first; empty where all rows keep their preload.

@@ -13,11 +13,16 @@ from numpy.typing import NDArray
 from qsbearing.preload_state import EXCESSIVE, PreloadState
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_messages import capital, row_name
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
+from qsbearing.status import Status
 from qsbearing.validation import ErrorDetail, SceneError
 
 VALUES = 65
-"""Solved at a time: two rounds find a value to 1/4096 of the range."""
+"""Of a range: two rounds find a value to 1/4096 of it."""
+STRIDES = 8, 1
+"""In which the end of a set is looked for, value by value: that it has no equilibrium takes a hundred times as long to
+find as one, so that nothing is tried beyond."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +54,8 @@ def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
 def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[Change]:
     """What changes between 0 and the highest value, the least value first; at 0 what is not maintained there.
 
-    What changes and changes back between two of the values tried is not seen.
+    What changes and changes back between two of the values tried is not seen, and nothing is sought beyond the first
+    value without an equilibrium.
 
     Args:
         at: the set at these values, one case each.
@@ -58,18 +64,23 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
         SceneError: the set has arrays of its own.
     """
     values = np.linspace(0.0, high, VALUES)
-    labels = _labels(at(values), threads)
+    labels = _labels(at, values, threads)
     maintained = str(PreloadState.MAINTAINED)
     found = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)]
-    for k in np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1:
+    for k in _changing(labels):
         between = np.linspace(values[k - 1], values[k], VALUES)
-        finer = _labels(at(between), threads)
-        for n in np.flatnonzero(labels[k] != labels[k - 1]):
-            before, after = str(labels[k - 1, n]), str(labels[k, n])
-            if after not in ("", maintained) or (after == maintained and before):
-                first = int(np.argmax(finer[:, n] == after))
-                found.append(Change(float(between[first]), _row(n, labels), before, after))
+        finer = _labels(at, between, threads)
+        for j in _changing(finer):
+            for n in np.flatnonzero(finer[j] != finer[j - 1]):
+                before, after = str(finer[j - 1, n]), str(finer[j, n])
+                if after not in ("", maintained) or (after == maintained and before):
+                    found.append(Change(float(between[j]), _row(n, labels), before, after))
     return sorted(found, key=lambda each: each.value)
+
+
+def _changing(labels: NDArray[Any]) -> NDArray:
+    """At which values something differs from the value before."""
+    return np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1
 
 
 def firsts(found: list[Change]) -> list[Change]:
@@ -97,16 +108,36 @@ def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
         str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
         str(PreloadState.LOST): f"{name} loses its preload {at}.",
         str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times what is given, {at}.",
-        "no_equilibrium": f"{name} gives way {at}: above there is no equilibrium.",
+        "no_equilibrium": f"{name} gives way {at}: no equilibrium there.",
     }
     return said.get(change.after, f"{name}: not solved any more {at}.")
 
 
-def _labels(of: BearingSet, threads: int | None) -> NDArray[Any]:
-    """What has become of each row, and last of the set as a whole; words of shape (case, row + 1)."""
+def _labels(at: Callable[[NDArray], BearingSet], values: NDArray, threads: int | None) -> NDArray[Any]:
+    """What has become of each row, and last of the set as a whole, up to a value without an equilibrium.
+
+    Returns:
+        Words of shape (value, row + 1).
+    """
+    low, end, last = 0, values.size, []
+    for stride in STRIDES:
+        for k in range(low + stride, end, stride):
+            solution = _solved(at(values[k : k + 1]), threads)
+            if solution.status[0] == Status.NO_EQUILIBRIUM:
+                end, last = k, [_words(solution)]
+                break
+            low = k
+    return np.concatenate([_words(_solved(at(values[:end]), threads)), *last])
+
+
+def _solved(of: BearingSet, threads: int | None) -> SetSolution:
     solution = solve_set(of, threads=threads)
     if len(solution.shape) != 1:
         raise SceneError([ErrorDetail("rows", "or what acts on them has arrays: give one number each")])
+    return solution
+
+
+def _words(solution: SetSolution) -> NDArray[Any]:
     words = solution.preload_state
     assert words is not None  # the set is opposed
     labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)

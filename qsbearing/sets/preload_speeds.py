@@ -28,7 +28,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
 
     The set keeps its loads and all else but the speed; one number each, no arrays. A preload counts as lost below 1 %
     of what is given, and as excessive above three times it. What changes and changes back between two of the 64 speeds
-    tried is not seen.
+    tried is not seen, nor what comes after the first without an equilibrium.
 
     Returns:
         At most one of each row and state; empty where every row's preload is maintained.

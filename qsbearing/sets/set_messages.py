@@ -10,6 +10,7 @@ from qsbearing import messages, preload_state
 from qsbearing.case_index import Index
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.preload_state import PreloadLoads, PreloadState
+from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of, wrong_model
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import Row
 from qsbearing.status import STATUS_OF_CODE
@@ -91,7 +92,7 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def warnings(solution: SetSolution, index: Index = None) -> list[str]:
+def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
     """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost their
     preload or have an excessive one, row by row."""
     of, rows = solution.preload_loads, solution.set.rows
@@ -101,34 +102,35 @@ def warnings(solution: SetSolution, index: Index = None) -> list[str]:
     place = tuple(map(int, np.unravel_index(k, solution.shape))) if solution.shape else ()
     if solution._outcome.status[k] != CONVERGED:
         return []
-    said = [] if of is None else [each for number in range(len(rows)) for each in _preload(solution, of, place, number)]
+    said: list[RankedWarning] = []
+    if of is not None:
+        said = [each for number in range(len(rows)) for each in _preload(solution, of, place, number)]
     if not solution.control_is_consistent[place]:
-        said.append(
-            "No stiffness of the set is reported: raceway control contradicts itself in a row, which then has several "
-            "solutions side by side."
-        )
+        what = "No stiffness: raceway control contradicts itself in a row, which has several solutions side by side."
+        said.append(wrong_model(what, "limits#hypotheses"))
     for number, row_solution in enumerate(solution.rows):
         name = capital(row_name(rows[number], number))
-        said += [f"{name}: {each}" for each in messages.warnings(row_solution, place or None)]
-    return said
+        said += [said_of(name, each) for each in messages.warnings(row_solution, place or None)]
+    return in_order(said)
 
 
-def _counted(solution: SetSolution, of: PreloadLoads) -> list[str]:
+def _counted(solution: SetSolution, of: PreloadLoads) -> list[RankedWarning]:
     """In how many cases each row has not kept its preload."""
     kinds = (
         (preload_state.states(of) == PreloadState.LOST, "loses its preload"),
         (preload_state.is_reduced(of), "carries less than half of its preload"),
         (preload_state.states(of) == PreloadState.EXCESSIVE, "has an excessive preload"),
     )
+    cases = solution._outcome.status.size
     return [
-        f"{which[..., number].sum()} of {solution._outcome.status.size} cases: {row_name(row, number)} {word}."
+        check_data(f"{which[..., number].sum()} of {cases} cases: {row_name(row, number)} {word}.", "sets#preload")
         for number, row in enumerate(solution.set.rows)
         for which, word in kinds
         if which[..., number].any()
     ]
 
 
-def _preload(solution: SetSolution, of: PreloadLoads, place: tuple[int, ...], number: int) -> list[str]:
+def _preload(solution: SetSolution, of: PreloadLoads, place: tuple[int, ...], number: int) -> list[RankedWarning]:
     """What to beware of in the preload of a row of a case."""
     at = (*place, number)
     own = PreloadLoads(*(float(each[at]) for each in of))

@@ -15,6 +15,7 @@ from qsbearing.columns import DISPLACEMENT, LOAD
 from qsbearing.effects import RingEffect, as_fitted, as_made
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.preload_state import PreloadLoads
+from qsbearing.ranked_warning import RankedWarning
 from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets import set_messages
@@ -98,7 +99,7 @@ class SetSolution:
         """
         return set_messages.message(self, index)
 
-    def warnings(self, index: Index = None) -> list[str]:
+    def warnings(self, index: Index = None) -> list[RankedWarning]:
         """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
         cases without an index, in how many each row's is.
 

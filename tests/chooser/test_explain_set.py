@@ -52,7 +52,7 @@ def test_a_set_of_one_row_is_explained_as_its_bearing_is() -> None:
     operation = qs.Operation(10_000 * qs.rpm, axial_load=800.0, radial_load_y=300.0, tilt_z=0.0)
     effects: dict[str, Any] = {"ball_effects": (qs.CentrifugalForce(),), "raceway_control": qs.RacewayControl.OUTER}
     found = effects_of(qs.BearingSet((qs.Row(S6210C),), operation, reference_position=0.0, **effects))
-    _, alone = explain(qs.Scene(S6210C, operation, **effects), 0.01, verify=True)
+    _, alone = explain(qs.Scene(S6210C, operation, **effects), 0.01)
     for row in (each for each in alone if each.effect != "tilt_lever"):
         assert found[row.effect].in_scene == row.in_scene
         if row.actual is None:
@@ -112,7 +112,7 @@ def test_json_and_table_of_a_file(tmp_path: Path) -> None:
     assert [row["effect"] for row in found["effects"]] == [entry.name for entry in EFFECTS]
     assert (found["status"], found["arrangement"], found["tolerance"]) == ("converged", "DB (back to back)", 0.01)
     assert found["warnings"] == qs.warnings(qs.solve_set(qs.load_set(tmp_path / "pair.toml")))
-    text = call(tmp_path, PAIR_FILE, "--verify").stdout
+    text = call(tmp_path, PAIR_FILE).stdout
     assert max(map(len, text.splitlines())) <= 120
     for words in ("DB (back to back)", "Converged", "Rows: what each carries", "Rings are held where 720 N", "verdict"):
         assert words in text

@@ -93,6 +93,23 @@ def test_expansion_within_a_factor_of_two(operation: dict[str, float], effect: A
         assert 0.5 < found[name] < 2.0, name
 
 
+@pytest.mark.parametrize("rpm", [10_000.0, 20_000.0])
+@pytest.mark.parametrize("force", [300.0, 1500.0])
+def test_expansion_of_a_preloaded_spindle_at_speed_within_a_factor_of_two(force: float, rpm: float) -> None:
+    """Expansion raises a rigid preload; under it the contact angles, parted by the centrifugal force, close again."""
+    scene = qs.load_scene("7210c")
+    full = replace(
+        scene,
+        operation=qs.Operation(rpm * qs.rpm),
+        preload=qs.Preload(rigid=force),
+        ring_effects=(qs.RingExpansion(50 * qs.mm, 90 * qs.mm, shaft_interference=8e-6),),
+    )
+    found = by_quantity(solved(ENTRY["ring_expansion"].coarser(full)), solved(full))
+    predicted = judge(ENTRY["ring_expansion"], solved(full)).errors
+    for name in ("contact_angle", "load", "pressure", "stiffness"):
+        assert 0.5 < float(predicted[name] / found[name]) < 2.0, name
+
+
 @pytest.mark.parametrize(
     ("rpm", "operation"),
     [

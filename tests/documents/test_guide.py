@@ -47,6 +47,17 @@ def test_an_unknown_topic_names_the_nearest() -> None:
     assert "Traceback" not in result.output
 
 
+def test_a_section_is_printed_alone_and_a_wrong_one_refused() -> None:
+    """As warnings name it."""
+    alone, whole = call("limits#hypotheses"), call("limits").output
+    assert alone.exit_code == 0
+    assert "Raceway control" in alone.output and "Where solutions end" not in alone.output
+    assert len(alone.output) < len(whole)
+    wrong = call("limits#hypothesis")
+    assert (wrong.exit_code, wrong.stdout) == (2, "")
+    assert "no section hypothesis in limits" in wrong.stderr
+
+
 def test_the_whole_guide_is_one_sound_page(tmp_path: Path) -> None:
     result = call("--html", str(tmp_path / "new" / "folder"))
     assert result.exit_code == 0

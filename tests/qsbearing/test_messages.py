@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import ast
 import dataclasses
+import json
+import pickle
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import qsbearing as qs
+from qsbearing.cli import cli
 from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.contact.hertz import subsurface_shear
+from qsbearing.documents.guide import topics
+from qsbearing.documents.model import anchor_of
 from qsbearing.io import catalogue
+from qsbearing.ranked_warning import RankedWarning, good_to_know, in_order, said_of, wrong_model
+from qsbearing.readings.remarks import CHOICES
 
 from .scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
@@ -175,3 +185,78 @@ def test_a_deep_groove_bearing_does_not_separate() -> None:
     """Shoulders on both sides: at angle zero under a radial load, as it is made for; and so with some clearance."""
     for bearing in (DEEP_GROOVE, dataclasses.replace(DEEP_GROOVE, free_contact_angle=8 * qs.deg)):
         assert SEPARATED not in warnings_of(bearing, radial_load_y=1e3, tilt_z=0.0)
+
+
+# What a warning is ----------------------------------------------------------------------------------------------------
+
+
+def test_warnings_are_strings_with_a_rank_what_matters_most_first(many: qs.Solution) -> None:
+    found = [qs.warnings(many), *(qs.warnings(many, place) for place in np.ndindex(many.shape))]
+    assert len({each.rank for each in found[0]}) == 2, "or there is no order to see"
+    for said in found:
+        assert all(isinstance(each, RankedWarning) for each in said)
+        assert [each.rank for each in said] == sorted(each.rank for each in said)
+    assert json.loads(json.dumps(found[0])) == found[0]
+    assert [each.rank for each in pickle.loads(pickle.dumps(found[0]))] == [each.rank for each in found[0]]
+
+
+def test_a_plain_string_counts_between_the_others_and_keeps_its_words() -> None:
+    said = in_order(["plain", wrong_model("first", "limits"), good_to_know("last", "limits")])
+    assert said == ["first", "plain", "last"]
+    assert [each.line for each in said] == [
+        "Wrong model: first (guide limits)", "Check your data: plain", "Good to know: last (guide limits)"
+    ]  # fmt: skip
+    assert said_of("row 1", said[0]).line == "Wrong model: row 1: first (guide limits)"
+
+
+def test_sentences_are_short(many: qs.Solution) -> None:
+    """Two lines of a terminal; three where it says which effects to add."""
+    for place in np.ndindex(many.shape):
+        for each in qs.warnings(many, place):
+            assert len(each.line) <= (300 if "Missing here" in each else 200), each.line
+
+
+def places() -> set[tuple[str, str]]:
+    """Which file makes a warning that points where."""
+    found = set()
+    for path in Path(qs.__file__).parent.rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        constants = {
+            node.targets[0].id: node.value.value
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant) and hasattr(node.targets[0], "id")
+        }
+        for node in ast.walk(tree):
+            made = isinstance(node, ast.Call) and getattr(node.func, "id", "") in MAKERS and path.stem != MADE_BY
+            if made and isinstance(node, ast.Call):
+                see = node.args[-1]
+                found.add((path.stem, constants.get(see.id, CHOICES) if isinstance(see, ast.Name) else see.value))  # type: ignore[attr-defined]
+    return found
+
+
+MADE_BY, MAKERS = "ranked_warning", ("wrong_model", "check_data", "good_to_know", "RankedWarning")
+
+
+def test_every_warning_says_where_the_guide_has_more() -> None:
+    found = places()
+    assert {"messages", "ball_messages", "missing_messages", "expansion_messages", "set_messages"} <= {
+        module for module, _ in found
+    }
+    pages = topics()
+    for module, see in found:
+        page, _, section = see.partition("#")
+        assert page in pages, (module, see)
+        headings = re.findall(r"^#+ (.*)$", pages[page].text, flags=re.MULTILINE)
+        assert section in ("", *map(anchor_of, headings)), (module, see)
+
+
+def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:
+    scene = tmp_path / "fast.toml"
+    text = '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 8000\naxial_load_N = 5000\n'
+    scene.write_text(text + "radial_load_y_N = 40000\ntilt_z_mrad = 0\n")
+    solution = qs.solve(qs.load_scene(scene))
+    shown = CliRunner().invoke(cli, ["run", str(scene)], env={"COLUMNS": "100"}).stdout
+    words = " ".join(shown.split())
+    places = [words.index(" ".join(each.line.split())) for each in qs.warnings(solution)]
+    assert len({each.rank for each in qs.warnings(solution)}) > 1
+    assert places == sorted(places)

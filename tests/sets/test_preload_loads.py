@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.sets import preload_search
 from qsbearing.sets.preload_loads import load_changes, load_sentence
 from qsbearing.sets.preload_speeds import speed_changes, speed_sentence
 from tests.sets.arrangements import pair, solved, with_load
@@ -34,6 +37,23 @@ def test_more_than_the_spring_is_an_end() -> None:
     of = qs.BearingSet((first, sprung), qs.Operation(axial_load=-100.0), qs.Preload(spring=400.0))
     found = {each.state: each for each in qs.preload_loads(of)}
     assert found["no_equilibrium"].factor == pytest.approx(4.0, rel=5e-3)
+
+
+def test_few_are_tried_beyond_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """That there is no equilibrium takes a hundred times as long to find as one: of 130 values almost all are below."""
+    tried: list[bool] = []
+
+    def watched(of: qs.BearingSet, **how: Any) -> qs.SetSolution:
+        found = qs.solve_set(of, **how)
+        tried.extend(found.converged)
+        return found
+
+    monkeypatch.setattr(preload_search, "solve_set", watched)
+    of = pair("DB", 720.0, axial_load=20_000.0)
+    (end,) = [each for each in load_changes(of) if each.after == "no_equilibrium"]
+    assert 0 < tried.count(False) <= 4
+    around = with_load(of, axial_load=20_000.0 * (end.value + np.array([-10.0 / 64**2, 0.0])))
+    assert list(qs.solve_set(around).status) == ["converged", "no_equilibrium"]
 
 
 def test_what_comes_back_with_the_speed_is_told() -> None:
