@@ -61,7 +61,7 @@ def sweep(
 
     With --sobol: which part of each result's variance each random key makes, alone and together with the others.
 
-    Exit codes: 0 some point is solved, 1 none is, 2 bad input.
+    Exit codes: 0 some point is solved, 1 none is, 2 bad input, wrong whatever the point.
     """
     from qsbearing.studies import summary
     from qsbearing.validation import SceneError
@@ -82,10 +82,12 @@ def sweep(
             results = _solved(study, executor, out if write is None else None, resume, stack)
             if write:
                 write(results)
-            if picture is not None:
-                draw_to(results, picture)
             print_table(summary.table(results))
             solved = summary.any_is_solved(results)
+            if picture is not None and solved:
+                draw_to(results, picture)
+            elif picture is not None:
+                note(f"no point is solved: there is nothing to draw to {picture}")
     except SceneError as error:
         refuse("\nqsbearing: ".join([*problems, str(error)]))
     except OSError as error:

@@ -75,8 +75,22 @@ def test_bad_input_is_a_sentence(
     assert not list(tmp_path.iterdir())
 
 
-def test_no_point_solved_is_exit_code_1() -> None:
-    assert run("sweep", "b218", "--vary", "axial_load_N=-1,-2").exit_code == 1
+@pytest.mark.parametrize("vary", ["axial_load_N=-1,-2", "ball_count=40,41"])
+@pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
+def test_no_point_solved_is_exit_code_1_and_a_file_that_says_why(vary: str, out: str, tmp_path: Path) -> None:
+    result = run("sweep", "b218", "--vary", vary, "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    assert result.exit_code == 1
+    assert "nothing to draw" in result.stderr
+    assert [file.name for file in tmp_path.iterdir()] == [out]
+    if out == "r.nc":
+        assert "no point of these results is solved" in run("plot", tmp_path / out).stderr
+
+
+@pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
+def test_a_single_point_is_written_drawn_and_shown(out: str, tmp_path: Path) -> None:
+    result = run("sweep", "b218", "--vary", "speed_rpm=12000", "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    assert result.exit_code == 0
+    assert {file.name for file in tmp_path.iterdir()} == {out, "r.png"}
 
 
 def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

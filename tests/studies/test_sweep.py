@@ -44,6 +44,11 @@ RINGS["effects"]["ring_expansion"] = {
     "inner_ring_temperature_C": 60.0,
 }
 RINGS["effects"]["ball_expansion"] = {"ball_temperature_C": 50.0}
+WITHOUT_TEMPERATURES = {"ring_expansion": {"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0}}
+ESTIMATE = {
+    "lubricant": {"iso_viscosity_grade": 68.0, "oil_temperature_C": 70.0},
+    "friction_estimate": {"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0},
+}
 
 
 def document_with(document: dict, path: tuple[str, ...], value: float) -> dict:
@@ -165,7 +170,48 @@ def test_each_point_has_its_own_reason() -> None:
     assert "too_large" in why[3, 0]
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_order_of_values_decides_nothing(order: int) -> None:
+    """One of four points is possible, at a corner of the grid that depends on the order."""
+    vary = {"ball_count": [15, 23][::order], "groove_radius_coefficient": [0.5, 0.52]}
+    results = sweep(Study.of(B218, vary))
+    assert (results["status"] != 3).sum() == 1
+    assert results["status"].sel(ball_count=15, groove_radius_coefficient=0.52) == 0
+    why = np.array(results["reason"].attrs["flag_meanings"].split(" "))[results["reason"]]
+    assert {text.partition(":")[2].strip("_")[:20] for text in why.ravel()} == {
+        *("", "the_groove_is_smalle", "the_balls_do_not_fit")
+    }
+
+
+def test_a_distribution_is_judged_where_the_axes_leave_a_bearing() -> None:
+    """Neither the first nor the middle ball count fits; of the others' diameters nothing is wrong."""
+    results = sweep(Study.of(B218, {"ball_count": [25, 23, 15], "ball_diameter_mm": "normal(22.2,0.01)"}, samples=4))
+    assert results["status"].values.tolist() == [[3] * 4, [3] * 4, [0] * 4]
+
+
+@pytest.mark.parametrize(
+    ("table", "own", "key", "values"),
+    [
+        ("readings", {"overrun": {"inner_shoulder_diameter_mm": 115.0}}, "pitch_diameter_mm", [188, 125.26]),
+        ("readings", ESTIMATE, "readings.friction_estimate.bore_diameter_mm", [170.0, 90.0]),
+        ("effects", {"ball_diameter_deviations_um": [0.1] * 16}, "ball_count", [15, 16]),
+        ("effects", WITHOUT_TEMPERATURES, "reference_temperature_C", [25, 20]),
+    ],
+)
+def test_what_only_some_points_have_wrong_stops_no_other(table: str, own: dict, key: str, values: list[float]) -> None:
+    results = sweep(Study.of(copy.deepcopy(COMBINED) | {table: own}, {key: values}, quantities=["inner_load_max"]))
+    assert results["status"].values.tolist() == [3, 0]
+
+
+def test_points_none_of_which_is_possible_are_results() -> None:
+    results = sweep(Study.of(B218, {"ball_count": [40, 41]}))
+    assert results["status"].values.tolist() == [3, 3]
+    assert "pitch_circle" in results["reason"].attrs["flag_meanings"]
+
+
 def test_a_study_that_is_wrong_at_every_point_is_refused() -> None:
+    with pytest.raises(qs.SceneError, match="do not fit"):
+        sweep(Study.of(B218, {"ball_count": [40], "speed_rpm": [0, 1]}))
     with pytest.raises(qs.SceneError, match="tilt it causes must be stated"):
         sweep(Study.of(B218, {"radial_load_y_N": "0:10:3"}))
     with pytest.raises(qs.SceneError, match="leaves the possible"):
@@ -200,6 +246,17 @@ def test_chunks_and_executors_change_nothing(small_chunks: None, whole: object) 
                 rtol=1e-9,
                 atol=1e-9,
             )
+
+
+@pytest.mark.parametrize("values", ["12000", "12000:12000:1"])
+def test_a_single_point_is_a_study(values: str, tmp_path: Path) -> None:
+    study = Study.of(COMBINED, {"speed_rpm": values})
+    alone = qs.solve(scene_of(document_with(COMBINED, ("operation", "speed_rpm"), 12000.0), ""))
+    results = sweep(study)
+    np.testing.assert_allclose(results["inner_load"], alone.inner.load, rtol=1e-10)
+    assert results["status"].shape == ()
+    with sweep(study, out=tmp_path / "r.nc") as found:
+        xarray.testing.assert_identical(found.load(), results)
 
 
 def test_progress_counts_the_points(small_chunks: None) -> None:
@@ -372,6 +429,12 @@ def test_effects_that_a_tolerance_chooses_are_the_same_at_every_point() -> None:
     assert "centrifugal_force" in results
     slow = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"speed_rpm": [100, 101]}))
     assert "centrifugal_force" not in slow
+
+
+def test_effects_are_chosen_at_a_possible_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(chunks, "LOOKED_AT", 2)
+    results = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"ball_count": [24, 15, 25]}))
+    assert results["status"].values.tolist() == [3, 0, 3]
 
 
 def test_the_least_loaded_ball_is_named() -> None:
