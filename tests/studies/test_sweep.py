@@ -5,8 +5,9 @@ from __future__ import annotations
 import copy
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ import qsbearing as qs
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import dataset, keys, points
+from qsbearing.studies import sweep as sweeping
 from qsbearing.studies.results import reading_of
 from qsbearing.studies.store import Store
 from qsbearing.studies.study import Study
@@ -307,11 +309,7 @@ def test_what_a_crash_has_damaged_is_solved_again(
 ) -> None:
     study = Study.of(COMBINED, MANY, samples=20)
     sweep(study, out=tmp_path / "whole.nc").close()
-    with monkeypatch.context() as patch:
-        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
-        with pytest.raises(KeyboardInterrupt):
-            sweep(study, out=tmp_path / "r.nc")
-    parts = tmp_path / "r.nc.parts"
+    parts = interrupted(study, tmp_path / "r.nc", monkeypatch)
     for number, left in ((0, 0), (1, 100), (2, 2000)):  # empty, cut at its beginning, cut later
         file = parts / f"{number}.npz"
         file.write_bytes(file.read_bytes()[:left])
@@ -324,6 +322,116 @@ def test_what_a_crash_has_damaged_is_solved_again(
     (parts / "plan.json").write_text("{", "utf-8")
     with pytest.raises(qs.SceneError, match="another study"):
         sweep(study, out=tmp_path / "r.nc", resume=True)
+
+
+@pytest.mark.parametrize("resume", [False, True])
+def test_two_runs_do_not_share_a_folder(resume: bool, tmp_path: Path) -> None:
+    """The second is refused and harms nothing, while the first is at work; what the first leaves is no lock."""
+    study, out = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc"
+
+    def second(done: int, count: int) -> None:
+        with pytest.raises(qs.SceneError, match="another run is at work"):
+            sweep(study, out=out, resume=resume)
+
+    sweep(study, out=out, progress=second).close()
+    assert [file.name for file in tmp_path.iterdir()] == ["r.nc"]
+    sweep(study, out=out).close()
+
+
+HOLDER = """
+import sys
+from qsbearing.studies.store import _alone
+from pathlib import Path
+with _alone(Path(sys.argv[1])):
+    print("locked", flush=True)
+    sys.stdin.read()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such lock")
+def test_a_run_that_is_killed_holds_no_lock(tmp_path: Path) -> None:
+    study, out = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc"
+    (tmp_path / "r.nc.parts").mkdir()
+    command = [sys.executable, "-c", HOLDER, str(tmp_path / "r.nc.parts")]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == "locked\n"
+        with pytest.raises(qs.SceneError, match="another run is at work"):
+            sweep(study, out=out)
+        holder.kill()
+    sweep(study, out=out).close()
+
+
+def interrupted(study: Study, out: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of a run that has ended before its chunks were joined."""
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            sweep(study, out=out)
+    return out.with_name(f"{out.name}.parts")
+
+
+def test_files_that_are_no_parts_of_a_study_are_named(
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whole files of another shape, strange names, folders: nothing is solved, and none of them is removed."""
+    study, out = Study.of(B218, {"speed_rpm": "0:9:20"}), tmp_path / "r.nc"
+    parts = interrupted(study, out, monkeypatch)
+    with np.load(parts / "0.npz") as file:
+        cut = {name: values[:3] for name, values in file.items()}
+    good = (parts / "0.npz").read_bytes()
+    np.savez(parts / "0.npz", **cut)
+    (parts / "notes.txt").write_text("mine")
+    (parts / "7.npz").write_bytes(good)
+    (parts / "2.part").mkdir()
+    with pytest.raises(qs.SceneError, match=r"no part of this study: 0\.npz, 2\.part, 7\.npz, notes\.txt"):
+        sweep(study, out=out, resume=True)
+    (parts / "2.part").rmdir()
+    for name in ("0.npz", "7.npz", "notes.txt"):
+        (parts / name).unlink()
+    sweep(study, out=out, resume=True).close()
+    sweep(study, out=tmp_path / "whole.nc").close()
+    assert out.read_bytes() == (tmp_path / "whole.nc").read_bytes()
+    parts.mkdir()
+    (parts / "notes.txt").write_text("mine")
+    with pytest.raises(qs.SceneError, match="no part of this study"):
+        sweep(study, out=out)
+    assert (parts / "notes.txt").read_text() == "mine"
+
+
+def test_what_a_link_points_at_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    study, link, target = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc", tmp_path / "far" / "x.nc"
+    target.parent.mkdir()
+    link.symlink_to(target)
+    assert not interrupted(study, link, monkeypatch).exists()
+    assert (tmp_path / "far" / "x.nc.parts" / "0.npz").exists(), "on the disk that the file is to be on"
+    sweep(study, out=link, resume=True).close()
+    assert link.is_symlink()
+    assert [file.name for file in target.parent.iterdir()] == ["x.nc"]
+    link.unlink()
+    link.symlink_to("/dev/null")
+    with pytest.raises(qs.SceneError, match="no file that could be replaced"):
+        sweep(study, out=link)
+
+
+class Deserted(Executor):
+    """Of the interface of Dask's, without a worker."""
+
+    _client = SimpleNamespace(nthreads=dict)
+
+    def submit(self, *given: object, **named: object) -> Future:  # type: ignore[override]
+        return Future()
+
+
+def test_a_cluster_without_workers_is_left_after_the_time_that_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(sweeping, "WITHOUT_WORKERS", 0.05)
+    monkeypatch.setattr(sweeping, "LOOK", 0.01)
+    with pytest.raises(TimeoutError, match=r"no worker for 0\.05 s"):
+        sweep(Study.of(B218, {"speed_rpm": [0, 1]}), Deserted(), out=tmp_path / "r.nc")
+    assert caplog.messages == ["the cluster has no worker: waiting 0.05 s for one"]
+    assert {file.name for file in (tmp_path / "r.nc.parts").iterdir()} == {"plan.json"}
 
 
 LIMITED = """
