@@ -6,6 +6,7 @@ that `--help` appears at once.
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -65,5 +66,12 @@ for command in (run, explain, sweep, plot, stiffness, figures, cost, init, catal
 
 def main() -> NoReturn:
     """The console script."""
+    signal.signal(signal.SIGTERM, _terminated)
     cli.main(prog_name="qsbearing")
     sys.exit(SOLVED)
+
+
+def _terminated(number: int, frame: object) -> NoReturn:
+    """End as after any error, so that no half-written file stays."""
+    signal.signal(number, signal.SIG_IGN)  # `timeout` sends it twice
+    sys.exit(128 + number)

@@ -6,7 +6,7 @@ import importlib.util
 import os
 import sys
 from contextlib import ExitStack, contextmanager
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -42,7 +42,12 @@ IN_MEMORY = 1 << 18
 )
 @click.option("--out", metavar="FILE", help="Write all results: .nc (netCDF), .csv or .parquet.")
 @click.option("--plot", "picture", metavar="FILE", help="Also draw them, as `qsbearing plot` does; .png, .svg or .pdf.")
-@click.option("--scheduler", metavar="ADDRESS", help="Solve on a Dask cluster, such as tcp://host:8786.")
+@click.option("--overwrite", is_flag=True, help="Replace the file of --out, if there is one, at the end.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Solve on a Dask cluster, such as tcp://host:8786; ends once it has had no worker for a minute.",
+)
 @click.option("--resume", is_flag=True, help="Go on where an interrupted run of the same study stopped.")
 def sweep(
     scene: str,
@@ -50,6 +55,7 @@ def sweep(
     out: str | None,
     picture: str | None,
     sobol: int | None,
+    overwrite: bool,
     scheduler: str | None,
     resume: bool,
     **given: Any,
@@ -61,13 +67,13 @@ def sweep(
 
     With --sobol: which part of each result's variance each random key makes, alone and together with the others.
 
-    Exit codes: 0 some point is solved, 1 none is, 2 bad input.
+    Exit codes: 0 some point is solved, 1 none is, 2 bad input, wrong whatever the point.
     """
     from qsbearing.studies import summary
     from qsbearing.validation import SceneError
 
     _need("xarray", "h5netcdf")
-    problems = [*place_problems(out, resume), *picture_problems(picture)]
+    problems = [*place_problems(out, overwrite, resume), *picture_problems(picture)]
     problems += [] if sobol is None else sobol_problems(sobol, given | {"scheduler": scheduler, "resume": resume})
     try:
         study = study_of(scene, vary, given)
@@ -82,10 +88,12 @@ def sweep(
             results = _solved(study, executor, out if write is None else None, resume, stack)
             if write:
                 write(results)
-            if picture is not None:
-                draw_to(results, picture)
             print_table(summary.table(results))
             solved = summary.any_is_solved(results)
+            if picture is not None and solved:
+                draw_to(results, picture)
+            elif picture is not None:
+                note(f"no point is solved: there is nothing to draw to {picture}")
     except SceneError as error:
         refuse("\nqsbearing: ".join([*problems, str(error)]))
     except OSError as error:
@@ -140,29 +148,28 @@ def _solved(study: Study, executor: Executor | None, out: str | None, resume: bo
     try:
         with progress_bar() as progress:
             results = solve_all(study, executor, out=place, resume=resume, progress=progress)
-    except KeyboardInterrupt:
-        _interrupted(out)
+    except (KeyboardInterrupt, SystemExit) as stopped:  # Ctrl-C, and what `main` makes of SIGTERM
+        note(f"interrupted{_kept(out)}")
+        sys.exit(INTERRUPTED if isinstance(stopped, KeyboardInterrupt) else stopped.code)
     except _losses(executor) as error:
         refuse(f"--scheduler: the cluster was lost ({str(error) or type(error).__name__}){_kept(out)}")
     return stack.enter_context(results)
 
 
 def _losses(executor: Executor | None) -> tuple[type[Exception], ...]:
-    """What a cluster raises that is no more there, or whose workers die of a chunk."""
+    """What a cluster raises that is no more there, or has no worker, or whose workers die of a chunk."""
     if executor is None:
         return ()
     from concurrent.futures import CancelledError
 
     from distributed import KilledWorker
-    from distributed.comm import CommClosedError
 
-    return CancelledError, CommClosedError, KilledWorker
+    return CancelledError, OSError, KilledWorker
 
 
 def _kept(out: str | None) -> str:
-    return f": finished points are kept in {out}.parts; --resume goes on" if out else ""
+    if not out:
+        return ""
+    from qsbearing.studies.store import folder_of
 
-
-def _interrupted(out: str | None) -> NoReturn:
-    note(f"interrupted{_kept(out)}")
-    sys.exit(INTERRUPTED)
+    return f": finished points are kept in {folder_of(out)}; --resume goes on"

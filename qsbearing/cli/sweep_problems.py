@@ -16,17 +16,26 @@ def ending(name: str) -> str:
     return os.path.splitext(name)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
 
 
-def place_problems(out: str | None, resume: bool) -> list[str]:
-    """Of --out and --resume."""
+def place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]:
+    """Of --out, --overwrite and --resume."""
     found = []
     form = ending(out or "")
     if out is not None and form not in (".nc", *TABLES):
         found.append(f"--out {out}: the name must end in one of .nc, {', '.join(TABLES)}")
+    elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
+        found.append(f"--out {out}: is there already; --overwrite replaces it")
     if form == ".parquet" and importlib.util.find_spec("pyarrow") is None:
         found.append("--out *.parquet needs pyarrow: pip install pyarrow")
     if resume and form != ".nc":
         found.append("--resume needs --out FILE.nc: only there finished chunks are kept")
     return found
+
+
+def _is_unfinished(out: str) -> bool:
+    """Whether there is a run to go on with, which was allowed to write there."""
+    from qsbearing.studies.store import folder_of
+
+    return folder_of(out).is_dir()
 
 
 def picture_problems(picture: str | None) -> list[str]:

@@ -61,9 +61,10 @@ def expansion_errors(effect: RingExpansion) -> list[ErrorDetail]:
     given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
     for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
         errors += temperature_errors(f"{path}.{name}", temperature)
-    if not given and np.any(np.asarray(effect.reference_temperature) != 20.0 + zero_celsius):
-        problem = "is given, but nothing has another temperature"
-        errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=f"Give {', '.join(TEMPERATURES)}"))
+    unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
+    if not given and unused.any():
+        problem, cause = "is given, but nothing has another temperature", f"Give {', '.join(TEMPERATURES)}"
+        errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
     return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
 
 

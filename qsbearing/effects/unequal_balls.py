@@ -63,12 +63,13 @@ class BallDiameterDeviations:
     def errors(self, bearing: BallBearing) -> list[ErrorDetail]:
         """What does not suit this bearing: another number of balls, deviations too large, balls as wide as grooves."""
         field, array = f"{self.name}.deviations", self.array
-        counts = np.unique(np.asarray(bearing.ball_count))
-        if counts.size > 1 or array.shape[-1] != counts[0]:
-            balls = " or ".join(f"{count:g}" for count in counts)
+        count = np.asarray(bearing.ball_count)
+        others = count != array.shape[-1]
+        if others.any():
+            balls = " or ".join(f"{each:g}" for each in np.unique(count))
             problem = f"has {array.shape[-1]} numbers; the bearing has {balls} balls"
-            cause = "Give one for each ball" if counts.size == 1 else "Ball counts that vary go without deviations"
-            return [ErrorDetail(field, problem, cause=cause)]
+            cause = "Give one for each ball" if others.all() else "Ball counts that vary go without deviations"
+            return [ErrorDetail(field, problem, cause=cause, where=others)]
         diameter = np.asarray(bearing.ball_diameter, float)[..., None]
         groove = np.minimum(bearing.inner_groove_radius, bearing.outer_groove_radius)
         widest = (2.0 * np.asarray(groove, float))[..., None] - diameter

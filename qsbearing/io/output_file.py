@@ -22,11 +22,11 @@ def output_file(target: str) -> Iterator[Writer]:
     """
     with _claimed(target) as (temporary, place):
 
-        def put_in_place(data: bytes) -> None:
+        def write(data: bytes) -> None:
             temporary.write_bytes(data)
-            _move(temporary, place)
+            put_in_place(temporary, place)
 
-        yield put_in_place
+        yield write
 
 
 @contextmanager
@@ -35,13 +35,15 @@ def output_stream(target: str) -> Iterator[BinaryIO]:
     with _claimed(target) as (temporary, place):
         with temporary.open("wb") as file:
             yield file
-        _move(temporary, place)
+        put_in_place(temporary, place)
 
 
-@contextmanager
-def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
-    """Where to write meanwhile, and the place itself; the same where that is none to be replaced, as a pipe is."""
-    # Through links, so that a link stays one and what it points at is replaced.
+def place_of(target: str) -> Path:
+    """Where a file goes: through links, so that a link stays one and what it points at is replaced.
+
+    Raises:
+        OSError: it cannot go there, with a text that says why.
+    """
     place = Path(os.path.realpath(target))
     if not target:
         raise OSError("no file name is given")
@@ -51,6 +53,20 @@ def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
         raise OSError(f"there is no folder {place.parent}")
     if place.exists() and not os.access(place, os.W_OK):
         raise OSError("is write-protected")
+    return place
+
+
+def put_in_place(temporary: Path, place: Path) -> None:
+    """Replace what is there, in one step, by a file of the same folder, or of the same disk at least."""
+    if temporary != place:
+        temporary.chmod(_mode(place))
+        temporary.replace(place)
+
+
+@contextmanager
+def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
+    """Where to write meanwhile, and the place itself; the same where that is none to be replaced, as a pipe is."""
+    place = place_of(target)
     if place.exists() and not place.is_file():  # a terminal, a pipe, /dev/null: written to, never replaced
         yield place, place
         return
@@ -66,12 +82,6 @@ def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
         yield temporary, place
     finally:
         temporary.unlink(missing_ok=True)
-
-
-def _move(temporary: Path, place: Path) -> None:
-    if temporary != place:
-        temporary.chmod(_mode(place))
-        temporary.replace(place)
 
 
 def _mode(place: Path) -> int:

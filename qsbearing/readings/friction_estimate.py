@@ -25,7 +25,18 @@ from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.solution import Solution
 from qsbearing.units import Nmm, deg, mm, rpm
-from qsbearing.validation import FORCE, LENGTH, RATIO, SPEED, ErrorDetail, Quantity, choose, raise_if_any, within
+from qsbearing.validation import (
+    FORCE,
+    LENGTH,
+    RATIO,
+    SPEED,
+    ErrorDetail,
+    Quantity,
+    choose,
+    first,
+    raise_if_any,
+    within,
+)
 
 
 class Series(StrEnum):
@@ -136,13 +147,13 @@ def estimate_errors(
     errors = within("bore_diameter", bore_diameter, LENGTH, 1e-4, 10.0) + within(
         "outside_diameter", outside_diameter, LENGTH, 1e-4, 20.0
     )
-    if (
-        not errors
-        and bore_diameter is not None
-        and outside_diameter is not None
-        and np.any(outside_diameter <= bore_diameter)
-    ):
-        errors.append(ErrorDetail("outside_diameter", "is no larger than the bore", outside_diameter, LENGTH))
+    if not errors and bore_diameter is not None and outside_diameter is not None:
+        outside, bore = np.broadcast_arrays(outside_diameter, bore_diameter)
+        too_small = np.asarray(outside <= bore)
+        if too_small.any():
+            (wrong,) = first(too_small, outside)
+            problem = "is no larger than the bore"
+            errors.append(ErrorDetail("outside_diameter", problem, wrong, LENGTH, where=too_small))
     errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
     if is_deep_groove or series is not None:
         errors += choose("series", series, Series)[1]

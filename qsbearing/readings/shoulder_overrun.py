@@ -145,7 +145,7 @@ def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: Ar
     bottom = value + 2.0 * side * shallow
     limits = sorted((bottom, bottom - 2.0 * side * radius))
     problem = "makes no groove: a shoulder lies between the groove's bottom and its centre circle"
-    return [ErrorDetail(field, problem, value, LENGTH, (limits[0], limits[1]))]
+    return [ErrorDetail(field, problem, value, LENGTH, (limits[0], limits[1]), where=bad)]
 
 
 def _raceway(

@@ -133,18 +133,20 @@ def _codes(words: Any, known: tuple[str, ...]) -> NDArray:
     return out
 
 
-def plan_of(study: Study, scene: Scene | BearingSet, points: Points) -> Plan:
-    """What to keep of every point, by a look at what one of them gives.
+def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> Plan:
+    """What to keep of every point, by a look at what one of them gives; of points none of which is possible, nothing.
 
     Raises:
         SceneFileError: a name that no result has, or that this scene does not call for.
     """
+    if scene is None:
+        return Plan(study, (), 1)
     own = [row.bearing for row in scene.rows] if isinstance(scene, BearingSet) else [scene.bearing]
-    of_scene = tuple(float(bearing.ball_count) for bearing in own)  # type: ignore[arg-type]
+    of_scene = tuple(float(np.max(bearing.ball_count)) for bearing in own)
     counts = next((each.values for each in study.axes if each.key == "ball_count"), of_scene)
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
-    is_chosen = not isinstance(scene, BearingSet) and scene.tolerance is not None
-    chosen = _chosen_effects(study, points) if is_chosen else None
+    is_auto = isinstance(scene, Scene) and scene.tolerance is not None
+    chosen = _chosen_effects(study, points, scene) if is_auto else None  # type: ignore[arg-type]
     known = known_results(_solved(scene, chosen))
     kept: list[Result | FileErrorDetail | None]
     if study.quantities:
@@ -173,8 +175,9 @@ def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileEr
     return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 
-def _chosen_effects(study: Study, points: Points) -> dict[str, Any]:
-    """The effects and choices that the tolerance needs at any of some hundred points spread over the study."""
+def _chosen_effects(study: Study, points: Points, possible: Scene) -> dict[str, Any]:
+    """The effects and choices that the tolerance needs at any of some hundred points spread over the study; where none
+    of these is possible, at one that is."""
     from qsbearing.chooser.choose import solve as choose
 
     numbers = np.unique(np.linspace(0, points.chunk_count - 1, LOOKED_AT).round().astype(int))
@@ -186,7 +189,5 @@ def _chosen_effects(study: Study, points: Points) -> dict[str, Any]:
         parts.append({key: np.broadcast_to(array, count)[some] for key, array in values.items()})
     together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
     scene = scene_of_points(study, together, next(iter(together.values())).size).scene
-    if scene is None or isinstance(scene, BearingSet):
-        return {}
-    found = choose(scene).scene
+    found = choose(scene if isinstance(scene, Scene) else possible).scene
     return {each.name: getattr(found, each.name) for each in fields(found) if each.name not in OWN_OF_A_POINT}

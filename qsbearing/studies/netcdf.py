@@ -45,7 +45,7 @@ def write_netcdf(place: Path, plan: Plan, points: Points, chunks: Chunks, label:
             block = points.chunk(number)
             shape = tuple(part.stop - part.start for part in block)
             for name, values in dataset.arrays_of(chunk, reasons).items():
-                file[name][block] = values.reshape(*shape, *values.shape[1:])
+                file[name][block] = values.reshape((*shape, *values.shape[1:]))
 
 
 def _claim_room(place: Path, plan: Plan, points: Points) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -18,8 +19,9 @@ from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.studies import keys
+from qsbearing.studies.points import Points
 from qsbearing.studies.study import Study, ball_count_of
-from qsbearing.studies.variables import Axis, Distribution
+from qsbearing.studies.variables import Axis
 
 TAIL = 0.01
 """A distribution must leave possible what lies between its quantiles of 1 % and 99 % (chosen: beyond these a normal
@@ -55,8 +57,10 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
             return PossibleScene(scene, possible, reason, tuple(reasons))
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
-            if any(each.where is None for each in wrong):
-                raise
+            # What no varied array has a part in is wrong at the other points too.
+            whatever_the_point = [each for each in wrong if np.ndim(each.where) == 0]
+            if whatever_the_point:
+                raise SceneFileError(study.file, whatever_the_point) from None
             numbers = np.flatnonzero(possible)
             for each in wrong:
                 concerned = numbers[np.broadcast_to(np.asarray(each.where), numbers.shape)]
@@ -75,31 +79,42 @@ def _over_one_axis(scene: Scene | BearingSet, count: int) -> Scene | BearingSet:
     return replace(scene, operation=replace(scene.operation, first_ball_azimuth=azimuth))
 
 
-def base_scene(study: Study) -> Scene | BearingSet:
-    """The study's scene at one of its points; the first possible of its first, middle and last.
+def possible_point(study: Study, random: dict[str, NDArray]) -> dict[str, NDArray] | None:
+    """What each key takes at the first possible point of the axes, with these of the random keys; None: none is.
 
     Raises:
-        SceneFileError: what is wrong with the study.
+        SceneFileError: what is wrong with the study whatever the point.
     """
-    first: SceneFileError | None = None
-    for at in (0.0, 0.5, 1.0):
-        values = {each.key: _value(each, at) for each in study.variables}
-        try:
-            return _scene(study, values)
-        except SceneFileError as error:
-            first = first or error
-    assert first is not None
-    raise first
+    given = tuple(Axis(key, (float(value),)) for key, value in random.items())
+    axes = tuple(each for each in study.variables if isinstance(each, Axis))
+    points = Points(study.replaced(variables=axes + given, samples=0))
+    for number in range(points.chunk_count):
+        values = points.values(points.chunk(number))
+        possible = scene_of_points(study, values, points.size(number)).possible
+        if possible.any():
+            first = np.flatnonzero(possible)[:1]
+            return {key: array[first] if array.ndim else array for key, array in values.items()}
+    return None
 
 
-def check_distributions(study: Study) -> None:
-    """See that each distribution stays, but for its tails, within what is possible.
+def check(study: Study) -> Scene | BearingSet | None:
+    """The study's scene at one possible point, after a look at all that can be wrong with the study as a whole.
+
+    Returns:
+        None: no combination of the axes' values describes a bearing.
 
     Raises:
-        SceneFileError: every distribution that does not.
+        SceneFileError: everything that is wrong whatever the point; every distribution that at no point of the axes
+            stays, but for its tails, within what is possible.
     """
+    middle = {each.key: each.at(np.asarray(0.5)) for each in study.distributions}
+    base = possible_point(study, middle)
+    if base is None and study.distributions:
+        first = {each.key: np.asarray(each.values[0]) for each in study.variables if isinstance(each, Axis)}
+        return _scene(study, first | middle)  # which says what is wrong with it
+    if base is None:
+        return None
     errors: list[FileErrorDetail] = []
-    middle = {each.key: _value(each, 0.5) for each in study.variables}
     of_balls: set[tuple[Any, ...]] = set()
     for each in study.distributions:
         if keys.known(each.key).ball is not None:
@@ -109,12 +124,16 @@ def check_distributions(study: Study) -> None:
         for end, name in ((TAIL, "1 %"), (1.0 - TAIL, "99 %")):
             value = each.at(np.asarray(end))
             try:
-                _scene(study, middle | {each.key: value})
+                _scene(study, base | {each.key: value})
             except SceneFileError as error:
+                with suppress(SceneFileError):  # wrong at every point of the axes
+                    if possible_point(study, middle | {each.key: value}):
+                        continue
                 problem = f"the distribution leaves the possible: at its {name} quantile, {float(value):.6g}"
                 errors.append(FileErrorDetail(f"vary.{each.key}", problem, cause=_in_short(error)))
     if errors:
         raise SceneFileError(study.file, errors)
+    return scene_of_points(study, base, 1).scene
 
 
 def _in_short(error: SceneFileError) -> str:
@@ -122,28 +141,11 @@ def _in_short(error: SceneFileError) -> str:
     return f"{first.key}: {first.problem}" if isinstance(first, FileErrorDetail) else str(first)
 
 
-def check(study: Study) -> Scene | BearingSet:
-    """The study's scene at one point, after a look at all that can be wrong with the study as a whole.
-
-    Raises:
-        SceneFileError: everything found.
-    """
-    scene = base_scene(study)
-    check_distributions(study)
-    return scene
-
-
-def label_of(scene: Scene | BearingSet) -> str:
+def label_of(scene: Scene | BearingSet | None) -> str:
     """What a study is of."""
     if isinstance(scene, BearingSet):
         return scene.name or "a set"
-    return scene.bearing.name or "a bearing"
-
-
-def _value(variable: Axis | Distribution, at: float) -> NDArray:
-    if isinstance(variable, Distribution):
-        return variable.at(np.asarray(0.5))
-    return np.asarray(variable.values[round(at * (len(variable.values) - 1))])
+    return (scene and scene.bearing.name) or "a bearing"
 
 
 def _scene(study: Study, values: dict[str, NDArray]) -> Scene | BearingSet:

@@ -5,86 +5,176 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import zipfile
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.output_file import place_of, put_in_place
 from qsbearing.studies import dataset
-from qsbearing.studies.chunk import Chunk, Plan
+from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
 from qsbearing.studies.netcdf import write_netcdf
 from qsbearing.studies.points import Points
 
 if TYPE_CHECKING:
     import xarray
 
-PLAN = "plan.json"
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
+PLAN, LOCK = "plan.json", "lock"
 
 
 def _refused(file: Path, problem: str, cause: str = "") -> SceneFileError:
     return SceneFileError(str(file), [FileErrorDetail("", problem, cause=cause)])
 
 
+def folder_of(out: str | os.PathLike[str]) -> Path:
+    """Where the finished chunks of a results file are kept: beside it, or beside what a link to it points at."""
+    place = Path(os.path.realpath(out)) if Path(out).is_symlink() else Path(out)
+    return place.with_name(f"{place.name}.parts")
+
+
+@contextmanager
+def store_at(out: str | os.PathLike[str], plan: Plan, points: Points, *, resume: bool) -> Iterator[Store]:
+    """The store of a results file, for this run alone.
+
+    Raises:
+        SceneFileError: the file cannot be written, there is too little room, another run is at work on it, or the
+            folder holds another study, or what no run has put there.
+    """
+    store = Store(out, plan, points)
+    with _alone(store.folder):
+        store.claim(resume)
+        yield store
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Keep other runs away. The system lifts the lock of a run that is killed; on Windows there is none.
+
+    Raises:
+        SceneFileError: another run is there, or the folder cannot be written.
+    """
+    if fcntl is None:
+        yield
+        return
+    place = folder / LOCK
+    try:
+        file = place.open("wb")
+    except OSError as error:
+        raise _refused(folder, f"cannot be written: {error.strerror}") from None
+    with file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            is_free = os.path.samestat(os.fstat(file.fileno()), place.stat())  # not what a run before has removed
+        except (BlockingIOError, FileNotFoundError):
+            is_free = False
+        except OSError:  # a disk without locks
+            is_free = True
+        if not is_free:
+            raise _refused(folder, "another run is at work on it", "Wait until it has ended, or choose another --out")
+        try:
+            yield
+        finally:
+            place.unlink(missing_ok=True)
+
+
 class Store:
     """Finished chunks in a folder beside the file that they will be joined to."""
 
-    def __init__(self, out: str | os.PathLike[str], plan: Plan, points: Points, *, resume: bool) -> None:
-        """Claim the place.
+    def __init__(self, out: str | os.PathLike[str], plan: Plan, points: Points) -> None:
+        """Try the place, and make the folder.
 
         Raises:
-            SceneFileError: it cannot be written, there is too little room, or it holds another study.
+            SceneFileError: it cannot be written, or there is too little room.
         """
         self.out = Path(out)
         self.plan = plan
         self.points = points
-        self.folder = self.out.with_name(f"{self.out.name}.parts")
-        if self.out.is_dir():
-            raise _refused(self.out, "is a folder")
-        if not self.out.parent.is_dir():
-            raise _refused(self.out, f"there is no folder {self.out.parent}")
-        self._check_room()
-        kept = self.folder / PLAN
-        identity = {"fingerprint": plan.study.fingerprint, "results": plan.results}
-        if kept.exists():
-            if not resume:
-                problem = f"an unfinished run has {len(self.finished())} of {points.chunk_count} chunks done"
-                raise _refused(self.folder, problem, "--resume goes on with it; or delete that folder")
-            if _json_of(kept) != json.loads(json.dumps(identity)):
-                problem = "holds chunks of another study, or of another version of qsbearing"
-                raise _refused(self.folder, problem, "Delete that folder, or choose another --out")
-            self._drop_damaged()
-            return
         try:
+            self.place = place_of(os.fspath(out))
+            if self.place.exists() and not self.place.is_file():
+                raise _refused(self.out, "is no file that could be replaced")
+            self.folder = folder_of(out)
+            self._check_room()
             self.folder.mkdir(exist_ok=True)
+        except OSError as error:
+            raise _refused(self.out, f"cannot be written: {error.strerror}" if error.strerror else str(error)) from None
+
+    def claim(self, resume: bool) -> None:
+        """See that the folder is this study's, and holds whole chunks and nothing else.
+
+        Raises:
+            SceneFileError: it holds another study, an unfinished run that is not to be resumed, or what no run has put
+                there.
+        """
+        kept = self.folder / PLAN
+        identity = {"fingerprint": self.plan.study.fingerprint, "results": self.plan.results}
+        is_new = not kept.exists()
+        if not is_new and _json_of(kept) != json.loads(json.dumps(identity)):
+            problem = "holds chunks of another study, or of another version of qsbearing"
+            raise _refused(self.folder, problem, "Delete that folder, or choose another --out")
+        if not is_new and not resume:
+            problem = f"an unfinished run has {len(self.finished())} of {self.points.chunk_count} chunks done"
+            raise _refused(self.folder, problem, "--resume goes on with it; or delete that folder")
+        self._check_files(0 if is_new else self.points.chunk_count)
+        try:
             _write(kept, json.dumps(identity).encode())
         except OSError as error:
-            raise _refused(self.out, f"cannot be written: {error.strerror}") from None
+            raise _refused(self.folder, f"cannot be written: {error.strerror}") from None
 
     def _check_room(self) -> None:
         per_point = 16.0
         per_point += sum(8.0 * (self.plan.ball_axis if each.is_per_ball else 1) for each in self.plan.results)
         needed = 2.0 * per_point * self.points.count  # the chunks, and the file that they are joined to
-        free = shutil.disk_usage(self.out.parent or Path()).free
+        free = shutil.disk_usage(self.place.parent).free
         if needed > free:
             problem = f"needs {needed / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left"
             raise _refused(self.out, problem, "Name fewer quantities, or fewer points")
 
-    def _drop_damaged(self) -> None:
-        """Remove chunks that a crash of the whole machine has left incomplete, and what was being written."""
-        for file in self.folder.glob("*.part"):
-            file.unlink()
-        for number in self.finished():
-            try:
-                self.get(number)
-            except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-                (self.folder / f"{number}.npz").unlink()
+    def _check_files(self, chunks: int) -> None:
+        """Remove what a crash of the whole machine has left incomplete, and what was being written.
+
+        Raises:
+            SceneFileError: there is what is none of so many chunks of this study.
+        """
+        known = {PLAN, LOCK, *(f"{number}.npz" for number in range(chunks))}
+        others = []
+        for file in sorted(self.folder.iterdir()):
+            if not file.is_file():
+                others.append(file.name)
+            elif file.suffix == ".part":
+                file.unlink()
+            elif file.name not in known:
+                others.append(file.name)
+            elif file.suffix == ".npz":
+                try:
+                    suits = self._suits(int(file.stem))
+                except Exception:  # of damaged bytes zipfile and numpy raise almost anything
+                    file.unlink()
+                else:
+                    others += [] if suits else [file.name]
+        if others:
+            problem = f"holds what is no part of this study: {', '.join(others[:5])}"
+            raise _refused(self.folder, problem, "Move it away; points that are then missing are solved again")
+
+    def _suits(self, number: int) -> bool:
+        """Whether the arrays of a chunk that was kept are those of its points."""
+        found, expected = (
+            [(each.shape, each.dtype) for each in dataset.arrays_of(chunk, chunk.reasons).values()]
+            for chunk in (self.get(number), empty_chunk(self.plan, self.points.size(number), ("",)))
+        )
+        return found == expected
 
     def finished(self) -> set[int]:
         """Numbers of the chunks that are there."""
-        return {int(file.stem) for file in self.folder.glob("*.npz") if file.stem.isdecimal()}
+        return {n for n in range(self.points.chunk_count) if (self.folder / f"{n}.npz").exists()}
 
     def put(self, number: int, chunk: Chunk) -> None:
         """Keep a finished chunk.
@@ -123,10 +213,10 @@ class Store:
         Raises:
             SceneFileError: it cannot be written, as where the disk is full; the chunks are kept.
         """
-        temporary = self.out.with_name(f".{self.out.name}.part")
+        temporary = self.folder / "whole.part"  # there, as a run that goes on after a kill removes it
         try:
             write_netcdf(temporary, self.plan, self.points, self._chunks, label)
-            temporary.replace(self.out)
+            put_in_place(temporary, self.place)
         except (OSError, RuntimeError) as error:  # HDF5 has errors of both kinds
             raise self._unwritten(error) from None
         finally:
@@ -165,7 +255,7 @@ def _json_of(place: Path) -> Any:
     """What a file holds; None where that cannot be read."""
     try:
         return json.loads(place.read_text("utf-8"))
-    except ValueError:
+    except (OSError, ValueError):
         return None
 
 

@@ -2,24 +2,34 @@
 
 from __future__ import annotations
 
+import logging
 import os
-from collections.abc import Callable, Iterator
+import time
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check, label_of
-from qsbearing.studies.store import Store, open_results
+from qsbearing.studies.store import open_results, store_at
 from qsbearing.studies.study import Study
 from qsbearing.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray
 
+LOG = logging.getLogger("qsbearing")
+
 Progress = Callable[[int, int], object]
 """Called with the points done so far and all of them."""
+
+WITHOUT_WORKERS = 60.0
+"""Seconds that a cluster may be without a worker: time enough to start one again."""
+LOOK = 2.0
+"""Seconds between two looks at a cluster's workers."""
 
 AHEAD = 4
 """Chunks per worker that wait or are under way: enough that none idles, few enough to bound the memory."""
@@ -38,8 +48,8 @@ def sweep(
     Args:
         executor: anything of the interface of `concurrent.futures`, such as a process pool or the executor of a Dask
             client; None: this machine's cores.
-        out: a netCDF file to write. Finished chunks are kept beside it until all are there, so that nothing finished
-            is lost, and the memory is bounded whatever the number of points.
+        out: a netCDF file to write, at the end also over one that is there. Finished chunks are kept beside it until
+            all are there, so that nothing finished is lost, and the memory is bounded whatever the number of points.
         resume: go on with the chunks that an earlier run left there; the file is the same in the end.
         progress: called after each chunk with the points done and all points.
 
@@ -49,7 +59,9 @@ def sweep(
             that has no equilibrium, holds NaN and stops nothing. With `out` it is read from there as it is used.
 
     Raises:
-        SceneError: the study is wrong whatever the point; every error, at once.
+        SceneError: the study is wrong whatever the point; every error, at once. Or `out` cannot be written, or another
+            run is at work on it.
+        TimeoutError: a Dask cluster has had no worker for a minute.
         ImportError: xarray is not installed (the `studies` extra).
     """
     scene = check(study)
@@ -57,22 +69,22 @@ def sweep(
     plan = plan_of(study, scene, points)
     label = label_of(scene)
     chunks: dict[int, Chunk] = {}
-    store = None if out is None else Store(out, plan, points, resume=resume)
-    finished = store.finished() if store else set()
-    report = progress or (lambda done, count: None)
-    done = sum(points.size(number) for number in finished)
-    report(done, points.count)
-    left = [number for number in range(points.chunk_count) if number not in finished]
-    for number, chunk in solved_chunks(plan, left, executor):
-        if store:
-            store.put(number, chunk)
-        else:
-            chunks[number] = chunk
-        done += chunk.status.size
+    with nullcontext() if out is None else store_at(out, plan, points, resume=resume) as store:
+        finished = store.finished() if store else set()
+        report = progress or (lambda done, count: None)
+        done = sum(points.size(number) for number in finished)
         report(done, points.count)
-    if store is None:
-        return dataset_of(plan, points, chunks, label)
-    store.join(label)
+        left = [number for number in range(points.chunk_count) if number not in finished]
+        for number, chunk in solved_chunks(plan, left, executor):
+            if store:
+                store.put(number, chunk)
+            else:
+                chunks[number] = chunk
+            done += chunk.status.size
+            report(done, points.count)
+        if store is None:
+            return dataset_of(plan, points, chunks, label)
+        store.join(label)
     return open_results(store.out)
 
 
@@ -97,6 +109,25 @@ def _workers(executor: Executor) -> int:
     return int(getattr(executor, "_max_workers", None) or thread_count())
 
 
+def _done(running: Iterable[Future[Chunk]], executor: Executor) -> Iterable[Future[Chunk]]:
+    """Those that are done, as soon as one is.
+
+    Raises:
+        TimeoutError: a cluster has had no worker for `WITHOUT_WORKERS`.
+    """
+    client = getattr(executor, "_client", None)
+    without_since: float | None = None
+    while not (done := wait(running, None if client is None else LOOK, FIRST_COMPLETED).done):
+        if client.nthreads():  # else the wait has ended with one that is done
+            without_since = None
+        elif without_since is None:
+            without_since = time.monotonic()
+            LOG.warning("the cluster has no worker: waiting %g s for one", WITHOUT_WORKERS)
+        elif time.monotonic() - without_since > WITHOUT_WORKERS:
+            raise TimeoutError(f"it has had no worker for {WITHOUT_WORKERS:g} s")
+    return done
+
+
 def _through(plan: Plan, numbers: list[int], executor: Executor, workers: int) -> Iterator[tuple[int, Chunk]]:
     waiting = iter(numbers)
     running: dict[Future[Chunk], int] = {}
@@ -108,7 +139,7 @@ def _through(plan: Plan, numbers: list[int], executor: Executor, workers: int) -
                     break
             if not running:
                 return
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
+            for future in _done(running, executor):
                 yield running.pop(future), future.result()
     finally:
         for future in running:

@@ -14,8 +14,9 @@ from qsbearing.io.file_errors import FileErrorDetail
 from qsbearing.studies import keys
 from qsbearing.validation import shown
 
-MOST_VALUES = 100_000_000
-"""Along one axis: 800 MB; nobody waits for more."""
+MOST_VALUES = 1_000_000
+"""Along one axis, whose values are all in memory: 60 MB of them, where samples are made as they are needed."""
+_COUNT = f"the count must be a whole number from 1 to {MOST_VALUES:,}. For more, vary several keys, or one at random"
 
 DISTRIBUTIONS = {
     "normal": ("mean", "standard_deviation"),
@@ -96,6 +97,8 @@ def variable_of(name: str, given: Any) -> Variable:
     if isinstance(given, dict):
         return _of_table(key.name, given)
     values = given if isinstance(given, list | tuple | np.ndarray) else [given]
+    if len(values) > MOST_VALUES:
+        raise VariableError(f"{len(values):,} values: {_COUNT}")
     return _listed(key.name, [_number(value) for value in values])
 
 
@@ -156,7 +159,7 @@ def _range(key: str, start: float, stop: float, count: float, scale: str) -> Axi
     if scale not in ("linear", "log"):
         raise VariableError(f"scale {shown(scale)} is neither linear nor log")
     if count != int(count) or not 1 <= count <= MOST_VALUES:
-        raise VariableError(f"{count:g} values: the count must be a whole number from 1 to {MOST_VALUES:,}")
+        raise VariableError(f"{count:,.15g} values: {_COUNT}")
     if stop < start:
         raise VariableError(f"is reversed: it ends at {stop:g}, below its start {start:g}. Swap the two")
     if stop == start and count > 1:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pandas
@@ -75,8 +79,22 @@ def test_bad_input_is_a_sentence(
     assert not list(tmp_path.iterdir())
 
 
-def test_no_point_solved_is_exit_code_1() -> None:
-    assert run("sweep", "b218", "--vary", "axial_load_N=-1,-2").exit_code == 1
+@pytest.mark.parametrize("vary", ["axial_load_N=-1,-2", "ball_count=40,41"])
+@pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
+def test_no_point_solved_is_exit_code_1_and_a_file_that_says_why(vary: str, out: str, tmp_path: Path) -> None:
+    result = run("sweep", "b218", "--vary", vary, "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    assert result.exit_code == 1
+    assert "nothing to draw" in result.stderr
+    assert [file.name for file in tmp_path.iterdir()] == [out]
+    if out == "r.nc":
+        assert "no point of these results is solved" in run("plot", tmp_path / out).stderr
+
+
+@pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
+def test_a_single_point_is_written_drawn_and_shown(out: str, tmp_path: Path) -> None:
+    result = run("sweep", "b218", "--vary", "speed_rpm=12000", "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    assert result.exit_code == 0
+    assert {file.name for file in tmp_path.iterdir()} == {out, "r.png"}
 
 
 def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -88,6 +106,44 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.Monk
     assert result.exit_code == 130
     assert "--resume goes on" in result.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["r.nc.parts"]
+
+
+@pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
+def test_a_finished_file_is_replaced_only_where_that_is_asked_for(
+    out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = ("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / out)
+    (tmp_path / out).write_bytes(b"mine")
+    refused = run(*given)
+    assert refused.exit_code == 2
+    assert "--overwrite replaces it" in refused.stderr
+    assert (tmp_path / out).read_bytes() == b"mine"
+    if out == "r.nc":  # once asked for is enough: a run that goes on may do what it was to do
+        assert run(*given, "--resume").exit_code == 2
+        with monkeypatch.context() as patch:
+            patch.setattr(sweeping, "solved_chunks", lambda *given: (_ for _ in ()).throw(KeyboardInterrupt))
+            assert run(*given, "--overwrite").exit_code == 130
+        assert (tmp_path / out).read_bytes() == b"mine"
+    assert run(*given, "--resume" if out == "r.nc" else "--overwrite").exit_code == 0
+    assert (tmp_path / out).read_bytes() != b"mine"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
+@pytest.mark.parametrize(("out", "begun", "left"), [("r.nc", "r.nc.parts", "r.nc.parts"), ("r.csv", "*.part", None)])
+def test_a_run_that_is_terminated_leaves_nothing_half_written(
+    out: str, begun: str, left: str | None, tmp_path: Path
+) -> None:
+    command = [sys.executable, "-m", "qsbearing", "sweep", "b218", "--samples", "3000000", "-y", "inner_load_max"]
+    command += ["--vary", "ball_diameter_mm=normal(22.225,0.001)", "--out", str(tmp_path / out)]
+    environment = os.environ | {"TMPDIR": str(tmp_path)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as running:
+        while not list(tmp_path.glob(begun)) and running.poll() is None:
+            time.sleep(0.02)
+        running.terminate()
+        _, said = running.communicate(timeout=60)
+    assert running.returncode == 143
+    assert "Traceback" not in said
+    assert [file.name for file in tmp_path.iterdir()] == ([left] if left else [])
 
 
 def test_a_study_file_is_no_scene_to_run(tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ import qsbearing as qs
 from qsbearing.studies import points
 from qsbearing.studies.points import Points
 from qsbearing.studies.study import Study
-from qsbearing.studies.variables import Axis, Distribution, variable_of
+from qsbearing.studies.variables import MOST_VALUES, Axis, Distribution, variable_of
 
 
 def test_ranges_and_lists() -> None:
@@ -43,6 +45,8 @@ def test_distributions_have_their_moments(text: str) -> None:
         ("speed_rpm", "5:5:3", "empty"),
         ("speed_rpm", "0:5:3:log", "start above zero"),
         ("speed_rpm", "0:5:2.5", "whole number"),
+        ("speed_rpm", "0:5:1000001", "1,000,001 values: .* from 1 to 1,000,000"),
+        ("speed_rpm", np.arange(1_000_001), "1,000,001 values: .* from 1 to 1,000,000"),
         ("speed_rpm", "0:5", "not a range"),
         ("speed_rpm", "0:inf:3", "endless"),
         ("speed_rpm", "1,x", "not a number"),
@@ -59,6 +63,17 @@ def test_distributions_have_their_moments(text: str) -> None:
 def test_what_is_wrong_is_said(key: str, given: object, said: str) -> None:
     with pytest.raises(qs.SceneError, match=said):
         Study.of("b218", {key: given})
+
+
+def test_an_axis_takes_no_more_memory_than_is_said() -> None:
+    """One too long is refused before it is made; a value is a float and its place, 32 bytes, twice that at the peak."""
+    tracemalloc.start()
+    with pytest.raises(qs.SceneError, match="10,000,000 values"):
+        Study.of("b218", {"speed_rpm": "0:15000:10_000_000"})
+    assert tracemalloc.get_traced_memory()[1] < 1e6
+    Study.of("b218", {"speed_rpm": f"0:15000:{MOST_VALUES // 10}"})
+    assert tracemalloc.get_traced_memory()[1] < 64 * MOST_VALUES // 10
+    tracemalloc.stop()
 
 
 def test_all_errors_of_a_study_are_reported_at_once() -> None:

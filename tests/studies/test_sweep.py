@@ -5,8 +5,9 @@ from __future__ import annotations
 import copy
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ import qsbearing as qs
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import dataset, keys, points
+from qsbearing.studies import sweep as sweeping
 from qsbearing.studies.results import reading_of
 from qsbearing.studies.store import Store
 from qsbearing.studies.study import Study
@@ -44,6 +46,11 @@ RINGS["effects"]["ring_expansion"] = {
     "inner_ring_temperature_C": 60.0,
 }
 RINGS["effects"]["ball_expansion"] = {"ball_temperature_C": 50.0}
+WITHOUT_TEMPERATURES = {"ring_expansion": {"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0}}
+ESTIMATE = {
+    "lubricant": {"iso_viscosity_grade": 68.0, "oil_temperature_C": 70.0},
+    "friction_estimate": {"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0},
+}
 
 
 def document_with(document: dict, path: tuple[str, ...], value: float) -> dict:
@@ -165,7 +172,48 @@ def test_each_point_has_its_own_reason() -> None:
     assert "too_large" in why[3, 0]
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_order_of_values_decides_nothing(order: int) -> None:
+    """One of four points is possible, at a corner of the grid that depends on the order."""
+    vary = {"ball_count": [15, 23][::order], "groove_radius_coefficient": [0.5, 0.52]}
+    results = sweep(Study.of(B218, vary))
+    assert (results["status"] != 3).sum() == 1
+    assert results["status"].sel(ball_count=15, groove_radius_coefficient=0.52) == 0
+    why = np.array(results["reason"].attrs["flag_meanings"].split(" "))[results["reason"]]
+    assert {text.partition(":")[2].strip("_")[:20] for text in why.ravel()} == {
+        *("", "the_groove_is_smalle", "the_balls_do_not_fit")
+    }
+
+
+def test_a_distribution_is_judged_where_the_axes_leave_a_bearing() -> None:
+    """Neither the first nor the middle ball count fits; of the others' diameters nothing is wrong."""
+    results = sweep(Study.of(B218, {"ball_count": [25, 23, 15], "ball_diameter_mm": "normal(22.2,0.01)"}, samples=4))
+    assert results["status"].values.tolist() == [[3] * 4, [3] * 4, [0] * 4]
+
+
+@pytest.mark.parametrize(
+    ("table", "own", "key", "values"),
+    [
+        ("readings", {"overrun": {"inner_shoulder_diameter_mm": 115.0}}, "pitch_diameter_mm", [188, 125.26]),
+        ("readings", ESTIMATE, "readings.friction_estimate.bore_diameter_mm", [170.0, 90.0]),
+        ("effects", {"ball_diameter_deviations_um": [0.1] * 16}, "ball_count", [15, 16]),
+        ("effects", WITHOUT_TEMPERATURES, "reference_temperature_C", [25, 20]),
+    ],
+)
+def test_what_only_some_points_have_wrong_stops_no_other(table: str, own: dict, key: str, values: list[float]) -> None:
+    results = sweep(Study.of(copy.deepcopy(COMBINED) | {table: own}, {key: values}, quantities=["inner_load_max"]))
+    assert results["status"].values.tolist() == [3, 0]
+
+
+def test_points_none_of_which_is_possible_are_results() -> None:
+    results = sweep(Study.of(B218, {"ball_count": [40, 41]}))
+    assert results["status"].values.tolist() == [3, 3]
+    assert "pitch_circle" in results["reason"].attrs["flag_meanings"]
+
+
 def test_a_study_that_is_wrong_at_every_point_is_refused() -> None:
+    with pytest.raises(qs.SceneError, match="do not fit"):
+        sweep(Study.of(B218, {"ball_count": [40], "speed_rpm": [0, 1]}))
     with pytest.raises(qs.SceneError, match="tilt it causes must be stated"):
         sweep(Study.of(B218, {"radial_load_y_N": "0:10:3"}))
     with pytest.raises(qs.SceneError, match="leaves the possible"):
@@ -200,6 +248,17 @@ def test_chunks_and_executors_change_nothing(small_chunks: None, whole: object) 
                 rtol=1e-9,
                 atol=1e-9,
             )
+
+
+@pytest.mark.parametrize("values", ["12000", "12000:12000:1"])
+def test_a_single_point_is_a_study(values: str, tmp_path: Path) -> None:
+    study = Study.of(COMBINED, {"speed_rpm": values})
+    alone = qs.solve(scene_of(document_with(COMBINED, ("operation", "speed_rpm"), 12000.0), ""))
+    results = sweep(study)
+    np.testing.assert_allclose(results["inner_load"], alone.inner.load, rtol=1e-10)
+    assert results["status"].shape == ()
+    with sweep(study, out=tmp_path / "r.nc") as found:
+        xarray.testing.assert_identical(found.load(), results)
 
 
 def test_progress_counts_the_points(small_chunks: None) -> None:
@@ -250,11 +309,7 @@ def test_what_a_crash_has_damaged_is_solved_again(
 ) -> None:
     study = Study.of(COMBINED, MANY, samples=20)
     sweep(study, out=tmp_path / "whole.nc").close()
-    with monkeypatch.context() as patch:
-        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
-        with pytest.raises(KeyboardInterrupt):
-            sweep(study, out=tmp_path / "r.nc")
-    parts = tmp_path / "r.nc.parts"
+    parts = interrupted(study, tmp_path / "r.nc", monkeypatch)
     for number, left in ((0, 0), (1, 100), (2, 2000)):  # empty, cut at its beginning, cut later
         file = parts / f"{number}.npz"
         file.write_bytes(file.read_bytes()[:left])
@@ -267,6 +322,116 @@ def test_what_a_crash_has_damaged_is_solved_again(
     (parts / "plan.json").write_text("{", "utf-8")
     with pytest.raises(qs.SceneError, match="another study"):
         sweep(study, out=tmp_path / "r.nc", resume=True)
+
+
+@pytest.mark.parametrize("resume", [False, True])
+def test_two_runs_do_not_share_a_folder(resume: bool, tmp_path: Path) -> None:
+    """The second is refused and harms nothing, while the first is at work; what the first leaves is no lock."""
+    study, out = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc"
+
+    def second(done: int, count: int) -> None:
+        with pytest.raises(qs.SceneError, match="another run is at work"):
+            sweep(study, out=out, resume=resume)
+
+    sweep(study, out=out, progress=second).close()
+    assert [file.name for file in tmp_path.iterdir()] == ["r.nc"]
+    sweep(study, out=out).close()
+
+
+HOLDER = """
+import sys
+from qsbearing.studies.store import _alone
+from pathlib import Path
+with _alone(Path(sys.argv[1])):
+    print("locked", flush=True)
+    sys.stdin.read()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such lock")
+def test_a_run_that_is_killed_holds_no_lock(tmp_path: Path) -> None:
+    study, out = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc"
+    (tmp_path / "r.nc.parts").mkdir()
+    command = [sys.executable, "-c", HOLDER, str(tmp_path / "r.nc.parts")]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == "locked\n"
+        with pytest.raises(qs.SceneError, match="another run is at work"):
+            sweep(study, out=out)
+        holder.kill()
+    sweep(study, out=out).close()
+
+
+def interrupted(study: Study, out: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of a run that has ended before its chunks were joined."""
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            sweep(study, out=out)
+    return out.with_name(f"{out.name}.parts")
+
+
+def test_files_that_are_no_parts_of_a_study_are_named(
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whole files of another shape, strange names, folders: nothing is solved, and none of them is removed."""
+    study, out = Study.of(B218, {"speed_rpm": "0:9:20"}), tmp_path / "r.nc"
+    parts = interrupted(study, out, monkeypatch)
+    with np.load(parts / "0.npz") as file:
+        cut = {name: values[:3] for name, values in file.items()}
+    good = (parts / "0.npz").read_bytes()
+    np.savez(parts / "0.npz", **cut)
+    (parts / "notes.txt").write_text("mine")
+    (parts / "7.npz").write_bytes(good)
+    (parts / "2.part").mkdir()
+    with pytest.raises(qs.SceneError, match=r"no part of this study: 0\.npz, 2\.part, 7\.npz, notes\.txt"):
+        sweep(study, out=out, resume=True)
+    (parts / "2.part").rmdir()
+    for name in ("0.npz", "7.npz", "notes.txt"):
+        (parts / name).unlink()
+    sweep(study, out=out, resume=True).close()
+    sweep(study, out=tmp_path / "whole.nc").close()
+    assert out.read_bytes() == (tmp_path / "whole.nc").read_bytes()
+    parts.mkdir()
+    (parts / "notes.txt").write_text("mine")
+    with pytest.raises(qs.SceneError, match="no part of this study"):
+        sweep(study, out=out)
+    assert (parts / "notes.txt").read_text() == "mine"
+
+
+def test_what_a_link_points_at_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    study, link, target = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc", tmp_path / "far" / "x.nc"
+    target.parent.mkdir()
+    link.symlink_to(target)
+    assert not interrupted(study, link, monkeypatch).exists()
+    assert (tmp_path / "far" / "x.nc.parts" / "0.npz").exists(), "on the disk that the file is to be on"
+    sweep(study, out=link, resume=True).close()
+    assert link.is_symlink()
+    assert [file.name for file in target.parent.iterdir()] == ["x.nc"]
+    link.unlink()
+    link.symlink_to("/dev/null")
+    with pytest.raises(qs.SceneError, match="no file that could be replaced"):
+        sweep(study, out=link)
+
+
+class Deserted(Executor):
+    """Of the interface of Dask's, without a worker."""
+
+    _client = SimpleNamespace(nthreads=dict)
+
+    def submit(self, *given: object, **named: object) -> Future:  # type: ignore[override]
+        return Future()
+
+
+def test_a_cluster_without_workers_is_left_after_the_time_that_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(sweeping, "WITHOUT_WORKERS", 0.05)
+    monkeypatch.setattr(sweeping, "LOOK", 0.01)
+    with pytest.raises(TimeoutError, match=r"no worker for 0\.05 s"):
+        sweep(Study.of(B218, {"speed_rpm": [0, 1]}), Deserted(), out=tmp_path / "r.nc")
+    assert caplog.messages == ["the cluster has no worker: waiting 0.05 s for one"]
+    assert {file.name for file in (tmp_path / "r.nc.parts").iterdir()} == {"plan.json"}
 
 
 LIMITED = """
@@ -372,6 +537,12 @@ def test_effects_that_a_tolerance_chooses_are_the_same_at_every_point() -> None:
     assert "centrifugal_force" in results
     slow = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"speed_rpm": [100, 101]}))
     assert "centrifugal_force" not in slow
+
+
+def test_effects_are_chosen_at_a_possible_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(chunks, "LOOKED_AT", 2)
+    results = sweep(Study.of(copy.deepcopy(B218) | {"effects": "auto"}, {"ball_count": [24, 15, 25]}))
+    assert results["status"].values.tolist() == [3, 0, 3]
 
 
 def test_the_least_loaded_ball_is_named() -> None:

@@ -130,6 +130,8 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
         if name not in known:
             meant = near(name, known, 0.4)
             raise PictureError(f"{name} is no result in this file. {_meant(meant) or ', '.join(known)}")
+    if not names:
+        raise PictureError("no point of these results is solved: status and reason say why")
     panels: dict[str, list[str]] = {}
     for name in names:
         key = f"{stem(name)[0]} {results[name].attrs.get('units', '')}" if kind in (Kind.LINES, Kind.AZIMUTH) else name
