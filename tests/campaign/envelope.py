@@ -13,7 +13,7 @@ from math import ceil
 import numpy as np
 from scipy.stats import poisson
 
-from tests.campaign import realistic, wild
+from tests.campaign import mounted, realistic, wild
 from tests.campaign.group import GROUP, Group
 
 CHUNK = 1000
@@ -44,6 +44,7 @@ class Envelope:
 ENVELOPES = {
     "wild": Envelope(wild.draw_group, rate=2e-4),
     "realistic": Envelope(realistic.draw_group, rate=0.0),
+    "mounted": Envelope(mounted.draw_group, rate=2e-4),
 }
 
 
