@@ -56,8 +56,8 @@ def draw_group(rng: np.random.Generator, number: int) -> Group:
         channels = ("axial_load_N", "axial_displacement_um")
         operation = {key: value for key, value in group.operation.items() if key not in channels}
         group = replace(group, operation=operation)
-    group = replace(group, materials=with_expansion(rng, group.materials))
     if rng.random() < 0.75:
+        group = replace(group, materials=with_expansion(rng, group.materials))
         more |= draw_expansion(rng, group)
     return calmed(replace(group, more=more))
 
