@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from tests.campaign.group import DISPLACEMENT_KEYS, LOAD_KEYS, Group
 
-SIZE = 0.6
+SIZE = 0.9
 """Of the scaled twin: no power of two, so that every number is rounded anew."""
 WARMER = 60.0
 """Kelvin."""

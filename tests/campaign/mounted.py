@@ -32,6 +32,9 @@ MOST_FIT = 8e-4
 ROOM = 0.3
 """Of the room that growth may take."""
 
+LEAST_BOTTOM, MOST_HOUSING = 0.3, 19e3
+"""Millimetres: half of the one, and the other, are within what ring expansion takes, also of a smaller twin."""
+
 REFERENCE = 20.0
 """Degrees, at which all dimensions hold."""
 
@@ -56,7 +59,7 @@ def draw_group(rng: np.random.Generator, number: int) -> Group:
         channels = ("axial_load_N", "axial_displacement_um")
         operation = {key: value for key, value in group.operation.items() if key not in channels}
         group = replace(group, operation=operation)
-    if rng.random() < 0.75:
+    if rng.random() < 0.75 and bottom(group.bearing).min() > LEAST_BOTTOM:
         group = replace(group, materials=with_expansion(rng, group.materials))
         more |= draw_expansion(rng, group)
     return calmed(replace(group, more=more))
@@ -85,6 +88,13 @@ def span(bearing: dict[str, NDArray]) -> NDArray:
     return bearing["inner_groove_radius_mm"] + bearing["outer_groove_radius_mm"] - bearing["ball_diameter_mm"]
 
 
+def bottom(bearing: dict[str, NDArray], side: str = "inner") -> NDArray:
+    """Of a ring's groove, a diameter [mm]; the groove's centre lies r - D/2 from the ball's, at the free angle."""
+    radius, outward = bearing[f"{side}_groove_radius_mm"], 1.0 if side == "inner" else -1.0
+    reach = (radius - 0.5 * bearing["ball_diameter_mm"]) * np.cos(np.radians(bearing["free_contact_angle_deg"]))
+    return bearing["pitch_diameter_mm"] + 2.0 * outward * (reach - radius)
+
+
 def draw_preload(rng: np.random.Generator, group: Group) -> dict[str, dict[str, NDArray]]:
     """In place of the axial load or displacement that the group has."""
     if rng.random() < 0.5:
@@ -109,10 +119,9 @@ def draw_expansion(rng: np.random.Generator, group: Group) -> dict[str, dict[str
     """Tables of ring and ball expansion."""
     n, bearing = GROUP, group.bearing
     angle, distance = np.radians(bearing["free_contact_angle_deg"]), span(bearing)
-    half_pitch, half_span = 0.5 * bearing["pitch_diameter_mm"], 0.5 * distance * np.cos(angle)
-    ball = bearing["ball_diameter_mm"]
-    bore = 2.0 * (half_pitch + half_span - bearing["inner_groove_radius_mm"]) * rng.uniform(0.5, 0.92, n)
-    outside = 2.0 * (half_pitch - half_span + bearing["outer_groove_radius_mm"]) / rng.uniform(0.7, 0.92, n)
+    half_pitch, ball = 0.5 * bearing["pitch_diameter_mm"], bearing["ball_diameter_mm"]
+    bore = bottom(bearing) * rng.uniform(0.5, 0.92, n)
+    outside = bottom(bearing, "outer") / rng.uniform(0.7, 0.92, n)
     room = ROOM * distance * np.cos(angle)
     rings = {"bore_diameter_mm": bore, "outside_diameter_mm": outside}
     bodies = ["inner_ring", "outer_ring"]
@@ -124,7 +133,7 @@ def draw_expansion(rng: np.random.Generator, group: Group) -> dict[str, dict[str
     if rng.random() < 0.5:
         bodies.append("housing")
         rings["housing_interference_um"] = draw_fit(rng, outside, room)
-        rings["housing_outside_diameter_mm"] = outside * rng.uniform(1.2, 2.5, n)
+        rings["housing_outside_diameter_mm"] = np.minimum(outside * rng.uniform(1.2, 2.5, n), MOST_HOUSING)
     expansion = np.maximum(*(table["thermal_expansion_per_K"] for table in group.materials.values()))
     most = np.minimum(60.0, 0.1 * room / (expansion * np.maximum(half_pitch, ball)))
     together = rng.uniform(-60.0, 60.0, n) * (0.1 * distance > 1.2e-3 * 60.0 * ball * 25e-3)

@@ -24,7 +24,7 @@ from tests.campaign.summary import quantile, summarise
 
 compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
 
-COUNTS = {"wild": 3000, "realistic": 2000}
+COUNTS = {"wild": 3000, "realistic": 2000, "mounted": 500}
 FEW = GROUP if COMPILED else 4
 
 
@@ -61,7 +61,7 @@ def test_thousands_of_scenes_meet_the_bar(campaigns: Campaigns, envelope: str) -
 
 @compiled_only
 @pytest.mark.heavy
-@pytest.mark.parametrize(("envelope", "count"), [("wild", 20_000), ("realistic", 40_000)])
+@pytest.mark.parametrize(("envelope", "count"), [("wild", 20_000), ("realistic", 40_000), ("mounted", 20_000)])
 def test_tens_of_thousands_of_scenes_meet_the_bar(envelope: str, count: int, tmp_path: Path) -> None:
     assert_bar_is_met(run_campaign(envelope, count, 2, tmp_path))
 
