@@ -64,7 +64,8 @@ def bar(envelope: str, count: int, unconverged: int, failures: int) -> dict[str,
     words = f"at most {allowed} of {count} scenes not converged ({100 * limits.rate:g} %"
     if limits.rate > 0.0 and count < WHOLE:
         words += f", and what chance adds in {CHANCE:.0%} of so small samples"
-    words += "); none converged wrongly, refused without certificate, raised or hung"
+    words += "); none converged wrongly, raised or hung"
+    words += ", refused without certificate" if limits.is_certified else ", or differing as warm all through"
     return {
         "asked": words,
         "not_converged": unconverged,
