@@ -72,6 +72,9 @@ class Findings:
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
     over_shoulder: NDArray
     """Whether some loaded inner contact lies beyond 90 degrees, over the shoulder of any groove."""
+    lines_apart: NDArray
+    """Whether some pressed inner line lies more than a right angle from the outer one: noted, for the balances show
+    whether its motion is counted as it lies; and the reason of a refusal."""
     friction_above_load: NDArray
     """Whether some contact needs more friction than its load: counted, not a failure, for the model takes friction to
     be there and reports what it demands."""
@@ -84,7 +87,7 @@ class Findings:
     misreported: NDArray
     """Whether the residual that the solution itself reports is above what it may be, or not a number."""
 
-    NOTED = ("friction_above_load", "control")
+    NOTED = ("friction_above_load", "control", "lines_apart")
 
     def failed(self) -> dict[str, NDArray]:
         """By the name of each promise: which cases break it."""
@@ -213,6 +216,7 @@ def findings(
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
         & (scene.bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
         over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
+        lines_apart=_any([is_pressed(inner, outer) & (np.cos(inner.angle - outer.angle) < -ANGLE_ROUNDING)], there),
         friction_above_load=_any((side.asked > np.maximum(side.load, 0.01 * small) for side in (inner, outer)), there),
         not_finite=_not_finite(scene, solution, there),
         control=control,
@@ -288,9 +292,8 @@ def inertia_loads(
     # within 2 % of the inner line's free length; there lines count as a right angle apart at most.
     lost = np.clip(-inner.approach / (0.02 * inner.length), 0.0, 1.0)
     weight = 1.0 - lost**2 * (3.0 - 2.0 * lost)
-    pressed = inner.load > NO_FORCE * np.maximum(inner.load, outer.load).max(axis=-1, keepdims=True)
     seen = outer.angle + weight * _mirrored(inner.angle - outer.angle)
-    rolled = np.where(pressed & (not passing), inner.angle, seen)
+    rolled = np.where(is_pressed(inner, outer) & (not passing), inner.angle, seen)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     inner.rolled_sine = inner_sine
     by_inner = np.where(solution.raceway_control == "inner", 1.0, 0.0)
@@ -321,6 +324,11 @@ def inertia_loads(
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity
+
+
+def is_pressed(inner: Contacts, outer: Contacts) -> NDArray:
+    """Whether each inner contact carries a load that an equilibrium resolves."""
+    return np.asarray(inner.load > NO_FORCE * np.maximum(inner.load, outer.load).max(axis=-1, keepdims=True))
 
 
 def _mirrored(angle: NDArray) -> NDArray:
