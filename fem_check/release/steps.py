@@ -17,7 +17,10 @@ from fem_check.release import drift, integrity, known
 
 Record = dict[str, Any]
 
-SCENES = {Level.QUICK: {"wild": 4_000, "realistic": 10_000}, Level.RELEASE: {"wild": 200_000, "realistic": 500_000}}
+SCENES = {
+    Level.QUICK: {"wild": 4_000, "realistic": 10_000, "mounted": 2_000},
+    Level.RELEASE: {"wild": 200_000, "realistic": 500_000, "mounted": 100_000},
+}
 """Of the campaigns."""
 SEED = 1
 

@@ -16,10 +16,10 @@ open side, unique equilibrium (proof)
     The equations as they stand, with shoulders on both sides, have an equilibrium, checked as any other, and in it a
     loaded inner contact has a negative angle. At rest with constant Hertz stiffness the energy is convex, so the loads
     of its least are unique and no other equilibrium keeps to the supported side.
-open side, over the shoulder, friction without load: an equilibrium (evidence)
-    The equations as they stand, which know no open side and no shoulders and let any contact carry its share of the
-    gyroscopic moment, have an equilibrium, checked as any other, that breaks one of these restrictions. That there is
-    no other is not proved.
+open side, over the shoulder, lines apart, friction without load: an equilibrium (evidence)
+    The equations as the solver passes through them, which know no open side and no shoulders, see lines at most a right
+    angle apart and let any contact carry its share of the gyroscopic moment, have an equilibrium, checked as any other,
+    that breaks one of these restrictions. That there is no other is not proved.
 friction above the load, an equilibrium (evidence)
     With friction that is never more than the contact's load, or than a tenth of it, there is an equilibrium, checked as
     any other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
@@ -47,6 +47,8 @@ from tests.campaign.group import Group
 PROOFS = ("unsupported direction", "null motion", "open side, unique equilibrium")
 """The other kinds are evidence."""
 NONE = "none"
+NOT_ASKED = "not asked"
+"""Of scenes with preload, growth or unequal balls, which no certificate knows: their refusals are counted."""
 
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
@@ -60,6 +62,7 @@ LEAST_REMAINDER = 1e-9
 RESTRICTIONS = {
     "open_side": "open side",
     "over_shoulder": "over the shoulder",
+    "lines_apart": "lines apart",
     "friction_without_load": "friction without load",
     "friction_above_load": "friction above the load",
 }
@@ -224,7 +227,7 @@ def restrictions_broken(
     scene = replace(scene, operation=replace(operation, **speeds))
     broken = {name: np.zeros(solution.shape, bool) for name in RESTRICTIONS}
     for limit in limits:
-        found = findings(scene, as_left(solution), reactions=False, friction_limit=limit)
+        found = findings(scene, as_left(solution), reactions=False, friction_limit=limit, passing=True)
         failed = found.failed()
         sound = ~np.any([bad for name, bad in failed.items() if name not in (*RESTRICTIONS, *UNASKED)], axis=0)
         for name in RESTRICTIONS:

@@ -7,6 +7,9 @@ Nothing of the kernel is used. From angles, approaches and loads as the user rea
 * that the two contacts' lengths close between the groove centres where the ring's displacement puts them;
 * Hertz: each ellipse satisfies the ellipticity equation in Carlson's integrals, and each load is K delta^1.5.
 
+Lengths are those in operation: of the bearing that fits, rotation and heat leave, and of each ball's own diameter.
+Masses are those of the cold balls.
+
 Arrays have shape (case, ball) unless said otherwise. A ball that is not there, or whose position is
 undetermined, has neither load nor part in anything.
 """
@@ -25,6 +28,10 @@ from qsbearing.scene.operation import CHANNELS
 
 MOST_IMBALANCE = 1e-10
 """Largest imbalance over the largest applied or inertial force: what a converged case promises."""
+
+NO_FORCE = 1e-12
+"""Of the largest contact load: to what the solver resolves an equilibrium. A contact that carries less may count as
+pressed or as lost."""
 
 EPS = float(np.finfo(float).eps)
 
@@ -65,6 +72,9 @@ class Findings:
     """Whether an angular-contact bearing carries load at an inner angle below zero."""
     over_shoulder: NDArray
     """Whether some loaded inner contact lies beyond 90 degrees, over the shoulder of any groove."""
+    lines_apart: NDArray
+    """Whether some pressed inner line lies more than a right angle from the outer one: noted, for the balances show
+    whether its motion is counted as it lies; and the reason of a refusal."""
     friction_above_load: NDArray
     """Whether some contact needs more friction than its load: counted, not a failure, for the model takes friction to
     be there and reports what it demands."""
@@ -77,7 +87,7 @@ class Findings:
     misreported: NDArray
     """Whether the residual that the solution itself reports is above what it may be, or not a number."""
 
-    NOTED = ("friction_above_load", "control")
+    NOTED = ("friction_above_load", "control", "lines_apart")
 
     def failed(self) -> dict[str, NDArray]:
         """By the name of each promise: which cases break it."""
@@ -99,6 +109,7 @@ class Contacts:
 
     def __init__(self, scene: qs.Scene, solution: qs.Solution, race: str) -> None:
         public = getattr(solution, race)
+        self.side = -1.0 if race == "inner" else 1.0
         self.load = np.nan_to_num(public.load, nan=0.0)
         self.loaded = self.load > 0.0
         self.placed = np.isfinite(public.angle)
@@ -107,9 +118,8 @@ class Contacts:
         self.sine, self.cosine = np.sin(self.angle), np.cos(self.angle)
         self.rolled_sine = self.sine
         self.semi_major, self.semi_minor = public.semi_major_axis, public.semi_minor_axis
-        bearing = scene.bearing
-        self.groove = _column(getattr(bearing, f"{race}_groove_radius"))
-        self.length = self.groove - 0.5 * _column(bearing.ball_diameter)
+        self.groove = _column(getattr(scene.operating_bearing, f"{race}_groove_radius"))
+        self.length = self.groove - 0.5 * ball_diameters(scene, solution)
         self.share = np.zeros_like(self.load)
         self.friction = np.zeros_like(self.load)
         self.asked = np.zeros_like(self.load)
@@ -119,8 +129,29 @@ def _column(value: Any) -> NDArray:
     return np.asarray(value, float)[..., None]
 
 
+def ball_diameters(scene: qs.Scene, solution: qs.Solution) -> NDArray:
+    """Each ball's own in operation: balls that deviate cold do so in proportion when grown."""
+    return _column(scene.operating_bearing.ball_diameter) * _relative_diameters(scene, solution)
+
+
+def _relative_diameters(scene: qs.Scene, solution: qs.Solution) -> NDArray:
+    deviation = solution.ball_diameter_deviation
+    return np.asarray(1.0 if deviation is None else 1.0 + deviation / _column(scene.bearing.ball_diameter))
+
+
+def ball_masses(scene: qs.Scene, solution: qs.Solution) -> NDArray:
+    """Each ball's own: heat changes no mass."""
+    cold = _column(scene.bearing.ball_diameter) * _relative_diameters(scene, solution)
+    return np.asarray(_column(scene.bearing.ball_material.density) * np.pi / 6.0 * cold**3)
+
+
 def findings(
-    scene: qs.Scene, solution: qs.Solution, *, reactions: bool = True, friction_limit: float | None = None
+    scene: qs.Scene,
+    solution: qs.Solution,
+    *,
+    reactions: bool = True,
+    friction_limit: float | None = None,
+    passing: bool = False,
 ) -> Findings:
     """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
 
@@ -129,12 +160,13 @@ def findings(
         reactions: whether the loads of held channels are to be the balls' sums.
         friction_limit: over load: a contact asked for more gives only as much; None for the scene's own coefficient,
             or whatever is asked.
+        passing: whether to look at states on the way, where also a pressed inner line more than a right angle from the
+            outer one counts as 180 degrees less that angle apart. No equilibrium may: its motion would be no rolling.
     """
-    bearing = scene.bearing
     own = None if scene.gyroscopic_moment is None else scene.gyroscopic_moment.friction_coefficient
     friction_limit = own if friction_limit is None else friction_limit
     limit = None if friction_limit is None else _column(friction_limit)
-    diameter = _column(bearing.ball_diameter)
+    diameter = ball_diameters(scene, solution)
     inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
     idle = ~(inner.loaded | outer.loaded)
     for side in (inner, outer):  # at rest the position of a ball that touches neither raceway is undetermined
@@ -142,7 +174,7 @@ def findings(
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
-        centrifugal, moment, sensitivity = inertia_loads(scene, solution, inner, outer)
+        centrifugal, moment, sensitivity = inertia_loads(scene, solution, inner, outer, passing)
         # What touches neither raceway does not roll, nor does what only the rounding of its position, a sum of four
         # numbers, presses.
         moment = np.where(np.maximum(inner.approach, outer.approach) > 4.0 * EPS * diameter, moment, 0.0)
@@ -162,7 +194,7 @@ def findings(
         imbalance, expressible = _imbalance(
             scene, solution, inner, outer, centrifugal, moment, psi, reactions, turned, inertial
         )
-        hertz = np.maximum(_hertz(scene, inner, -1.0), _hertz(scene, outer, 1.0))
+        hertz = np.maximum(_hertz(scene, inner, diameter), _hertz(scene, outer, diameter))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
@@ -182,8 +214,9 @@ def findings(
             there,
         ),
         open_side=_any([inner.loaded & (inner.sine < -ANGLE_ROUNDING)], there)
-        & (bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
+        & (scene.bearing.kind is qs.BearingKind.ANGULAR_CONTACT),
         over_shoulder=_any([inner.loaded & (inner.cosine < -ANGLE_ROUNDING)], there),
+        lines_apart=_any([is_pressed(inner, outer) & (np.cos(inner.angle - outer.angle) < -ANGLE_ROUNDING)], there),
         friction_above_load=_any((side.asked > np.maximum(side.load, 0.01 * small) for side in (inner, outer)), there),
         not_finite=_not_finite(scene, solution, there),
         control=control,
@@ -192,12 +225,26 @@ def findings(
     )
 
 
+def prescribed(scene: qs.Scene) -> list[tuple[Any, Any, bool]]:
+    """Of each channel: its load, its displacement (None where it is not given so), and whether it is held."""
+    found = []
+    for c, channel in enumerate(CHANNELS):
+        load, displacement = (getattr(scene.operation, name) for name in (channel.load, channel.displacement))
+        is_held = displacement is not None
+        if c == 0 and scene.preload is not None:
+            load, displacement = scene.preload.spring, scene.preload.axial_displacement
+            is_held = load is None
+        found.append((load, displacement, is_held))
+    return found
+
+
 def _misplaced(scene: qs.Scene, solution: qs.Solution) -> NDArray:
     found = np.zeros(solution.shape, bool)
-    for c, channel in enumerate(CHANNELS):
-        held = getattr(scene.operation, channel.displacement)
+    for c, (_, held, _) in enumerate(prescribed(scene)):
         if held is not None:
-            found |= ~(np.abs(solution.displacement[:, c] - held) <= 4 * EPS * np.abs(held))
+            # Axially it is shifted to where the grown grooves touch and back, by BD at most.
+            shifted = scene.bearing.groove_centre_distance if c == 0 and scene.is_reshaped else 0.0
+            found |= ~(np.abs(solution.displacement[:, c] - held) <= 4 * EPS * (np.abs(held) + shifted))
     return found
 
 
@@ -224,7 +271,7 @@ def is_still(scene: qs.Scene) -> NDArray:
 
 
 def inertia_loads(
-    scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts
+    scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, passing: bool
 ) -> tuple[NDArray, NDArray, NDArray]:
     """(Fc, Mg, sensitivity), of the effects that the scene names; fills in shares of the moment and the line rolled on.
 
@@ -234,19 +281,29 @@ def inertia_loads(
     zero = np.zeros_like(inner.load)
     if solution.raceway_control is None:
         return zero, zero, zero
-    bearing = scene.bearing
-    g = _column(bearing.ball_diameter) / _column(bearing.pitch_diameter)
-    by_inner = solution.raceway_control == "inner"
-    # A ball that has lost the inner raceway goes over to the orbit of equal contact angles, within 2 % of the inner
-    # line's free length. Lines count as a right angle apart at most: what is seen from further round is mirrored.
+    pitch, diameter = _column(scene.operating_bearing.pitch_diameter), ball_diameters(scene, solution)
+    radius = 0.5 * pitch
+    if scene.orbit_radius is qs.OrbitRadius.DISPLACED:  # by as much as the ball's centre from where it would just touch
+        free = np.cos(_column(scene.operating_bearing.free_contact_angle))
+        nominal = outer.groove - 0.5 * _column(scene.operating_bearing.ball_diameter)
+        radius = radius + (outer.length + outer.approach) * outer.cosine - nominal * free
+    g = 0.5 * diameter / radius
+    # A pressed contact's line is its own. A ball that has lost the inner raceway goes over to the orbit of equal angles
+    # within 2 % of the inner line's free length; there lines count as a right angle apart at most.
     lost = np.clip(-inner.approach / (0.02 * inner.length), 0.0, 1.0)
     weight = 1.0 - lost**2 * (3.0 - 2.0 * lost)
-    rolled = outer.angle + weight * _mirrored(inner.angle - outer.angle)
+    seen = outer.angle + weight * _mirrored(inner.angle - outer.angle)
+    rolled = np.where(is_pressed(inner, outer) & (not passing), inner.angle, seen)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
     inner.rolled_sine = inner_sine
+    by_inner = np.where(solution.raceway_control == "inner", 1.0, 0.0)
+    if scene.raceway_control is qs.RacewayControl.MINIMUM_DISSIPATION:  # friction moments c w of both in balance
+        c_inner, c_outer = spin_constants(scene, solution, inner, outer)
+        at_inner, at_outer = c_inner * (1.0 + g * outer.cosine), c_outer * (1.0 - g * inner_cosine)
+        by_inner = np.where(inner.loaded, at_inner / (at_inner + at_outer), 0.0)
     # The ball's axis (cos beta, sin beta): p along the radius, q along the bearing axis, in proportion.
-    p = np.where(by_inner, inner_sine, outer.sine)
-    q = np.where(by_inner, inner_cosine - g, outer.cosine + g)
+    p = by_inner * inner_sine + (1.0 - by_inner) * outer.sine
+    q = by_inner * (inner_cosine - g) + (1.0 - by_inner) * (outer.cosine + g)
     length = np.hypot(p, q)
     sin_beta, cos_beta = p / length, q / length
     u = (outer.cosine * cos_beta + outer.sine * sin_beta) / (1.0 + g * outer.cosine)
@@ -257,16 +314,21 @@ def inertia_loads(
     sensitivity = (np.abs(wi) + np.abs(wo)) / np.abs(u * wi + v * wo) + 2.0 / np.abs(u + v)
     centrifugal, moment = zero, zero
     if scene.centrifugal_force is not None:
-        centrifugal = 0.5 * _column(bearing.ball_mass) * _column(bearing.pitch_diameter) * orbit**2
+        centrifugal = ball_masses(scene, solution) * radius * orbit**2
     if scene.gyroscopic_moment is not None:
-        moment = _column(bearing.ball_inertia) * rotation * orbit * sin_beta
+        moment = 0.1 * ball_masses(scene, solution) * diameter**2 * rotation * orbit * sin_beta
         own = 1.0 if scene.gyroscopic_moment.moment_shares is qs.MomentShares.HARRIS else 2.0
-        inner.share = np.where(by_inner, own, 0.0)
+        inner.share = own * by_inner
         outer.share = 2.0 - inner.share
     turns = inner.placed & outer.placed & ~is_still(scene)
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity
+
+
+def is_pressed(inner: Contacts, outer: Contacts) -> NDArray:
+    """Whether each inner contact carries a load that an equilibrium resolves."""
+    return np.asarray(inner.load > NO_FORCE * np.maximum(inner.load, outer.load).max(axis=-1, keepdims=True))
 
 
 def _mirrored(angle: NDArray) -> NDArray:
@@ -281,8 +343,8 @@ def _mirrored(angle: NDArray) -> NDArray:
 def tilt_lever(scene: qs.Scene) -> NDArray:
     """The radius at which axial forces make moments."""
     if scene.tilt_lever is qs.TiltLever.PITCH_CIRCLE:
-        return 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
-    return np.asarray(scene.bearing.inner_groove_centre_radius, float)
+        return 0.5 * np.asarray(scene.operating_bearing.pitch_diameter, float)
+    return np.asarray(scene.operating_bearing.inner_groove_centre_radius, float)
 
 
 def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, centrifugal: NDArray, moment: NDArray) -> NDArray:
@@ -291,12 +353,11 @@ def _force_scale(scene: qs.Scene, inner: Contacts, outer: Contacts, centrifugal:
     Never less than the least load.
     """
     cases = inner.load.shape[0]
-    half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
-    scale = np.maximum(centrifugal, np.abs(moment) / _column(scene.bearing.ball_diameter)).max(axis=-1)
+    half_pitch = 0.5 * np.asarray(scene.operating_bearing.pitch_diameter, float)
+    scale = np.maximum(centrifugal, np.abs(moment) / _column(scene.operating_bearing.ball_diameter)).max(axis=-1)
     is_any_held = False
-    for channel in CHANNELS:
-        load = getattr(scene.operation, channel.load)
-        if getattr(scene.operation, channel.displacement) is not None:
+    for channel, (load, _, is_held) in zip(CHANNELS, prescribed(scene), strict=True):
+        if is_held:
             is_any_held = True
         elif load is not None:
             force = np.abs(load) / (half_pitch if channel.is_rotation else 1.0)
@@ -311,7 +372,7 @@ def _least_load(scene: qs.Scene, inner: Contacts, outer: Contacts) -> NDArray:
 
     By the stiffness of the contacts that are pressed, and that of a ball on a plane.
     """
-    diameter = np.asarray(scene.bearing.ball_diameter, float)
+    diameter = np.asarray(scene.operating_bearing.ball_diameter, float)
     stiffness = np.asarray(scene.bearing.effective_modulus * np.sqrt(diameter), float)
     for side in (inner, outer):
         pressed = side.loaded & (side.approach > LEAST_PRESSED)
@@ -341,12 +402,11 @@ def _imbalance(
     tilting = lever * axial_force + i.groove * i.friction
     cosine, sine = np.cos(psi), np.sin(psi)
     sums = [axial_force, radial_force * cosine, radial_force * sine, tilting * sine, -tilting * cosine]
-    half_pitch = 0.5 * np.asarray(scene.bearing.pitch_diameter, float)
-    for c, channel in enumerate(CHANNELS):
-        arm = half_pitch if channel.is_rotation else 1.0
+    half_pitch = 0.5 * np.asarray(scene.operating_bearing.pitch_diameter, float)
+    for c, (given, _, is_held) in enumerate(prescribed(scene)):
+        arm = half_pitch if CHANNELS[c].is_rotation else 1.0
         carried = solution.load[:, c]
-        given = getattr(scene.operation, channel.load)
-        if getattr(scene.operation, channel.displacement) is not None:
+        if is_held:
             if not reactions:
                 continue
         else:
@@ -406,12 +466,13 @@ def _tension(solution: qs.Solution) -> NDArray:
 def _closure(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, psi: NDArray) -> NDArray:
     d = [solution.displacement[:, c, None] for c in range(5)]
     cosine, sine = np.cos(psi), np.sin(psi)
-    span = _column(scene.bearing.groove_centre_distance)
     lever = tilt_lever(scene)[..., None]
-    free = _column(scene.bearing.free_contact_angle)
     tilt = lever * (d[3] * sine - d[4] * cosine)
-    a1 = span * np.sin(free) + d[0] + tilt
-    a2 = span * np.cos(free) + d[1] * cosine + d[2] * sine
+    # Axially the groove centres keep their places in their rings; radially they stand apart as they have grown.
+    cold, grown = scene.bearing, scene.operating_bearing
+    a1 = _column(cold.groove_centre_distance * np.sin(cold.free_contact_angle)) + d[0] + tilt
+    apart = grown.groove_centre_distance * np.cos(grown.free_contact_angle) + grown.radial_interference
+    a2 = _column(apart) + d[1] * cosine + d[2] * sine
     li, lo = inner.length + inner.approach, outer.length + outer.approach
     gap = np.maximum(np.abs(li * inner.sine + lo * outer.sine - a1), np.abs(li * inner.cosine + lo * outer.cosine - a2))
     # The groove radii themselves are rounded: their small difference from the ball's carries that along.
@@ -421,43 +482,65 @@ def _closure(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Con
     return np.where(placed, gap / size, 0.0).max(axis=-1)
 
 
-def _curvatures(scene: qs.Scene, contacts: Contacts, side: float) -> tuple[NDArray, NDArray]:
+def _curvatures(
+    scene: qs.Scene, contacts: Contacts, diameter: NDArray, angle: qs.HertzAngle
+) -> tuple[NDArray, NDArray]:
     """In the rolling direction and across [1/m]."""
-    bearing = scene.bearing
-    diameter = _column(bearing.ball_diameter)
+    bearing = scene.operating_bearing
     gamma = diameter / _column(bearing.pitch_diameter)
     cosine: Any = contacts.cosine
-    if scene.hertz_angle is qs.HertzAngle.FREE:
+    if angle is qs.HertzAngle.FREE:
         cosine = np.cos(_column(bearing.free_contact_angle))
-    elif scene.hertz_angle is qs.HertzAngle.ZERO:
+    elif angle is qs.HertzAngle.ZERO:
         cosine = 1.0
-    rolling = 2.0 / (diameter * (1.0 + side * gamma * cosine))
-    across = 2.0 / diameter - 1.0 / contacts.groove
-    return np.broadcast_arrays(rolling, across, contacts.load)[:2]  # type: ignore[return-value]
+    rolling = 2.0 / (diameter * (1.0 + contacts.side * gamma * cosine))
+    return rolling, 2.0 / diameter - 1.0 / contacts.groove
 
 
-def _hertz(scene: qs.Scene, contacts: Contacts, side: float) -> NDArray:
-    """Largest relative error of shape and load of a raceway's loaded contacts; shape (case,)."""
+def _ratio_of_curvatures(k: NDArray) -> NDArray:
+    """Larger over smaller of the exact ellipse a = k b: int sin^2/Delta and int cos^2/Delta, k^2 B/D."""
+    return np.asarray(k**2 * (elliprd(0.0, k**2, 1.0) * k) / elliprd(0.0, 1.0 / k**2, 1.0))
+
+
+def _shape(form: qs.HertzForm, ratio: NDArray, k: NDArray | None = None) -> tuple[NDArray, NDArray, NDArray]:
+    """(k, K, E) of an ellipse by the ratio of its curvatures; of the exact one k is sought if it is not known."""
+    if form is qs.HertzForm.BREWE_HAMROCK_1977:
+        return 1.0339 * ratio**0.636, 1.5277 + 0.6023 * np.log(ratio), 1.0003 + 0.5968 / ratio
+    if form is qs.HertzForm.HAMROCK_BREWE_1983:
+        return ratio ** (2.0 / np.pi), np.pi / 2 + (np.pi / 2 - 1) * np.log(ratio), 1.0 + (np.pi / 2 - 1) / ratio
+    if k is None:
+        k = ratio**0.636
+        for _ in range(60):  # ln(ratio) over ln(k) runs from 4/3 at a circle to 2 and more: damped, sure, to all digits
+            k = np.maximum(k * (ratio / _ratio_of_curvatures(k)) ** 0.6, 1.0)
+    kc2 = 1.0 / k**2
+    return k, elliprf(0.0, kc2, 1.0), 2.0 * elliprg(0.0, kc2, 1.0)
+
+
+def spin_constants(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts) -> tuple[NDArray, NDArray]:
+    """Q a E of both raceways, ellipses at the angle of constant stiffness."""
+    angle = qs.HertzAngle.ZERO if scene.hertz_angle is qs.HertzAngle.ZERO else qs.HertzAngle.FREE
+    found = []
+    for side in (inner, outer):
+        rolling, across = _curvatures(scene, side, ball_diameters(scene, solution), angle)
+        k, _, second = _shape(scene.hertz_form, np.maximum(rolling, across) / np.minimum(rolling, across))
+        found.append(np.cbrt(k**2 * second / (rolling + across)) * second * side.load ** (4.0 / 3.0))
+    return found[0], found[1]
+
+
+def _hertz(scene: qs.Scene, contacts: Contacts, diameter: NDArray) -> NDArray:
+    """Largest relative error of any ellipse's shape and of any load of a raceway's loaded contacts; shape (case,)."""
     where = contacts.loaded
     if not where.any():
         return np.zeros(where.shape[0])
-    rolling, across = (array[where] for array in _curvatures(scene, contacts, side))
+    curvatures = _curvatures(scene, contacts, diameter, scene.hertz_angle)
+    rolling, across = (np.broadcast_to(array, where.shape)[where] for array in curvatures)
     load, approach = contacts.load[where], contacts.approach[where]
     k = contacts.semi_major[where] / contacts.semi_minor[where]
-    ratio = np.maximum(rolling, across) / np.minimum(rolling, across)
-    total = rolling + across
+    ratio, total = np.maximum(rolling, across) / np.minimum(rolling, across), rolling + across
+    shape, first, second = _shape(scene.hertz_form, ratio, k)
+    error = np.abs(k / shape - 1.0)
     if scene.hertz_form is qs.HertzForm.EXACT:
-        kc2 = 1.0 / k**2
-        first, second = elliprf(0.0, kc2, 1.0), 2.0 * elliprg(0.0, kc2, 1.0)
-        # int sin^2/Delta and int cos^2/Delta: larger over smaller curvature is k^2 B/D.
-        ours = k**2 * (elliprd(0.0, k**2, 1.0) * k) / elliprd(0.0, kc2, 1.0)
-        error = np.abs(ours / ratio - 1.0)
-    elif scene.hertz_form is qs.HertzForm.BREWE_HAMROCK_1977:
-        first, second = 1.5277 + 0.6023 * np.log(ratio), 1.0003 + 0.5968 / ratio
-        error = np.abs(k / (1.0339 * ratio**0.636) - 1.0)
-    else:
-        first, second = np.pi / 2 + (np.pi / 2 - 1) * np.log(ratio), 1.0 + (np.pi / 2 - 1) / ratio
-        error = np.abs(k / ratio ** (2.0 / np.pi) - 1.0)
+        error = np.abs(_ratio_of_curvatures(k) / ratio - 1.0)
     modulus = np.broadcast_to(_column(scene.bearing.effective_modulus), where.shape)[where]
     stiffness = np.pi * k * modulus * np.sqrt(second / (4.5 * total * first**3))
     axis = np.cbrt(6.0 * k**2 * second * load / (np.pi * total * modulus))

@@ -11,15 +11,20 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from tests.campaign.certificates import NONE, Certificate, certify
+from tests.campaign.certificates import NONE, NOT_ASKED, Certificate, certify
 from tests.campaign.checks import MOST_IMBALANCE, Findings, findings
 from tests.campaign.envelope import CHUNK, chunk_groups
 from tests.campaign.group import GROUP, Group
+from tests.campaign.invariances import TWINS, compare, scaled
 
 HUNG, RAISED = "hung", "raised"
 """Classes of scenes that the solver gives no status."""
 
 UNCONVERGED = "not_converged"
+
+MOST_DIFFERENCE = 1e-6
+"""Of a twin's loads, angles and displacement: far above what conditions make of rounding (99 % of scenes: 1e-11), far
+below what a length of a few nanometres makes."""
 
 Judged = tuple[qs.Solution, Findings, dict[int, Certificate]]
 
@@ -45,17 +50,17 @@ class Tally:
         if what:
             self.listed.append({"scene": number, "what": what, "status": status, "family": group.family})
 
-    def add(self, group: Group, first: int, judged: Judged) -> None:
-        """The scenes of a group, or of a part of it, of which the first has this number."""
+    def add(self, group: Group, first: int, judged: Judged, of_twins: dict[int, str]) -> None:
+        """The scenes of a group, or of a part of it, of which the first has this number, and what their twins show."""
         solution, found, certificates = judged
         for array in (solution._results["status"], solution.iterations, solution.displacement, solution.load):
             self.digest.update(np.ascontiguousarray(array).tobytes())
         failed, converged = found.failed(), solution.converged
         for k, status in enumerate(map(str, solution.status)):
-            what = ""
+            what = of_twins.get(k, "")
             if status == qs.Status.CONVERGED:
                 broken = [name.replace("_", " ") for name, bad in failed.items() if bad[k]]
-                what = f"converged, but fails its check of {', '.join(broken)}" if broken else ""
+                what = f"converged, but fails its check of {', '.join(broken)}" if broken else what
                 self.most_iterations = max(self.most_iterations, (int(solution.iterations[k]), first + k))
             elif status == UNCONVERGED:
                 what = "not converged"
@@ -132,7 +137,39 @@ def judge_group(tally: Tally, number: int, group: Group) -> None:
         for k in range(group.size):
             judge_group(tally, number + k, group.part([k]))
         return
-    tally.add(group, number, judged)
+    differs = judge_twin(tally, number, group, judged[0]) if group.more else {}
+    tally.add(group, number, judged, differs)
+
+
+def judge_twin(tally: Tally, number: int, group: Group, solution: qs.Solution) -> dict[int, str]:
+    """What is wrong with one of a group's twins, by its scenes; which twin is told by the group's number.
+
+    A twin that satisfies its own equations and still differs has found another equilibrium of the same ones, which is
+    noted; but none of these follows from heat, where the equations themselves may differ.
+    """
+    name = list(TWINS)[number // GROUP % len(TWINS)]
+    twin = TWINS[name](group)
+    if twin is None:
+        return {}
+    of = solution if twin.of is group else qs.solve(twin.of.scene(), threads=1)
+    scene = twin.group.scene()
+    other = qs.solve(scene, threads=1)
+    compared = compare(twin, of, other)
+    differs = compared.difference > MOST_DIFFERENCE
+    wrong = {}
+    for check, bad in findings(scene, other).failed().items():
+        wrong |= {
+            int(k): f"converged, but {name} fails its check of {check}" for k in np.flatnonzero(bad & other.converged)
+        }
+    if name == "warmed" and differs.any():
+        again = scaled(twin.of)
+        is_ambiguous = compare(again, of, qs.solve(again.group.scene(), threads=1)).difference > MOST_DIFFERENCE
+        wrong |= {int(k): "converged, but differs as warm all through" for k in np.flatnonzero(differs & ~is_ambiguous)}
+        differs &= is_ambiguous
+    tally.noted["twins"] += int(compared.both.sum())
+    tally.noted["twin with another equilibrium"] += int(differs.sum())
+    tally.noted["twin alone solved or alone not"] += int(compared.either.sum())
+    return wrong
 
 
 def judge(group: Group) -> Judged:
@@ -140,7 +177,9 @@ def judge(group: Group) -> Judged:
     scene = group.scene()
     solution = qs.solve(scene, threads=1)
     refused = np.flatnonzero(solution.status == qs.Status.NO_EQUILIBRIUM)
-    certificates = certify(group, solution, refused) if refused.size else []
+    certificates: list[Certificate] = []
+    if refused.size:
+        certificates = [Certificate(NOT_ASKED)] * refused.size if group.more else certify(group, solution, refused)
     return solution, findings(scene, solution), dict(zip(map(int, refused), certificates, strict=True))
 
 

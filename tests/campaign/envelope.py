@@ -13,7 +13,7 @@ from math import ceil
 import numpy as np
 from scipy.stats import poisson
 
-from tests.campaign import realistic, wild
+from tests.campaign import mounted, realistic, wild
 from tests.campaign.group import GROUP, Group
 
 CHUNK = 1000
@@ -34,6 +34,8 @@ class Envelope:
     draw_group: Callable[[np.random.Generator, int], Group]
     """From random numbers, and the group's number in the campaign."""
     rate: float
+    is_certified: bool = True
+    """Whether each refusal needs a certificate, rather than each group a twin."""
 
     def allowed(self, count: int) -> int:
         """How many of so many scenes may end as not converged."""
@@ -44,6 +46,7 @@ class Envelope:
 ENVELOPES = {
     "wild": Envelope(wild.draw_group, rate=2e-4),
     "realistic": Envelope(realistic.draw_group, rate=0.0),
+    "mounted": Envelope(mounted.draw_group, rate=3e-4, is_certified=False),
 }
 
 

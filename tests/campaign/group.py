@@ -6,7 +6,7 @@ reader uses, so that a scene written to a file with all its digits is the same s
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,17 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.contact.hertz import effective_modulus
-from qsbearing.scene.keys import BEARING, MATERIAL, OPERATION, Key
+from qsbearing.scene.keys import (
+    BALL_DEVIATIONS,
+    BALL_EXPANSION,
+    BEARING,
+    EFFECTS,
+    MATERIAL,
+    OPERATION,
+    PRELOAD,
+    RING_EXPANSION,
+    Key,
+)
 
 GROUP = 25
 """Scenes of a group."""
@@ -35,8 +45,12 @@ DISPLACEMENT_KEYS = (
     "tilt_z_mrad",
 )
 MATERIAL_KEYS = [key.name for key in MATERIAL[:3]]
+NUMBERS_OF_EFFECTS = ("friction_coefficient", "deviations")
 
-_KEYS = {key.name: key for key in (*BEARING, *MATERIAL, *OPERATION)}
+_KEYS = {
+    key.name: key
+    for key in (*BEARING, *MATERIAL, *OPERATION, *PRELOAD, *RING_EXPANSION, *BALL_EXPANSION, *EFFECTS, BALL_DEVIATIONS)
+}
 
 
 @dataclass(frozen=True)
@@ -54,6 +68,9 @@ class Group:
     bearing: dict[str, NDArray]
     materials: dict[str, dict[str, NDArray]]
     operation: dict[str, NDArray]
+    orbit: qs.OrbitRadius = qs.OrbitRadius.PITCH_CIRCLE
+    more: dict[str, dict[str, NDArray]] = field(default_factory=dict)
+    """Of a preload, ring and ball expansion, and of what the table of effects holds as numbers; empty for none."""
 
     @property
     def size(self) -> int:
@@ -78,6 +95,7 @@ class Group:
             bearing=cut(self.bearing),
             materials={side: cut(table) for side, table in self.materials.items()},
             operation=cut(self.operation),
+            more={name: cut(table) for name, table in self.more.items()},
         )
 
     def scene(self) -> qs.Scene:
@@ -86,20 +104,26 @@ class Group:
             side: qs.Material(*(_in_si(_KEYS[key], value) for key, value in table.items()))
             for side, table in self.materials.items()
         }
-        bearing = {_KEYS[key].field: _in_si(_KEYS[key], value) for key, value in self.bearing.items()}
-        operation = {_KEYS[key].field: _in_si(_KEYS[key], value) for key, value in self.operation.items()}
+        friction, deviations = (_fields(self.more.get("effects", {})).get(name) for name in NUMBERS_OF_EFFECTS)
         makers = {
             "centrifugal_force": qs.CentrifugalForce,
-            "gyroscopic_moment": lambda: qs.GyroscopicMoment(self.shares or qs.MomentShares.CONTROLLING),
+            "gyroscopic_moment": lambda: qs.GyroscopicMoment(self.shares or qs.MomentShares.CONTROLLING, friction),
         }
+        growing = {"ring_expansion": qs.RingExpansion, "ball_expansion": qs.BallExpansion}
+        ring_effects = [make(**_fields(self.more[name])) for name, make in growing.items() if name in self.more]
+        if deviations is not None:
+            ring_effects.append(qs.BallDiameterDeviations(deviations))
         return qs.Scene(
-            qs.BallBearing(**bearing, **materials, kind=self.kind),
-            qs.Operation(**operation),
+            qs.BallBearing(**_fields(self.bearing), **materials, kind=self.kind),
+            qs.Operation(**_fields(self.operation)),
             tuple(makers[effect]() for effect in self.effects),
             self.control,
             self.hertz_angle,
             self.hertz_form,
             self.tilt_lever,
+            tuple(ring_effects),
+            qs.Preload(**_fields(self.more["preload"])) if "preload" in self.more else None,
+            orbit_radius=self.orbit,
         )
 
     def toml(self, index: int, sentence: str) -> str:
@@ -108,7 +132,10 @@ class Group:
         lines += ["[bearing]", f'kind = "{self.kind}"', *_lines(self.bearing, index)]
         for side, table in self.materials.items():
             lines.append(f"{side} = {{ {', '.join(_lines(table, index))} }}")
-        lines += ["", "[operation]", *_lines(self.operation, index), "", "[effects]"]
+        lines += ["", "[operation]", *_lines(self.operation, index)]
+        if "preload" in self.more:
+            lines += ["", "[preload]", *_lines(self.more["preload"], index)]
+        lines += ["", "[effects]"]
         lines.append(f"ball = [{', '.join(f'{chr(34)}{effect}{chr(34)}' for effect in self.effects)}]")
         if self.control is not None:
             lines.append(f'raceway_control = "{self.control}"')
@@ -116,16 +143,27 @@ class Group:
             lines.append(f'moment_shares = "{self.shares}"')
         for key in ("hertz_angle", "hertz_form", "tilt_lever"):
             lines.append(f'{key} = "{getattr(self, key)}"')
+        if self.orbit is not qs.OrbitRadius.PITCH_CIRCLE:
+            lines.append(f'orbit_radius = "{self.orbit}"')
+        lines += _lines(self.more.get("effects", {}), index)
+        for name in ("ring_expansion", "ball_expansion"):
+            if name in self.more:
+                lines += ["", f"[effects.{name}]", *_lines(self.more[name], index)]
         return "\n".join(lines) + "\n"
 
 
+def _fields(table: dict[str, NDArray]) -> dict[str, Any]:
+    """A table of a scene file as fields of Python."""
+    return {_KEYS[key].field: _in_si(_KEYS[key], value) for key, value in table.items()}
+
+
 def _in_si(key: Key, value: NDArray) -> Any:
-    product = value * key.size
+    product = key.si(value) if key.zero else value * key.size  # zero keeps its sign
     return product if np.ndim(product) else float(product)
 
 
 def _lines(table: dict[str, NDArray], index: int) -> list[str]:
-    return [f"{key} = {float(value[index])!r}" for key, value in table.items()]
+    return [f"{key} = {value[index].tolist()!r}" for key, value in table.items()]
 
 
 def yield_load(bearing: dict[str, NDArray], materials: dict[str, dict[str, NDArray]]) -> NDArray:

@@ -13,7 +13,7 @@ from typing import Any
 
 import qsbearing
 from qsbearing import provenance
-from tests.campaign.certificates import NONE, PROOFS
+from tests.campaign.certificates import NONE, NOT_ASKED, PROOFS
 from tests.campaign.chunk import UNCONVERGED
 from tests.campaign.envelope import CHANCE, ENVELOPES, WHOLE, scene_name
 
@@ -64,7 +64,8 @@ def bar(envelope: str, count: int, unconverged: int, failures: int) -> dict[str,
     words = f"at most {allowed} of {count} scenes not converged ({100 * limits.rate:g} %"
     if limits.rate > 0.0 and count < WHOLE:
         words += f", and what chance adds in {CHANCE:.0%} of so small samples"
-    words += "); none converged wrongly, refused without certificate, raised or hung"
+    words += "); none converged wrongly, raised or hung"
+    words += ", refused without certificate" if limits.is_certified else ", or differing as warm all through"
     return {
         "asked": words,
         "not_converged": unconverged,
@@ -92,7 +93,9 @@ def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: fl
         for which, table in added_tables(line["iterations"] for line in lines).items()
     }
     most, worst = max((line["most_iterations"] for line in lines), default=[-1, -1])
-    proofs, without = (sum(kinds.get(kind, 0) for kind in which) for which in (PROOFS, (NONE,)))
+    proofs, without, uncounted = (
+        sum(kinds.get(kind, 0) for kind in which) for which in (PROOFS, (NONE,), (NONE, NOT_ASKED))
+    )
     return {
         "envelope": envelope,
         "seed": seed,
@@ -119,7 +122,7 @@ def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: fl
             "reasons_and_certificates": reasons,
             "certificates": kinds,
             "proofs": proofs,
-            "evidence": sum(kinds.values()) - proofs - without,
+            "evidence": sum(kinds.values()) - proofs - uncounted,
             "without": without,
         },
         "families": added_tables(line["families"] for line in lines),

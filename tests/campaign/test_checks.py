@@ -117,3 +117,51 @@ def test_control_that_contradicts_jones_is_noted() -> None:
     solution = sample(PER_BALL)
     solution._controls[:] = 1 - solution._controls
     assert findings(solution.scene, solution).control[0]
+
+
+def test_a_pressed_inner_line_is_where_it_is() -> None:
+    """Inner control near an orbit at rest: no converged state may rest on an inner line seen mirrored, more than a
+    right angle from the outer one as it lies."""
+    bearing = qs.BallBearing(24, 23.334 * qs.mm, 254.717 * qs.mm, 13.0459 * qs.mm, 12.9221 * qs.mm, 56.16155 * qs.deg)
+    rpm = np.array([3300.0, 3354.557, 3600.0])
+    effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
+    scene = turning(rpm, bearing, control=INNER, effects=effects, axial_load=181.7515, tilt_y=0.0, tilt_z=0.0)
+    solution = qs.solve(scene)
+    failed = np.any(list(findings(scene, solution).failed().values()), axis=0)
+    assert not (solution.converged & failed).any()
+
+
+def all_effects(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: float | None) -> qs.Solution:
+    """Everything that changes lengths, masses and motion at once."""
+    hot = 60.0 + qs.zero_celsius
+    balls = qs.BallDiameterDeviations(2e-6 * np.sin(np.arange(16.0)))
+    rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=20e-6, inner_ring_temperature=hot)
+    scene = turning(
+        np.array([9000.0]), control=control, effects=(qs.CentrifugalForce(), qs.GyroscopicMoment("harris", friction)),
+        axial_load=9e3, radial_load_y=2e3, moment_y=10.0, moment_z=-20.0,
+    )  # fmt: skip
+    return solved(replace(scene, ring_effects=(rings, qs.BallExpansion(hot - 10.0), balls), orbit_radius=orbit))
+
+
+@pytest.mark.parametrize("control", qs.RacewayControl)
+@pytest.mark.parametrize("orbit", qs.OrbitRadius)
+@pytest.mark.parametrize("friction", [None, 0.04])
+def test_every_effect_is_recomputed(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: float | None) -> None:
+    assert failing(all_effects(control, orbit, friction)) == set()
+
+
+@pytest.mark.parametrize(
+    ("spoil", "red"),
+    [
+        (lambda s: replace(s, orbit_radius=qs.OrbitRadius.PITCH_CIRCLE), "imbalance"),
+        (lambda s: replace(s, raceway_control=qs.RacewayControl.OUTER), "imbalance"),
+        (lambda s: replace(s, ball_effects=(s.ball_effects[0], qs.GyroscopicMoment("harris", 0.05))), "imbalance"),
+        (lambda s: replace(s, ring_effects=s.ring_effects[1:]), "closure"),
+        (lambda s: replace(s, ring_effects=s.ring_effects[:1] + s.ring_effects[2:]), "closure"),
+        (lambda s: replace(s, bearing=replace(s.bearing, ball_material=qs.SILICON_NITRIDE)), "hertz"),
+    ],
+)
+def test_another_effect_turns_red(spoil: Any, red: str) -> None:
+    """A solution judged by equations that are not its own."""
+    solution = all_effects(qs.RacewayControl.MINIMUM_DISSIPATION, qs.OrbitRadius.DISPLACED, 0.04)
+    assert findings(spoil(solution.scene), solution).failed()[red] == [True]

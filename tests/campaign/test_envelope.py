@@ -162,8 +162,21 @@ def test_a_scene_file_holds_the_scene_to_the_last_bit(envelope: str, tmp_path: P
         path = tmp_path / "scene.toml"
         path.write_text(group.toml(3, "A sentence\nof two lines."), encoding="utf-8")
         read, meant = qs.load_scene(path), group.part(3).scene()
-        for name in ("hertz_angle", "hertz_form", "tilt_lever", "raceway_control", "ball_effects"):
+        for name in (
+            "hertz_angle",
+            "hertz_form",
+            "tilt_lever",
+            "raceway_control",
+            "ball_effects",
+            "orbit_radius",
+            "preload",
+        ):
             assert getattr(read, name) == getattr(meant, name)
+        assert len(read.ring_effects) == len(meant.ring_effects)
+        for effect in meant.ring_effects:
+            [found] = [each for each in read.ring_effects if each.name == effect.name]
+            for name, value in vars(effect).items():
+                assert np.array_equal(getattr(found, name), value), name
         for part in ("bearing", "operation"):
             for name, value in vars(getattr(meant, part)).items():
                 if name not in ("name", "ball_material", "ring_material"):

@@ -50,6 +50,7 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
         f"{each.data['no_equilibrium']['proofs']:,} of {each.data['classes'].get('no_equilibrium', 0):,} "
         f"({each.data['envelope']})"
         for each in kept
+        if "not asked" not in each.data["no_equilibrium"]["certificates"]
     )
     words = f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence."
     lost = [name for each in kept for name in each.data["not_converged"]]
