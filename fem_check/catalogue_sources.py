@@ -78,5 +78,10 @@ BEARINGS = {
 }  # fmt: skip
 """By name of the catalogue."""
 
+UNITS = {
+    "ball_count": "1", "poisson_ratio": "1", "elastic_modulus": "Pa", "density": "kg/m3", "free_contact_angle": "deg",
+    **dict.fromkeys(("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"), "m"),
+}  # fmt: skip
+
 PRINTED = 2e-4
 """Relative: sources print four digits and more, and here a dimension may follow from others that they print."""

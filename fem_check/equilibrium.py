@@ -78,6 +78,11 @@ class BallRow:
         return np.stack([np.zeros_like(self.azimuth), np.cos(self.azimuth), np.sin(self.azimuth)], axis=1)
 
     @property
+    def turns(self) -> bool:
+        """Whether any ring does."""
+        return self.inner_speed != 0.0 or self.outer_speed != 0.0
+
+    @property
     def lever(self) -> float:
         """Radius at which a tilt moves the groove's centre, and at which the normal force acts [m]."""
         of = self.drawing

@@ -292,3 +292,17 @@ def stiffness(found: Equilibrium) -> Array:
             loads.append(solve(moved, (shaft, found.positions), found.controls).load[:5])
         columns.append((loads[0] - loads[1]) / (2.0 * move[channel]))
     return np.stack(columns, axis=1)
+
+
+def settles(found: Equilibrium) -> bool:
+    """Whether Jones's criterion, asked again and again from this equilibrium, comes to controls that it confirms."""
+    for _ in range(8):
+        rows = zip(found.problem.rows, found.states, strict=True)
+        asked = [placed.row.jones_control(state) for placed, state in rows]
+        if all(np.array_equal(each, own) for each, own in zip(asked, found.controls, strict=True)):
+            return True
+        try:
+            found = solve(found.problem, (found.shaft, found.positions), asked)
+        except NoReferenceError:
+            return False
+    return False

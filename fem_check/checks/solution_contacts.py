@@ -77,7 +77,7 @@ def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Load
             reported = {name: float(getattr(contacts, name)[ball]) for name in OF_SOLUTION}
             problem = balls[ball].groove(race, angle).problem(load)
             form = str(scene.hertz_form)
-            found.append(Loaded(f"{point.label}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
+            found.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
     return found
 
 
@@ -206,8 +206,15 @@ def equilibrium_rows(
         "stiffness, tilts at the lever", "N/m", whole.stiffness / size, stiffness / size,
         float(np.abs(stiffness / size).max()), STIFFNESS_TOLERANCE,
     )  # fmt: skip
+    # Where a solution says that no controls are consistent, there must be none.
+    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(found)
     for placed, state, control, solution in zip(problem.rows, states, found.controls, rows, strict=True):
         yield from ball_rows(label, placed.row, state, control, solution)
+        if consistent and control is not None and placed.row.model.control == "per_ball" and placed.row.turns:
+            jones = placed.row.jones_control(state)
+            yield row(
+                "balls that follow Jones's criterion", "1", float(np.sum(control == jones)), float(len(jones)), 0.0
+            )
 
 
 def ball_rows(
@@ -234,11 +241,6 @@ def ball_rows(
     yield row("approach and gap", "m", np.array([inner.approach, outer.approach])[:, placed], approach)
     if control is None:
         return
-    jones = of.jones_control(state)
-    turns = of.inner_speed != 0.0 or of.outer_speed != 0.0
-    if of.model.control == "per_ball" and turns and solution.control_is_consistent:
-        follow = int(np.sum(np.asarray(solution.raceway_control) == jones))
-        yield row("balls that follow Jones's criterion", "1", follow, len(jones))
     yield row("orbital speed", "rad/s", solution.orbital_speed, state.orbit)
     sense = -np.sign(of.inner_speed - of.outer_speed)
     turned = [solution.axial_rotation, -np.asarray(solution.radial_rotation)]
@@ -315,9 +317,9 @@ def _control(row: BallRow, solution: qsbearing.Solution) -> Array | None:
 
 
 def contact_rows(
-    case: str, points: Sequence[Solved], name: str, level: Level, progress: Progress, elements: bool = True
+    case: str, points: Sequence[Solved], name: str, level: Level, progress: Progress
 ) -> tuple[list[Row], MeshStudy | None]:
-    """Every contact of one bearing's solutions; with elements, the contacts of the extreme shapes by them too."""
+    """Every contact of one bearing's solutions by closed form, those of the extreme shapes by finite elements too."""
     rows: list[Row] = []
     study = None
     for race in RACES:
@@ -330,7 +332,7 @@ def contact_rows(
         if max(map(_slenderness, contacts)) > _slenderness(extremes[0]):
             extremes.append(max(contacts, key=_slenderness))
         rows += collapsed(closed_form_rows(contacts, extremes), f"{of_race}; closed form")
-        if not elements or contacts[0].form != "exact":
+        if contacts[0].form != "exact":
             continue
         of_shape: list[Row] = []
         for extreme in extremes:
@@ -368,7 +370,7 @@ def catalogue_rows() -> Iterator[Row]:
         bearing = qsbearing.load_scene(name).bearing
         for field, expected in printed.items():
             found = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
-            unit = "degree" if field == "free_contact_angle" else "SI"
+            unit = catalogue_sources.UNITS[field.rpartition(".")[2]]
             yield Row(
                 name,
                 field,
@@ -420,7 +422,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
         more, study = contact_rows(f"{name}, ceramic balls", points, scene, level, progress)
         rows += more + collapsed(mechanics_rows(points, scene), f"{name}, ceramic balls: {stands_for(points)}")
-        rows += product_rows(level, progress)
+        rows += collapsed(product_rows(progress), f"{name} and what else solve offers: {product_scenes.COUNT}")
     if study is None:
         return Findings(rows)
     return Findings(rows, groove_contacts.mesh_entry(study), study.bodies.race.solver)
@@ -439,19 +441,18 @@ def of_one_bearing(points: Sequence[Solved]) -> list[list[Solved]]:
     return groups
 
 
-def product_rows(level: Level, progress: Progress) -> list[Row]:
-    """Everything that `solve` offers, each by the scene that has it."""
-    rows = []
+def product_rows(progress: Progress) -> Iterator[Row]:
+    """Everything that `solve` offers, each by the scene or set that has it; contacts by their closed form."""
     for label, each in product_scenes.scenes().items():
-        points = (Solved(label, solve("of the check", label, each)),)
         progress(label, 0.0)
-        rows += contact_rows(label, points, label, level, progress, elements=False)[0]
-        rows += collapsed(mechanics_rows(points, label), label)
-    rows += collapsed(clearance_rows(drawing_at_rest(each, label)), label)
+        points = (Solved(label, solve("of the check", label, each)),)
+        for race in RACES:
+            yield from closed_form_rows(loaded_contacts(race, points, label), [])
+        yield from mechanics_rows(points, label)
+        yield from clearance_rows(drawing_at_rest(each, label))
     for label, of in product_scenes.sets().items():
         progress(label, 0.0)
-        rows += collapsed(set_rows(label, solve_set(label, of), label), label)
-    return rows
+        yield from set_rows(label, solve_set(label, of), label)
 
 
 CHECK = Check(
