@@ -209,7 +209,7 @@ def _linearised(
     return stiffness, unbalanced, moves
 
 
-def at_rest(problem: Problem) -> tuple[Array, list[Array]]:
+def at_rest(problem: Problem) -> tuple[Array, Sequence[Array]]:
     """A start: the set at rest, each ball a spring along the line between its groove centres.
 
     Its energy is convex in the shaft's displacement; a stiffness is added while a step does not lower it.
@@ -299,7 +299,7 @@ def settles(found: Equilibrium) -> bool:
     for _ in range(8):
         rows = zip(found.problem.rows, found.states, strict=True)
         asked = [placed.row.jones_control(state) for placed, state in rows]
-        if all(np.array_equal(each, own) for each, own in zip(asked, found.controls, strict=True)):
+        if all(own is not None and (each == own).all() for each, own in zip(asked, found.controls, strict=True)):
             return True
         try:
             found = solve(found.problem, (found.shaft, found.positions), asked)

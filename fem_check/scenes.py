@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
 from math import asin, pi, sin
@@ -68,13 +67,13 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
         SceneProblemError: a field holds several values; a contact needs a single bearing.
     """
     drawing = drawing_at_rest(scene, name)
-    growth = Counter[str]()
+    growth: dict[str, float] = {}
     for effect in scene.ring_effects:
         if isinstance(effect, qsbearing.RingExpansion):
-            growth.update(_ring_growth(effect, scene, drawing, name))
+            growth |= _ring_growth(effect, scene, drawing, name)
         elif isinstance(effect, qsbearing.BallExpansion):
             warmer = _number(effect.ball_temperature, name) - _number(effect.reference_temperature, name)
-            growth["ball"] += _strain(scene.bearing.ball_material, warmer, name) * drawing.ball_diameter
+            growth["ball"] = _strain(scene.bearing.ball_material, warmer, name) * drawing.ball_diameter
     return drawing.grown(**growth) if growth else drawing
 
 
@@ -142,9 +141,10 @@ def _ring_growth(
     speeds = {"inner": _number(operation.speed, name), "outer": _number(operation.outer_speed or 0.0, name)}
 
     def body(what: str, material: Any, bore: float, outside: float, speed: float) -> Annulus:
-        constants = (_number(each, name) for each in (material.elastic_modulus, material.poisson_ratio,
-                                                      material.density))  # fmt: skip
-        return Annulus(bore, outside, *constants, speed, _strain(material, _warmer(effect, what, name), name))
+        return Annulus(
+            bore, outside, _number(material.elastic_modulus, name), _number(material.poisson_ratio, name),
+            _number(material.density, name), speed, _strain(material, _warmer(effect, what, name), name),
+        )  # fmt: skip
 
     bore, outside = 0.5 * _number(effect.bore_diameter, name), 0.5 * _number(effect.outside_diameter, name)
     centres = {"inner": drawing.inner_groove_centre_radius, "outer": drawing.outer_groove_centre_radius}

@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing.sets.bearing_set import Direction
 
 B218 = qs.load_scene("b218").bearing
+PLUS, MINUS = Direction
 BOTH: dict[str, Any] = {"ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()), "raceway_control": "outer"}
 HARRIS = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
 FREE: dict[str, Any] = {"moment_y": 0.0, "moment_z": 0.0}
@@ -103,16 +105,16 @@ def sets() -> dict[str, qs.BearingSet]:
         speed=8000.0 * qs.rpm, axial_load=1500.0, radial_load_y=3000.0, radial_load_z=-2000.0, first_ball_azimuth=0.1,
         **FREE,
     )  # fmt: skip
-    pair = (qs.Row(B218, 0.0, "+x"), qs.Row(B218, 60e-3, "-x"))
+    pair = (qs.Row(B218, 0.0, PLUS), qs.Row(B218, 60e-3, MINUS))
     return {
         "back to back, rigid preload, 8000 rpm": qs.BearingSet(pair, loads, qs.Preload(rigid=4000.0), **BOTH),
         "tandem against a sprung row, 4000 rpm": qs.BearingSet(
-            (qs.Row(B218, 0.0), qs.Row(B218, 40e-3), qs.Row(B218, 0.2, "-x", sprung=True)),
+            (qs.Row(B218, 0.0), qs.Row(B218, 40e-3), qs.Row(B218, 0.2, MINUS, sprung=True)),
             replace(loads, speed=4000.0 * qs.rpm, moment_y=60.0), qs.Preload(spring=6000.0), reference_position=30e-3,
             **BOTH,
         ),
         "face to face, pressed by 40 um, rings that grow, 8000 rpm": qs.BearingSet(
-            (qs.Row(B218, 0.0, "-x", offset=3e-6), qs.Row(B218, 60e-3, "+x", ring_effects=(TURNING,))),
+            (qs.Row(B218, 0.0, MINUS, offset=3e-6), qs.Row(B218, 60e-3, PLUS, ring_effects=(TURNING,))),
             loads, qs.Preload(axial_displacement=40e-6), **BOTH,
         ),
     }  # fmt: skip

@@ -390,7 +390,7 @@ def catalogue_rows() -> Iterator[Row]:
             "1/K",
             expected,
             "handbooks; GMN catalogue 4000 0813 EN",
-            float(material.thermal_expansion),
+            float(np.asarray(material.thermal_expansion)),
             None,
             100.0 * catalogue_sources.PRINTED,
             why,
