@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import cos, pi
+from dataclasses import dataclass, replace
+from math import acos, cos, pi, sin
 
 from fem_check.contact_problem import ElasticConstants
 from fem_check.groove import BallInGroove
@@ -22,6 +22,8 @@ class Drawing:
     ball: ElasticConstants
     ring: ElasticConstants
     ball_density: float
+    interference: float = 0.0
+    """How much less room, radially, the grooves leave than the balls need [m]; the free contact angle is then zero."""
 
     def groove(self, race: str, contact_angle: float | None = None) -> BallInGroove:
         """Ball and raceway where they touch: at the free contact angle, or at another."""
@@ -51,7 +53,64 @@ class Drawing:
         """Of the circle of inner groove centres [m].
 
         The unloaded ball's centre lies on the pitch circle, the groove's beyond it along the contact line by what the
-        groove's radius exceeds the ball's.
+        groove's radius exceeds the ball's; where the ball finds too little room, further out by what it lacks.
         """
         beyond = self.inner_groove_radius - 0.5 * self.ball_diameter
-        return 0.5 * self.pitch_diameter + beyond * cos(self.free_contact_angle)
+        return 0.5 * self.pitch_diameter + self.interference + beyond * cos(self.free_contact_angle)
+
+    @property
+    def outer_groove_centre_radius(self) -> float:
+        """Of the circle of outer groove centres, on the pitch circle's other side [m]."""
+        beyond = self.outer_groove_radius - 0.5 * self.ball_diameter
+        return 0.5 * self.pitch_diameter - beyond * cos(self.free_contact_angle)
+
+    @property
+    def groove_centre_distance(self) -> float:
+        """From groove centre to groove centre through a ball that just touches both [m]."""
+        return self.inner_groove_radius + self.outer_groove_radius - self.ball_diameter
+
+    @property
+    def touching_offset(self) -> float:
+        """The axial part of that distance [m]."""
+        return self.groove_centre_distance * sin(self.free_contact_angle)
+
+    @property
+    def diametral_clearance(self) -> float:
+        """How far the rings can be moved across the axis, from contact to contact of balls at the bottom [m]."""
+        apart = self.inner_groove_centre_radius - self.outer_groove_centre_radius
+        return 2.0 * (self.groove_centre_distance - apart)
+
+    def with_ball(self, diameter: float) -> Drawing:
+        """A ball of another diameter between the same grooves; lengths of the rings are to be taken from this one."""
+        return replace(self, ball_diameter=diameter)
+
+    def grown(
+        self,
+        ball: float = 0.0,
+        inner_radius: float = 0.0,
+        outer_radius: float = 0.0,
+        inner_centre: float = 0.0,
+        outer_centre: float = 0.0,
+    ) -> Drawing:
+        """The drawing once the ball's diameter, the groove radii and the circles of groove centres have grown [m].
+
+        The free contact line joins the groove centres; its angle follows from how far apart they now are, radially. A
+        ball keeps its mass.
+        """
+        grown = replace(
+            self,
+            ball_diameter=self.ball_diameter + ball,
+            inner_groove_radius=self.inner_groove_radius + inner_radius,
+            outer_groove_radius=self.outer_groove_radius + outer_radius,
+            ball_density=self.ball_density * (self.ball_diameter / (self.ball_diameter + ball)) ** 3,
+        )
+        inner = self.inner_groove_centre_radius + inner_centre
+        outer = self.outer_groove_centre_radius + outer_centre
+        apart, distance = inner - outer, grown.groove_centre_distance
+        angle = acos(min(apart / distance, 1.0))
+        return replace(
+            grown,
+            free_contact_angle=angle,
+            interference=max(apart - distance, 0.0),
+            pitch_diameter=2.0 * (outer + (grown.outer_groove_radius - 0.5 * grown.ball_diameter) * cos(angle)),
+        )

@@ -13,8 +13,10 @@ to be equal to delta - (curvature_x x^2 + curvature_y y^2)/2 all over the ellips
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
-from math import exp, pi
+from math import exp, log, pi
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -42,16 +44,58 @@ def axis_ratio(curvature_ratio: float) -> float:
 
 def hertz(problem: ContactProblem) -> ContactQuantities:
     """Hertz's contact of the problem's parabolic gap, with the largest shear stress below its centre."""
+    contact = ellipse(problem)
+    shear, depth = largest_shear(contact.semi_major_axis / contact.semi_minor_axis, problem.race.poisson_ratio)
+    return replace(
+        contact, max_shear_stress=shear * contact.max_pressure, max_shear_depth=depth * contact.semi_minor_axis
+    )
+
+
+def ellipse(problem: ContactProblem, form: str = "exact") -> ContactQuantities:
+    """Hertz's contact without the stress below it; exact, or with the ellipse of one of two published fits.
+
+    The fits, in the ratio of the curvatures: D. E. Brewe & B. J. Hamrock, J. Lubr. Tech. 99, 1977; B. J. Hamrock & D.
+    Brewe, J. Lubr. Tech. 105, 1983. With them k and both elliptic integrals stand in B. J. Hamrock & D. Dowson's forms.
+    """
     compliance = problem.ball.compliance + problem.race.compliance
-    ratio = axis_ratio(problem.curvature_x / problem.curvature_y)
     scale = problem.load * compliance / pi
-    # x^2 terms: curvature_x/2 = 3Q/(2 pi E*) RD(0, b^2, a^2)/3, and RD has the dimension a^-3.
-    a = (scale * float(elliprd(0.0, ratio**2, 1.0)) / problem.curvature_x) ** (1.0 / 3.0)
+    x, y = problem.curvature_x, problem.curvature_y
+    if form == "exact":
+        ratio = axis_ratio(x / y)
+        # x^2 terms: curvature_x/2 = 3Q/(2 pi E*) RD(0, b^2, a^2)/3, and RD has the dimension a^-3.
+        a = (scale * float(elliprd(0.0, ratio**2, 1.0)) / x) ** (1.0 / 3.0)
+        delta = 1.5 * scale * float(elliprf(0.0, (a * ratio) ** 2, a * a))
+    else:
+        ratio = 1.0 / _FITS[form][0](y / x)
+        second, first = second_kind(x / y, form), _FITS[form][1](y / x)
+        a = (3.0 * scale * second / (ratio**2 * (x + y))) ** (1.0 / 3.0)
+        # delta = K (9 (x+y)/(2 E) (Q/(pi k E'))^2)^(1/3), E' = 2/compliance.
+        delta = first * (4.5 * (x + y) / second * (0.5 * scale * ratio) ** 2) ** (1.0 / 3.0)
     b = a * ratio
-    p0 = 1.5 * problem.load / (pi * a * b)
-    delta = 1.5 * scale * float(elliprf(0.0, b * b, a * a))
-    shear, depth = largest_shear(1.0 / ratio, problem.race.poisson_ratio)
-    return ContactQuantities(delta, a, b, p0, shear * p0, depth * b)
+    return ContactQuantities(delta, a, b, 1.5 * problem.load / (pi * a * b))
+
+
+_FITS: dict[str, tuple[Callable[[float], float], ...]] = {
+    "brewe_hamrock_1977": (
+        lambda r: 1.0339 * r**0.636,
+        lambda r: 1.5277 + 0.6023 * log(r),
+        lambda r: 1.0003 + 0.5968 / r,
+    ),
+    "hamrock_brewe_1983": (
+        lambda r: r ** (2.0 / pi),
+        lambda r: 0.5 * pi + (0.5 * pi - 1.0) * log(r),
+        lambda r: 1.0 + (0.5 * pi - 1.0) / r,
+    ),
+}
+"""k, the elliptic integrals of the first and of the second kind, of curvature_y/curvature_x >= 1."""
+
+
+def second_kind(curvature_ratio: float, form: str = "exact") -> float:
+    """Complete elliptic integral of the second kind of Hertz's ellipse, for curvature_x/curvature_y in (0, 1]."""
+    if form != "exact":
+        return _FITS[form][2](1.0 / curvature_ratio)
+    square = axis_ratio(curvature_ratio) ** 2
+    return float(elliprf(0.0, square, 1.0) - (1.0 - square) / 3.0 * elliprd(0.0, square, 1.0))
 
 
 @lru_cache(maxsize=256)

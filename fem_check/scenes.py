@@ -5,8 +5,8 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from functools import lru_cache
-from math import asin, pi
-from typing import Any
+from math import asin, pi, sin
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -15,7 +15,15 @@ from fem_check.agreement import EXAMPLE
 from fem_check.contact_problem import ElasticConstants
 from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
+from fem_check.ring_growth import Annulus, elastic_growth
+from qsbearing.io.set_file import load_scene_or_set
 from qsbearing.messages import STATIC_PRESSURE_LIMIT
+
+AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
+
+
+ROW = "row "
+"""The label of a set's row begins so."""
 
 
 class SceneProblemError(Exception):
@@ -30,61 +38,135 @@ class Solved:
     solution: qsbearing.Solution
 
 
-def load_scene(source: str) -> qsbearing.Scene:
-    """The scene of a file or of a catalogue entry.
+def load(source: str) -> qsbearing.Scene | qsbearing.BearingSet:
+    """What a file or a catalogue entry describes: a bearing, or a set of rows on one shaft.
 
     Raises:
-        SceneProblemError: it cannot be read (the message has every error), or its rings or balls grow.
+        SceneProblemError: it cannot be read; the message has every error.
     """
     try:
-        scene = qsbearing.load_scene(source)
+        return load_scene_or_set(source)
     except (OSError, ValueError, KeyError) as problem:
         raise SceneProblemError(f"scene {source}: {problem}") from problem
-    if scene.ring_effects:
-        names = " and ".join(effect.name for effect in scene.ring_effects)
-        raise SceneProblemError(f"scene {source}: names {names}; contacts are judged from the drawing as it is, cold")
-    return scene
+
+
+def load_scene(source: str) -> qsbearing.Scene:
+    """The scene of a file or of a catalogue entry; of a set, its first row where the set's equilibrium has it.
+
+    Raises:
+        SceneProblemError: it cannot be read; the message has every error.
+    """
+    found = load(source)
+    return found if isinstance(found, qsbearing.Scene) else solved(source)[0].solution.scene
 
 
 def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
-    """The dimensions and materials of a scene's bearing.
+    """The dimensions and materials of a scene's bearing in operation: as drawn, grown as its ring effects say.
 
     Raises:
         SceneProblemError: a field holds several values; a contact needs a single bearing.
     """
+    drawing = drawing_at_rest(scene, name)
+    growth: dict[str, float] = {}
+    for effect in scene.ring_effects:
+        if isinstance(effect, qsbearing.RingExpansion):
+            growth |= _ring_growth(effect, scene, drawing, name)
+        elif isinstance(effect, qsbearing.BallExpansion):
+            warmer = _number(effect.ball_temperature, name) - _number(effect.reference_temperature, name)
+            growth["ball"] = _strain(scene.bearing.ball_material, warmer, name) * drawing.ball_diameter
+    return drawing.grown(**growth) if growth else drawing
 
-    def number(value: Any, field: str) -> float:
-        array = np.asarray(value, dtype=float)
-        if array.size != 1:
-            raise SceneProblemError(
-                f"scene {name}: {field} holds {array.size} values; one contact needs a single bearing"
-            )
-        return float(array.ravel()[0])
+
+def drawing_at_rest(scene: qsbearing.Scene, name: str) -> Drawing:
+    """The same at rest and cold, without fits."""
+    bearing = scene.bearing
 
     def constants(material: Any, field: str) -> ElasticConstants:
         return ElasticConstants(
-            number(material.elastic_modulus, f"{field}.elastic_modulus"),
-            number(material.poisson_ratio, f"{field}.poisson_ratio"),
+            _number(material.elastic_modulus, name, f"{field}.elastic_modulus"),
+            _number(material.poisson_ratio, name, f"{field}.poisson_ratio"),
         )
 
-    moment, control = scene.gyroscopic_moment, qsbearing.RacewayControl.MINIMUM_DISSIPATION
-    beyond = {
-        "friction_coefficient": moment is not None and moment.friction_coefficient is not None,
-        "orbit_radius": scene.orbit_radius is qsbearing.OrbitRadius.DISPLACED,
-        f"raceway_control {control}": scene.raceway_control is control,
-    }
-    if any(beyond.values()):
-        names = " and ".join(what for what, is_named in beyond.items() if is_named)
-        raise SceneProblemError(f"scene {name}: names {names}; the equilibrium is judged for the classical model alone")
-    bearing = scene.bearing
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
     return Drawing(
         name=bearing.name or name,
-        **{field: number(getattr(bearing, field), field) for field in lengths},
+        **{field: _number(getattr(bearing, field), name, field) for field in lengths},
         ball=constants(bearing.ball_material, "ball_material"),
         ring=constants(bearing.ring_material, "ring_material"),
-        ball_density=number(bearing.ball_material.density, "ball_material.density"),
+        ball_density=_number(bearing.ball_material.density, name, "ball_material.density"),
+        interference=_number(bearing.radial_interference, name, "radial_interference"),
     )
+
+
+def axial_growth(scene: qsbearing.Scene, name: str) -> float:
+    """By how much further apart, axially, the groove centres lie in their warm rings [m].
+
+    Each groove's centre keeps its distance from the plane of the balls' centres, but for the heat of its own ring.
+    """
+    drawing, moved = drawing_at_rest(scene, name), 0.0
+    for effect in scene.ring_effects:
+        if isinstance(effect, qsbearing.RingExpansion):
+            for race in RACES:
+                length = getattr(drawing, f"{race}_groove_radius") - 0.5 * drawing.ball_diameter
+                warmer = _warmer(effect, f"{race}_ring", name)
+                moved += _strain(scene.bearing.ring_material, warmer, name) * length * sin(drawing.free_contact_angle)
+    return moved
+
+
+def _number(value: Any, name: str, field: str = "a number") -> float:
+    array = np.asarray(value, dtype=float)
+    if array.size != 1:
+        raise SceneProblemError(f"scene {name}: {field} holds {array.size} values; one contact needs a single bearing")
+    return float(array.ravel()[0])
+
+
+def _strain(material: Any, warmer: float, name: str) -> float:
+    return 0.0 if material.thermal_expansion is None else _number(material.thermal_expansion, name) * warmer
+
+
+def _warmer(effect: qsbearing.RingExpansion, body: str, name: str) -> float:
+    """Than at the reference temperature [K]; shaft and housing left out are as warm as their rings."""
+    own = getattr(effect, f"{body}_temperature")
+    if own is None:
+        ring = {"shaft": "inner_ring", "housing": "outer_ring"}.get(body)
+        return 0.0 if ring is None else _warmer(effect, ring, name)
+    return _number(own, name) - _number(effect.reference_temperature, name)
+
+
+def _ring_growth(
+    effect: qsbearing.RingExpansion, scene: qsbearing.Scene, drawing: Drawing, name: str
+) -> dict[str, float]:
+    """Of both groove radii and both circles of groove centres [m]."""
+    operation, ring_material = scene.operation, scene.bearing.ring_material
+    speeds = {"inner": _number(operation.speed, name), "outer": _number(operation.outer_speed or 0.0, name)}
+
+    def body(what: str, material: Any, bore: float, outside: float, speed: float) -> Annulus:
+        return Annulus(
+            bore, outside, _number(material.elastic_modulus, name), _number(material.poisson_ratio, name),
+            _number(material.density, name), speed, _strain(material, _warmer(effect, what, name), name),
+        )  # fmt: skip
+
+    bore, outside = 0.5 * _number(effect.bore_diameter, name), 0.5 * _number(effect.outside_diameter, name)
+    centres = {"inner": drawing.inner_groove_centre_radius, "outer": drawing.outer_groove_centre_radius}
+    bottoms = {
+        "inner": centres["inner"] - drawing.inner_groove_radius,
+        "outer": centres["outer"] + drawing.outer_groove_radius,
+    }
+    seats: dict[str, tuple[Annulus | None, float]] = {"inner": (None, 0.0), "outer": (None, 0.0)}
+    if effect.shaft_interference is not None:
+        hollow = 0.0 if effect.shaft_bore_diameter is None else 0.5 * _number(effect.shaft_bore_diameter, name)
+        shaft = body("shaft", effect.shaft_material or ring_material, hollow, bore, speeds["inner"])
+        seats["inner"] = shaft, _number(effect.shaft_interference, name)
+    if effect.housing_interference is not None:
+        end = 0.5 * _number(effect.housing_outside_diameter, name)
+        housing = body("housing", effect.housing_material or ring_material, outside, end, speeds["outer"])
+        seats["outer"] = housing, _number(effect.housing_interference, name)
+    growth = {}
+    for race, ends in (("inner", (bore, bottoms["inner"])), ("outer", (bottoms["outer"], outside))):
+        ring = body(f"{race}_ring", ring_material, *ends, speeds[race])
+        growth[f"{race}_centre"] = elastic_growth(ring, bottoms[race], *seats[race]) + ring.strain * centres[race]
+        growth[f"{race}_radius"] = ring.strain * getattr(drawing, f"{race}_groove_radius")
+    return growth
 
 
 def groove_contact(scene: str, race: str) -> BallInGroove:
@@ -100,7 +182,8 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
 
 def operating_points(source: str) -> dict[str, qsbearing.Scene]:
     """What a scene is solved at, by label: a scene's own operation; the example's also at other loads and speeds."""
-    scene = load_scene(source)
+    scene = load(source)
+    assert isinstance(scene, qsbearing.Scene)
     if source != EXAMPLE:
         return {"own operation": scene}
     rest, fast = 0.0, 10_000.0 * qsbearing.rpm
@@ -127,7 +210,7 @@ def operating_points(source: str) -> dict[str, qsbearing.Scene]:
 
 def ball_count(scene: str) -> int:
     """Number of balls of a scene's bearing."""
-    return int(np.asarray(qsbearing.load_scene(scene).bearing.ball_count).ravel()[0])
+    return int(np.asarray(load_scene(scene).bearing.ball_count).ravel()[0])
 
 
 @lru_cache(maxsize=8)
@@ -138,10 +221,24 @@ def solved(source: str) -> tuple[Solved, ...]:
         SceneProblemError: no equilibrium, or a contact that is beyond elastic half-spaces: pressed past yield, or over
             the edge of its groove.
     """
-    found = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
+    of = load(source)
+    if isinstance(of, qsbearing.BearingSet):
+        rows = enumerate(solve_set(source, of).rows, 1)
+        found = tuple(Solved(f"{ROW}{number}", solution) for number, solution in rows)
+    else:
+        found = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
     for point in found:
         _refuse_beyond_elastic_contact(source, point)
     return found
+
+
+def solve_set(source: str, of: qsbearing.BearingSet) -> qsbearing.SetSolution:
+    """The solution of a set's single case.
+
+    Raises:
+        SceneProblemError: several cases, or no equilibrium.
+    """
+    return _single(source, "", qsbearing.solve_set(of))
 
 
 def solve(source: str, label: str, scene: qsbearing.Scene) -> qsbearing.Solution:
@@ -150,11 +247,14 @@ def solve(source: str, label: str, scene: qsbearing.Scene) -> qsbearing.Solution
     Raises:
         SceneProblemError: several cases, or no equilibrium.
     """
-    solution = qsbearing.solve(scene)
+    return _single(source, f", {label}", qsbearing.solve(scene))
+
+
+def _single(source: str, label: str, solution: AnySolution) -> AnySolution:
     if solution.shape:
         raise SceneProblemError(f"scene {source} holds {solution.shape} cases; a check takes a single one")
     if not solution.converged:
-        raise SceneProblemError(f"scene {source}, {label}: {qsbearing.message(solution)}")
+        raise SceneProblemError(f"scene {source}{label}: {qsbearing.message(solution)}")
     return solution
 
 
@@ -180,6 +280,11 @@ def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
 
 
 def operating_loads(source: str, race: str) -> tuple[float, ...]:
-    """All loads that the contacts of a race carry at the operating points, in rising order [N]."""
-    loads = np.concatenate([np.asarray(getattr(point.solution, race).load) for point in solved(source)])
+    """All loads that the contacts of a race carry at the operating points, in rising order [N].
+
+    Of a set, those of the rows with the first one's bearing.
+    """
+    points = [point.solution for point in solved(source)]
+    alike = [each for each in points if each.scene.bearing == points[0].scene.bearing]
+    loads = np.concatenate([np.asarray(getattr(each, race).load) for each in alike])
     return tuple(float(load) for load in np.unique(loads[loads > 0.0]))

@@ -17,7 +17,7 @@ import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array
-from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene
+from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, solved
 from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
@@ -71,8 +71,8 @@ def own_point(scene_name: str) -> OperatingPoint:
     Raises:
         SceneProblemError: the scene has no single, positive axial load.
     """
-    operation = load_scene(scene_name).operation
-    load, speed = np.asarray(operation.axial_load or 0.0, float), np.asarray(operation.speed or 0.0, float)
+    solution = solved(scene_name)[0].solution
+    load, speed = np.asarray(solution.load[..., 0]), np.asarray(solution.scene.operation.speed or 0.0, float)
     if load.size != 1 or speed.size != 1 or not float(load.reshape(())) > 0.0:
         raise SceneProblemError(
             f"scene {scene_name}: one ball between both rings needs one axial load above 0; a scene with a radial load "
@@ -106,12 +106,12 @@ def sector_bearing(scene_name: str) -> SectorBearing:
 
 
 def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> qsbearing.Solution:
-    """The quasi-static model at an operating point: with centrifugal force at speed, outer raceway control.
+    """The quasi-static model at an operating point: equal balls; at speed outer control and their inertia.
 
     Raises:
         SceneProblemError: the model has no solution there with both raceways loaded.
     """
-    scene = qsbearing.load_scene(scene_name)
+    scene = load_scene(scene_name)
     effects: tuple[qsbearing.CentrifugalForce | qsbearing.GyroscopicMoment, ...] = ()
     if point.speed:
         effects = (qsbearing.CentrifugalForce(),)
@@ -123,6 +123,9 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
             operation=qsbearing.Operation(speed=point.speed, axial_load=point.axial_load),
             ball_effects=effects,
             raceway_control=qsbearing.RacewayControl.OUTER if effects else None,
+            preload=None,
+            orbit_radius=qsbearing.OrbitRadius.PITCH_CIRCLE,
+            ring_effects=tuple(each for each in scene.ring_effects if each is not scene.ball_diameter_deviations),
         )
     )
     if not float(solution.inner.load[0]) > 0.0:

@@ -1,33 +1,50 @@
-"""Is what `qsbearing.solve` reports right: every contact, the balls' motion and forces, the ring's equilibrium?
+"""Is what `qsbearing` solves right: every contact, the balls' motion and forces, the equilibrium and its stiffness?
 
-Judged from the drawing's dimensions alone (`drawing`, `references`, `equilibrium`: no code of qsbearing), and by finite
-elements. Contacts of one shape are similar at every load, so one finite-element contact stands for all balls and
+Judged from what is given alone (`drawing`, `references`, `quasi_static`: no code of qsbearing), and by finite elements. Contacts of one shape are similar at every load, so one finite-element contact stands for all balls and
 operating points; where each contact has a shape of its own (`hertz_angle = "actual"`), the most and the least slender.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 
 import qsbearing
-from fem_check import equilibrium, half_space_contact, references
+from fem_check import catalogue_sources, half_space_contact, problems, quasi_static, references
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
-from fem_check.checks import groove_contacts
-from fem_check.contact_problem import QUANTITIES, ContactProblem
+from fem_check.checks import groove_contacts, product_scenes
+from fem_check.contact_problem import QUANTITIES, Array, ContactProblem
 from fem_check.drawing import Drawing
-from fem_check.equilibrium import Contacts
+from fem_check.equilibrium import BallRow, State, own_angle
 from fem_check.groove import RACES
 from fem_check.half_space_contact import TOLERANCES, WHY, MeshStudy
-from fem_check.scenes import Solved, drawing_of, load_scene, operating_points, solve, solved
+from fem_check.quasi_static import Equilibrium, NoReferenceError, Problem
+from fem_check.scenes import (
+    ROW,
+    Solved,
+    drawing_at_rest,
+    drawing_of,
+    load,
+    load_scene,
+    operating_points,
+    solve,
+    solve_set,
+    solved,
+)
 
 TOLERANCE = 1e-8
 """Of closed forms: both sides work at full precision, and lose some digits in root finding and in differences."""
+STIFFNESS_TOLERANCE = 1e-5
+"""Relative to its largest term, all in newtons per metre."""
+SMALL_ANGLE = 0.1
+"""Contact angles below it are judged as if they were this large [rad]."""
+BALANCE_SOURCE = "equilibrium of balls and ring found from the drawing alone"
 SHEAR_TOLERANCES = {"max_shear_stress": 1e-7, "max_shear_depth": 1e-4}
 """One side integrates numerically; a maximum's position is known to the square root of the precision of its value."""
 POWERS = {**dict.fromkeys(QUANTITIES, 1.0 / 3.0), "approach": 2.0 / 3.0}
@@ -42,20 +59,24 @@ class Loaded:
     label: str
     problem: ContactProblem
     """As it follows from the drawing."""
+    form: str
+    """Of Hertz's ellipse: exact, or a published fit."""
     reported: dict[str, float]
 
 
-def loaded_contacts(drawing: Drawing, race: str, points: tuple[Solved, ...]) -> list[Loaded]:
+def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Loaded]:
     """Every loaded contact of a race, at all operating points."""
     found = []
     for point in points:
         scene, contacts = point.solution.scene, getattr(point.solution, race)
+        balls = problems.row_of(scene, name).balls
         for ball in np.flatnonzero(contacts.load > 0.0):
-            angle = {"free": None, "zero": 0.0, "actual": float(contacts.angle[ball])}[str(scene.hertz_angle)]
+            angle = own_angle(str(scene.hertz_angle), float(contacts.angle[ball]))
             load = float(contacts.load[ball])
             reported = {name: float(getattr(contacts, name)[ball]) for name in OF_SOLUTION}
-            problem = drawing.groove(race, angle).problem(load)
-            found.append(Loaded(f"{point.label}, ball {ball}, Q = {load:.4g} N", problem, reported))
+            problem = balls[ball].groove(race, angle).problem(load)
+            form = str(scene.hertz_form)
+            found.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
     return found
 
 
@@ -77,8 +98,10 @@ def with_shear(contact: Loaded) -> dict[str, float]:
 def closed_form_rows(contacts: list[Loaded], extremes: list[Loaded]) -> Iterator[Row]:
     """Every contact against Hertz from the drawing; its shear for the contacts of the extreme shapes."""
     for contact in contacts:
-        exact = references.hertz(contact.problem)
-        shear = any(contact is extreme for extreme in extremes)
+        exact = references.ellipse(contact.problem, contact.form)
+        shear = contact.form == "exact" and any(contact is extreme for extreme in extremes)
+        if shear:
+            exact = references.hertz(contact.problem)
         for name, found in (with_shear(contact) if shear else contact.reported).items():
             yield Row(
                 contact.label,
@@ -123,140 +146,321 @@ def _slenderness(contact: Loaded) -> float:
     return _ratio(contact.problem)
 
 
-def mechanics_rows(drawing: Drawing, point: Solved) -> Iterator[Row]:
-    """Geometry, motion, forces of the balls, and the ring's equilibrium at one operating point."""
-    solution = point.solution
-    scene, azimuth = solution.scene, np.asarray(solution.azimuth)
-    lever = drawing.inner_groove_centre_radius
-    if scene.tilt_lever is qsbearing.TiltLever.PITCH_CIRCLE:
-        lever = 0.5 * drawing.pitch_diameter
+def mechanics_rows(points: tuple[Solved, ...], name: str) -> Iterator[Row]:
+    """Every number of the solutions against the reference's own equilibria."""
+    for point in points:
+        solution = point.solution
+        make = partial(problems.of_scene, solution.scene, name)
+        yield from equilibrium_rows(point.label, make, [solution], solution, solution.displacement)
 
-    def row(quantity: str, found: float, source: str) -> Row:
-        why = "equations that hold exactly; the solver ends at rounding"
-        return Row(point.label, quantity, "1", 0.0, source, found, None, 100.0 * TOLERANCE, why)
 
-    def difference(found: Any, expected: Any, scale: float) -> float:
-        return float(np.abs(np.asarray(found) - expected).max(initial=0.0)) / scale
+def set_rows(label: str, solution: qsbearing.SetSolution, name: str) -> Iterator[Row]:
+    """Every number of a set's solution against the reference's own equilibrium."""
+    slide = [] if solution.slide is None else [solution.slide]
+    moved = np.concatenate([solution.displacement, slide])
+    yield from equilibrium_rows(label, partial(problems.of_set, solution.set, name), solution.rows, solution, moved)
 
-    inner, outer = (
-        Contacts(*(np.nan_to_num(getattr(getattr(solution, race), name)) for name in ("load", "angle", "approach")))
-        for race in RACES
+
+def equilibrium_rows(
+    label: str,
+    make: Callable[[], Problem],
+    rows: Sequence[qsbearing.Solution],
+    whole: qsbearing.Solution | qsbearing.SetSolution,
+    displacement: Array,
+) -> Iterator[Row]:
+    """A solution against the equilibrium of the same problem that the reference finds.
+
+    Args:
+        make: makes the problem.
+        rows: the solution of each row of balls.
+        whole: the solution of all: of the shaft, or of the only row.
+        displacement: of the shaft's channels that the solution tells.
+    """
+    try:
+        problem = make()
+        found = reference_near(problem, rows, displacement)
+        stiffness = quasi_static.stiffness(found)
+    except NoReferenceError as failed:
+        why = f"{failed}: what is reported is not in equilibrium either"
+        yield Row(label, "equilibria found", "1", 1.0, BALANCE_SOURCE, 0.0, None, 0.0, why)
+        return
+    lever, states = problem.lever, found.states
+    forces = max(float(max(each.q_i.max(), each.q_o.max())) for each in states)
+    approaches = max(float(max(np.abs(each.delta_i).max(), np.abs(each.delta_o).max())) for each in states)
+    lengths = problem.scale[: len(displacement)]
+    largest = float(np.abs(np.where(problem.held, 0.0, found.shaft)[: len(displacement)] * lengths).max())
+
+    def row(quantity: str, unit: str, got: Any, expected: Any, scale: float, tolerance: float = TOLERANCE) -> Row:
+        return of_arrays(label, quantity, unit, np.asarray(got), np.asarray(expected), scale, tolerance)
+
+    moved = found.shaft[: len(displacement)] * lengths
+    yield row("displacement, tilts at the groove centres", "m", displacement * lengths, moved, max(largest, approaches))
+    load = found.load[:5] / problem.scale[:5]
+    yield row("load, moments over the lever", "N", whole.load / problem.scale[:5], load, forces)
+    if len(rows) > 1:
+        each = [found.row_load(number) / problem.scale[:5] for number in range(len(rows))]
+        yield row("load of each row", "N", [one.load / problem.scale[:5] for one in rows], each, forces)
+    size = np.outer([1.0, 1.0, 1.0, lever, lever], [1.0, 1.0, 1.0, lever, lever])
+    yield row(
+        "stiffness, tilts at the lever", "N/m", whole.stiffness / size, stiffness / size,
+        float(np.abs(stiffness / size).max()), STIFFNESS_TOLERANCE,
+    )  # fmt: skip
+    # Where a solution says that no controls are consistent, there must be none.
+    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(found)
+    for placed, state, control, solution in zip(problem.rows, states, found.controls, rows, strict=True):
+        yield from ball_rows(label, placed.row, state, control, solution)
+        if consistent and control is not None and placed.row.model.control == "per_ball" and placed.row.turns:
+            jones = placed.row.jones_control(state)
+            yield row(
+                "balls that follow Jones's criterion", "1", float(np.sum(control == jones)), float(len(jones)), 0.0
+            )
+
+
+def ball_rows(
+    label: str, of: BallRow, state: State, control: Array | None, solution: qsbearing.Solution
+) -> Iterator[Row]:
+    """The balls of one row."""
+
+    def row(quantity: str, unit: str, got: Any, expected: Any, scale: float = 0.0) -> Row:
+        return of_arrays(label, quantity, unit, np.nan_to_num(np.asarray(got)), np.asarray(expected), scale)
+
+    inner, outer = solution.inner, solution.outer
+    yield row("contact load", "N", [inner.load, outer.load], [state.q_i, state.q_o])
+    # A ball that touches nothing has no place while it stands still.
+    placed = (state.q_i > 0.0) | (state.q_o > 0.0)
+    pair = np.array([state.inner, state.outer])[:, placed]
+    yield row(
+        "contact angle",
+        "rad",
+        np.array([inner.angle, outer.angle])[:, placed],
+        np.arctan2(*np.moveaxis(pair, 2, 0)),
+        SMALL_ANGLE,
     )
-    placed = np.isfinite(solution.inner.angle) & np.isfinite(solution.outer.angle)
-    wrong = sum(int(np.sum((each.load > 0.0) != (each.approach > 0.0))) for each in (inner, outer))
-    yield row("contacts loaded without approach, or the reverse", wrong, "only what is compressed carries load")
-    missed = equilibrium.closure(drawing, inner, outer, azimuth, np.asarray(solution.displacement), lever)[placed]
-    largest = max(inner.approach.max(), outer.approach.max())
-    yield row("loop closure, over the approach", difference(missed, 0.0, largest), "displacement, angles, approaches")
-
-    none = np.zeros_like(azimuth)
-    inner_friction = outer_friction = np.zeros((len(azimuth), 2))
-    centrifugal = none
-    if scene.raceway_control is not None:
-        speeds = [float(np.asarray(value or 0.0)) for value in (scene.operation.speed, scene.operation.outer_speed)]
-        control, both = np.asarray(solution.raceway_control), (inner.load > 0.0) & (outer.load > 0.0)
-        orbit, rotation = equilibrium.rolling(drawing, inner, outer, speeds[0], speeds[1], control)
-        # A ball that one raceway has lost rolls by a convention of the model's, which is taken as it is reported.
-        orbit = np.where(both, orbit, np.asarray(solution.orbital_speed))
-        turning = max(map(abs, speeds)) or 1.0
-        source = "no slip at both contacts, no spin at the controlling one"
-        yield row("orbital speed, over the ring's", difference(solution.orbital_speed, orbit, turning), source)
-        own = -np.sign(speeds[0] - speeds[1]) * np.hypot(*rotation.T)
-        reported = np.asarray(solution.rotation_speed)
-        yield row("rotation speed, over the ring's", difference(reported[both], own[both], turning), source)
-        if solution.centrifugal_force is not None:
-            centrifugal = equilibrium.centrifugal_force(drawing, orbit)
-            found = difference(solution.centrifugal_force, centrifugal, centrifugal.max() or 1.0)
-            yield row("centrifugal force", found, "m r omega^2 of a solid sphere at the pitch circle")
-        if solution.gyroscopic_moment is not None:
-            assert scene.gyroscopic_moment is not None
-            moment = equilibrium.gyroscopic_moment(drawing, orbit, rotation)
-            moment = np.where(both, moment, -np.asarray(solution.gyroscopic_moment))
-            found = difference(solution.gyroscopic_moment, -moment, np.abs(moment).max() or 1.0)
-            yield row("gyroscopic moment", found, "rate of change of a solid sphere's angular momentum")
-            halves = scene.gyroscopic_moment.moment_shares is qsbearing.MomentShares.HARRIS
-            inner_share = np.where(control == "inner", 0.5 if halves else 1.0, 0.0)
-            inner_friction = equilibrium.friction(inner, moment, inner_share, drawing, outward=False)
-            outer_friction = equilibrium.friction(outer, moment, 1.0 - inner_share, drawing, outward=True)
-            for race, contacts, force in (("inner", inner, inner_friction), ("outer", outer, outer_friction)):
-                asked = np.hypot(*force.T)[both] / contacts.load[both]
-                reported = np.asarray(getattr(solution, race).required_friction)[both]
-                found = difference(reported, asked, 1.0)
-                yield row(f"required friction, {race}", found, "friction force over normal load")
-
-    left = equilibrium.on_ball(inner, outer, inner_friction + outer_friction, centrifugal)
-    forces = float(max(inner.load.max(), outer.load.max()))
-    yield row("force left on a ball, over the largest load", difference(left, 0.0, forces), "Newton's second law")
-    carried = equilibrium.on_ring(drawing, inner, inner_friction, azimuth, lever)
-    size = forces * np.array([1.0, 1.0, 1.0, lever, lever]) * len(azimuth)
-    reported = np.asarray(solution.load)
-    yield row("ring's load, over that of the balls", difference(reported / size, carried / size, 1.0), "equilibrium")
-    asked = np.array([_prescribed_load(scene, channel) for channel in range(5)])
-    free = np.isfinite(asked)
-    found = difference((asked / size)[free], (carried / size)[free], 1.0)
-    yield row("load asked for, over that of the balls", found, "the scene's operation")
+    approach = np.array([state.delta_i, state.delta_o])[:, placed]
+    yield row("approach and gap", "m", np.array([inner.approach, outer.approach])[:, placed], approach)
+    if control is None:
+        return
+    yield row("orbital speed", "rad/s", solution.orbital_speed, state.orbit)
+    sense = -np.sign(of.inner_speed - of.outer_speed)
+    turned = [solution.axial_rotation, -np.asarray(solution.radial_rotation)]
+    yield row("rotation, its axis", "rad/s", turned, state.rotation.T)
+    yield row("rotation speed", "rad/s", solution.rotation_speed, sense * np.hypot(*state.rotation.T))
+    if of.model.centrifugal:
+        yield row("centrifugal force", "N", solution.centrifugal_force, state.centrifugal)
+    if of.model.gyroscopic:
+        rolled = np.where(placed, state.moment, 0.0)
+        yield row("gyroscopic moment", "N m", -np.asarray(solution.gyroscopic_moment), rolled)
+        both = (state.q_i > 0.0) & (state.q_o > 0.0)
+        asked = [state.asked["inner"][both] / state.q_i[both], state.asked["outer"][both] / state.q_o[both]]
+        reported = [np.asarray(each.required_friction)[both] for each in (inner, outer)]
+        yield row("required friction", "1", reported, asked)
 
 
-def _prescribed_load(scene: qsbearing.Scene, channel: int) -> float:
-    """The load that a scene asks for in a channel; NaN where it prescribes the displacement."""
-    loads = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
-    displacements = ("axial_displacement", "radial_displacement_y", "radial_displacement_z", "tilt_y", "tilt_z")
-    if getattr(scene.operation, displacements[channel]) is not None:
-        return float("nan")
-    return float(np.asarray(getattr(scene.operation, loads[channel]) or 0.0))
+def of_arrays(
+    label: str,
+    quantity: str,
+    unit: str,
+    found: Array,
+    expected: Array,
+    scale: float = 0.0,
+    tolerance: float = TOLERANCE,
+) -> Row:
+    """An array against its reference in one row: the largest of the reference, and that off by the worst deviation.
+
+    Args:
+        scale: at least this is the largest: of what the array is a small part of.
+    """
+    worst = float(np.abs(found - expected).max(initial=0.0))
+    size = max(float(np.abs(expected).max(initial=0.0)), scale)
+    why = "two solutions at full precision; soft directions lose digits"
+    if quantity.startswith("stiffness"):
+        why = "differences of loads lose half the digits"
+    return Row(label, quantity, unit, size, BALANCE_SOURCE, size + worst, None, 100.0 * tolerance, why)
 
 
-def bearing_rows(
-    name: str, drawing: Drawing, points: tuple[Solved, ...], level: Level, progress: Progress
+def reference_near(problem: Problem, rows: Sequence[qsbearing.Solution], displacement: Array) -> Equilibrium:
+    """The reference's equilibrium: found on its own way from rest, or, where there are others, from the solution.
+
+    A start decides only which of several equilibria is found; none that is not one ends there.
+
+    Raises:
+        NoReferenceError: no equilibrium was found either way.
+    """
+    controls = [_control(placed.row, solution) for placed, solution in zip(problem.rows, rows, strict=True)]
+    shaft = np.zeros(quasi_static.CHANNELS)
+    shaft[: len(displacement)] = displacement
+    own = None
+    try:
+        own = quasi_static.at_speed(problem, controls)
+        apart = float(np.abs((own.shaft - shaft) * problem.scale).max())
+        if apart <= TOLERANCE * max(float(np.abs(shaft * problem.scale).max()), 1e-9):
+            return own
+    except NoReferenceError:
+        pass
+    positions = []
+    for placed, solution in zip(problem.rows, rows, strict=True):
+        at, length = solution.outer, placed.row.lengths[1]
+        place = (length + at.approach) * np.array([at.sine, at.cosine])
+        positions.append(np.where(np.isfinite(place), place, 0.5 * placed.row.groove_centres(placed.moved(shaft)).T).T)
+    try:
+        return quasi_static.solve(problem, (shaft, positions), controls)
+    except NoReferenceError:
+        if own is None:
+            raise
+        return own
+
+
+def _control(row: BallRow, solution: qsbearing.Solution) -> Array | None:
+    """Of each ball. Which one a ball follows under Jones's criterion is judged beside."""
+    return None if row.model.control is None else np.asarray(solution.raceway_control)
+
+
+def contact_rows(
+    case: str, points: Sequence[Solved], name: str, level: Level, progress: Progress
 ) -> tuple[list[Row], MeshStudy | None]:
-    """Every row of one bearing."""
+    """Every contact of one bearing's solutions by closed form, those of the extreme shapes by finite elements too."""
     rows: list[Row] = []
     study = None
-    stands_for = f"{len(points)} operating points" if len(points) > 1 else points[0].label
     for race in RACES:
-        contacts = loaded_contacts(drawing, race, points)
+        contacts = loaded_contacts(race, points, name)
         if not contacts:
             continue
         loads = tuple(sorted({contact.problem.load for contact in contacts}))
-        case = f"{name} {race}: {stands_for}, {groove_contacts.span(loads)}"
+        of_race = f"{case} {race}: {stands_for(points)}, {groove_contacts.span(loads)}"
         extremes = [min(contacts, key=_slenderness)]
         if max(map(_slenderness, contacts)) > _slenderness(extremes[0]):
             extremes.append(max(contacts, key=_slenderness))
-        rows += collapsed(closed_form_rows(contacts, extremes), f"{case}; closed form")
-        elements: list[Row] = []
+        rows += collapsed(closed_form_rows(contacts, extremes), f"{of_race}; closed form")
+        if contacts[0].form != "exact":
+            continue
+        of_shape: list[Row] = []
         for extreme in extremes:
             study = half_space_contact.mesh_study(extreme.problem, level, progress)
-            elements += element_rows(contacts, study, level)
-        rows += collapsed(elements, f"{case}; finite elements")
-    mechanics = [row for point in points for row in mechanics_rows(drawing, point)]
-    return rows + collapsed(mechanics, f"{name}: {stands_for}"), study
+            of_shape += element_rows(contacts, study, level)
+        rows += collapsed(of_shape, f"{of_race}; finite elements")
+    return rows, study
+
+
+def stands_for(points: Sequence[Solved]) -> str:
+    """What rows of several operating points are called."""
+    if len(points) == 1:
+        return str(points[0].label)
+    return f"{len(points)} {'rows' if points[0].label.startswith(ROW) else 'operating points'}"
+
+
+def clearance_rows(drawing: Drawing) -> Iterator[Row]:
+    """The free contact angle that qsbearing makes of the drawing's clearance, and the clearance that it tells."""
+    lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
+    clearance = drawing.diametral_clearance
+    bearing = qsbearing.BallBearing.from_diametral_clearance(
+        ball_count=8, diametral_clearance=clearance, **{name: getattr(drawing, name) for name in lengths}
+    )
+    for quantity, unit, found, expected in (
+        ("free contact angle of a clearance", "rad", bearing.free_contact_angle, drawing.free_contact_angle),
+        ("diametral clearance of a free contact angle", "m", bearing.diametral_clearance, clearance),
+    ):
+        yield of_arrays(drawing.name, quantity, unit, np.asarray(found), np.asarray(expected))
+
+
+def catalogue_rows() -> Iterator[Row]:
+    """The catalogue's dimensions and materials against their sources, typed again."""
+    why = "printed to four digits and more; some dimensions here follow from others that the source prints"
+    for name, printed in catalogue_sources.BEARINGS.items():
+        bearing = qsbearing.load_scene(name).bearing
+        for field, expected in printed.items():
+            found = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
+            unit = catalogue_sources.UNITS[field.rpartition(".")[2]]
+            yield Row(
+                name,
+                field,
+                unit,
+                expected,
+                catalogue_sources.__doc__.splitlines()[0],
+                found,
+                None,
+                100.0 * catalogue_sources.PRINTED,
+                why,
+            )
+    for material in (qsbearing.STEEL, qsbearing.SILICON_NITRIDE):
+        expected = catalogue_sources.EXPANSION[material.name]
+        yield Row(
+            material.name,
+            "thermal_expansion",
+            "1/K",
+            expected,
+            "handbooks; GMN catalogue 4000 0813 EN",
+            float(np.asarray(material.thermal_expansion)),
+            None,
+            100.0 * catalogue_sources.PRINTED,
+            why,
+        )
 
 
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
-    """The scene's bearing; the example's also with ceramic balls, which tells the two materials apart."""
-    points = solved(scene)
-    drawing = drawing_of(points[0].solution.scene, scene)
-    rows, study = bearing_rows(drawing.name, drawing, points, level, progress)
+    """The scene's bearing or set. The example's also with ceramic balls, which tells the two materials apart, and under
+    everything else that `solve` offers."""
+    of, points = load(scene), solved(scene)
+    name = drawing_of(points[0].solution.scene, scene).name
+    rows: list[Row] = []
+    study = None
+    for alike in of_one_bearing(points):
+        bearing = drawing_of(alike[0].solution.scene, scene).name
+        more, study = contact_rows(bearing, alike, scene, level, progress)
+        rows += more
+    if isinstance(of, qsbearing.BearingSet):
+        rows += collapsed(set_rows("the set", solve_set(scene, of), scene), f"{name}: {len(points)} rows on one shaft")
+    else:
+        rows += collapsed(mechanics_rows(points, scene), f"{name}: {stands_for(points)}")
+    rows += collapsed(clearance_rows(drawing_at_rest(points[0].solution.scene, scene)), name)
+    rows += collapsed(catalogue_rows(), "the catalogue and its sources")
     if scene == EXAMPLE:
         hybrid = dataclasses.replace(load_scene(scene).bearing, ball_material=qsbearing.SILICON_NITRIDE)
         points = tuple(
             Solved(label, solve(scene, label, dataclasses.replace(each, bearing=hybrid)))
             for label, each in operating_points(scene).items()
         )
-        drawing = drawing_of(points[0].solution.scene, scene)
-        more, study = bearing_rows(f"{drawing.name}, ceramic balls", drawing, points, level, progress)
-        rows += more
+        more, study = contact_rows(f"{name}, ceramic balls", points, scene, level, progress)
+        rows += more + collapsed(mechanics_rows(points, scene), f"{name}, ceramic balls: {stands_for(points)}")
+        rows += collapsed(product_rows(progress), f"{name} and what else solve offers: {product_scenes.COUNT}")
     if study is None:
         return Findings(rows)
     return Findings(rows, groove_contacts.mesh_entry(study), study.bodies.race.solver)
 
 
+def of_one_bearing(points: Sequence[Solved]) -> list[list[Solved]]:
+    """The points, those of one bearing together: contacts of one shape are similar where their materials are alike."""
+    groups: list[list[Solved]] = []
+    for point in points:
+        for group in groups:
+            if group[0].solution.scene.bearing == point.solution.scene.bearing:
+                group.append(point)
+                break
+        else:
+            groups.append([point])
+    return groups
+
+
+def product_rows(progress: Progress) -> Iterator[Row]:
+    """Everything that `solve` offers, each by the scene or set that has it; contacts by their closed form."""
+    for label, each in product_scenes.scenes().items():
+        progress(label, 0.0)
+        points = (Solved(label, solve("of the check", label, each)),)
+        for race in RACES:
+            yield from closed_form_rows(loaded_contacts(race, points, label), [])
+        yield from mechanics_rows(points, label)
+        yield from clearance_rows(drawing_at_rest(each, label))
+    for label, of in product_scenes.sets().items():
+        progress(label, 0.0)
+        yield from set_rows(label, solve_set(label, of), label)
+
+
 CHECK = Check(
     name="solution_contacts",
-    question="Is what qsbearing.solve reports right: contacts, the balls' motion, the equilibrium of balls and ring?",
+    question="Is what qsbearing solves right: contacts, motion, equilibrium and stiffness, with every effect, in sets?",
     kind=Kind.VERIFICATION,
-    reference="closed forms and mechanics from the drawing's dimensions, without code of qsbearing; finite elements",
-    tolerance="closed forms 1e-8 (shear 1e-7, its depth 1e-4); finite elements: quick 0.3 %, release 0.02 to 0.05 %",
+    reference="closed forms and an equilibrium of its own from the drawing, no code of qsbearing; finite elements",
+    tolerance="closed forms, equilibrium 1e-8 (shear 1e-7, its depth 1e-4, stiffness 1e-5); catalogue 0.02 %; finite "
+    "elements: quick 0.3 %, release 0.02 to 0.05 %",
     run=run,
     largest_dofs=groove_contacts.largest_dofs,
 )
