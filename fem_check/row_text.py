@@ -70,5 +70,5 @@ def difference(row: Row) -> str:
     """The difference from the reference in one text: per cent, or in the row's unit where the reference is zero."""
     told = of_row(row)
     if row["reference"] == 0.0:
-        return f"{told.found} {in_unit(row)[1]}".rstrip()
+        return told.found
     return told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else "")

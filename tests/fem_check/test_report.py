@@ -15,10 +15,11 @@ import pytest
 from click.testing import CliRunner
 
 from fem_check import records_store
+from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import quantity
+from fem_check.report.rows import agreement, quantity
 from fem_check.row_text import UNITS
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
@@ -85,6 +86,22 @@ def test_every_row_of_the_records_stands_in_the_table(page: str) -> None:
             continue
         last_digit = 0.1 * (row["uncertainty_percent"] or 0.0)
         assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=max(last_digit, 1e-300))
+
+
+def test_a_column_says_the_unit_of_its_own_cells() -> None:
+    """Cases side by side: per cent of a reference, but of a reference that is zero a difference in the row's unit."""
+    columns = {"load": ("N", 200.0, 203.0), "rms deviation": ("1", 0.0, 0.006), "angle": ("deg", 0.0, 0.02)}
+    rows = [
+        Row(case, name, unit, reference, "source", found, None, None, "why").as_dict()
+        for case in "abc"
+        for name, (unit, reference, found) in columns.items()
+    ]
+    (table,) = agreement(rows, "Agreement")
+    assert table.headings[1:4] == ("load, %", "rms deviation", "angle, deg")
+    assert table.rows[0][1:4] == ["+1.5", "0.006", "0.02"]
+    assert "per cent" not in table.caption
+    rows[1]["reference"] = 1.0  # what is per cent in one case and a difference in the others shares no column
+    assert [len(each.rows) for each in agreement(rows)] == [9]
 
 
 def test_every_record_is_named_with_its_command(page: str) -> None:
