@@ -6,6 +6,8 @@ import dataclasses
 import json
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
@@ -202,6 +204,30 @@ def test_two_commands_make_it(tmp_path: Path) -> None:
     text = Page.of((tmp_path / "report" / names[0]).read_text(encoding="utf-8")).text
     assert f"fem-check run patch_test --level {level}" in text
     assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
+
+
+WITHOUT = ("skfem", "meshio", "gmsh", "rslab", "pandas", "xarray", "h5py", "h5netcdf", "distributed")
+"""What `pip install qsbearing[report]` does not bring."""
+COMMAND = f"import sys; sys.modules |= dict.fromkeys({WITHOUT}); from fem_check.cli import main; main()"
+
+
+def test_records_alone_are_enough_for_it(tmp_path: Path) -> None:
+    """It is made without the packages that make records; a check is refused, and says what it needs."""
+
+    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-c", COMMAND, *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+
+    made = run("report", "--out", "report")
+    assert made.returncode == 0, made.stderr
+    assert len(list((tmp_path / "report").iterdir())) == 2
+    assert "patch_test" in run("list").stdout
+    for command in ("run", "contact --scene b218 --race inner --load-N 1000", "cost", "release"):
+        refused = run(*command.split())
+        assert refused.returncode == 2
+        assert "skfem" in refused.stderr
+        assert "pip install" in refused.stderr
+        assert "Traceback" not in refused.stderr
 
 
 def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
