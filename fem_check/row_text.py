@@ -7,7 +7,9 @@ from typing import Any, NamedTuple
 
 Row = dict[str, Any]
 
-UNITS = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, "")}
+UNITS = {
+    "m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, ""), "relative": (100.0, "%"),
+}  # fmt: skip
 """Of a record's unit: the factor to the unit that readers see, and its name."""
 
 

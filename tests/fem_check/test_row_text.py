@@ -44,6 +44,13 @@ def test_of_a_reference_that_is_zero_there_is_no_per_cent() -> None:
     assert length == ("0", "0.003 ± 0.001", "", "", "0.005 µm")
 
 
+def test_a_deviation_that_is_the_quantity_itself_is_read_in_per_cent() -> None:
+    """The mean of relative deviations, kept as a fraction, is to be zero: the page that tells it has a % elsewhere."""
+    told = row_text.of_row(row(0.0, -0.00356, "relative", None, 0.57))
+    assert told == ("0", "-0.356", "", "", "0.57 %")
+    assert row_text.in_unit(row(0.0, 0.0, "relative", None, None))[1] == "%"
+
+
 def test_other_rows_have_per_cent() -> None:
     told = row_text.of_row(row(2e-6, 2.02e-6, "m", 0.13, 2.0))
     assert told == ("2", "2.02", "+1.00", "0.13", "2 %")
