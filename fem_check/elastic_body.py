@@ -12,16 +12,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.sparse as sp
-from skfem import CellBasis, FacetBasis, MeshHex, MeshTet
 
 from fem_check import boussinesq
 from fem_check.contact_problem import Array
 from fem_check.element_family import SERENDIPITY, ElementFamily
 from fem_check.linear_solver import factorise
 from fem_check.pressure_basis import PressureBasis
+
+if TYPE_CHECKING:
+    from skfem import MeshHex, MeshTet
 
 SURFACE_ORDER = 5
 CHUNK = 1000
@@ -54,6 +57,8 @@ class DisplacementSpace:
     """Nodal displacements on a mesh: the nodes' numbering and positions."""
 
     def __init__(self, mesh: MeshHex | MeshTet, family: ElementFamily = SERENDIPITY) -> None:
+        from skfem import CellBasis
+
         self.mesh = mesh
         self.family = family
         # One quadrature point: this basis serves for numbering only.
@@ -64,6 +69,8 @@ class DisplacementSpace:
 
     def gradients(self, elements: Array) -> tuple[Array, Array, Array]:
         """Gradients (element, shape, 3, point), volumes (element, point), positions (3, element, point)."""
+        from skfem import CellBasis
+
         cell_basis = CellBasis(self.mesh, self.family.element(), intorder=self.family.volume_order, elements=elements)
         gradients = np.stack([np.asarray(cell_basis.basis[i][0].grad) for i in range(cell_basis.Nbfun)])
         return (
@@ -246,6 +253,8 @@ class _StressPoints:
 
 def _contact_loads(space: DisplacementSpace, basis: PressureBasis) -> sp.csr_matrix:
     """Nodal forces of each basis function of unit pressure, along z into the body; shape (dof, basis)."""
+    from skfem import FacetBasis
+
     facets = space.mesh.boundaries["contact"]
     facet_basis = FacetBasis(space.mesh, space.family.element(), facets=facets, intorder=SURFACE_ORDER)
     positions = np.asarray(facet_basis.global_coordinates())

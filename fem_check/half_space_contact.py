@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
-from skfem import MeshHex
 
 from fem_check import contact, convergence, elastic_body, measuring, meshing
 from fem_check.agreement import Level, Row
@@ -22,6 +22,9 @@ from fem_check.element_family import SERENDIPITY, ElementFamily
 from fem_check.measuring import Measured
 from fem_check.pressure_basis import PressureBasis
 from fem_check.references import axis_ratio, hertz
+
+if TYPE_CHECKING:
+    from skfem import MeshHex
 
 SEQUENCES = {Level.QUICK: (4, 6, 8), Level.RELEASE: (8, 12, 16)}
 """Elements per semi-axis, coarse to fine."""
@@ -93,6 +96,8 @@ _progress: list[Progress] = [silent]
 
 def stretched(mesh: MeshHex, x: float, y: float, z: float) -> MeshHex:
     """The mesh, stretched along its axes."""
+    from skfem import MeshHex
+
     points = mesh.p * np.array([[x], [y], [z]])
     return MeshHex(points, mesh.t, _boundaries=mesh.boundaries, sort_t=False)
 

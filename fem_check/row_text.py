@@ -7,7 +7,9 @@ from typing import Any, NamedTuple
 
 Row = dict[str, Any]
 
-UNITS = {"m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, "")}
+UNITS = {
+    "m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, ""), "relative": (100.0, "%"),
+}  # fmt: skip
 """Of a record's unit: the factor to the unit that readers see, and its name."""
 
 
@@ -70,5 +72,5 @@ def difference(row: Row) -> str:
     """The difference from the reference in one text: per cent, or in the row's unit where the reference is zero."""
     told = of_row(row)
     if row["reference"] == 0.0:
-        return f"{told.found} {in_unit(row)[1]}".rstrip()
+        return told.found
     return told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else "")

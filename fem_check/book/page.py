@@ -70,14 +70,14 @@ def index(records: list[Record]) -> str:
 
 
 def _row(row: Record) -> list[Any]:
-    unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
+    unit = row_text.in_unit(row)[1]
     worst = f", worst at {row['worst_at']}" if row["worst_at"] else ""
     told = row_text.of_row(row)
     return [
         row["case"] + worst,
-        row["quantity"] + unit,
-        row["reference"],
-        row["found"],
+        row["quantity"] + (f" [{unit}]" if unit else ""),
+        told.reference,
+        told.found,
         told.deviation,
         told.tolerance,
         f"**{row['verdict']}**" if row["verdict"] == "fail" else row["verdict"],

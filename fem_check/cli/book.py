@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, load_checks, progress_bar, refuse
+from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 
 
 @click.command("book")
@@ -24,7 +24,7 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
 
     Writes a record, a page and a picture of each case, and an index, into the folder `book` of a folder of results.
     """
-    load_checks()
+    require("report", "matplotlib")
     from fem_check import book
 
     try:

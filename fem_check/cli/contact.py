@@ -10,7 +10,7 @@ import click
 from rich.console import Console
 
 from fem_check.cli.agreement_table import agreement_table
-from fem_check.cli.output import OUT_OF_TOLERANCE, load_checks, progress_bar, refuse
+from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, require
 
 
 @click.command("contact")
@@ -39,7 +39,7 @@ def contact(
     as_json: bool,
 ) -> None:
     """Solve one contact of a scene and compare it with Hertz."""
-    load_checks()
+    require(*FEM)
     from fem_check import memory, meshing, records_store, runner, single_contact
     from fem_check.contact import ContactError
     from fem_check.cost import mesh_choice

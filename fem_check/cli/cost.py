@@ -11,7 +11,7 @@ from rich.box import SIMPLE
 from rich.console import Console
 from rich.table import Table
 
-from fem_check.cli.output import load_checks, progress_bar, refuse
+from fem_check.cli.output import FEM, progress_bar, refuse, require
 
 
 @click.command("cost")
@@ -26,7 +26,7 @@ from fem_check.cli.output import load_checks, progress_bar, refuse
 @click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
 def cost(level: str, out: Path, as_json: bool) -> None:
     """Measure error, time and memory for element families and meshes."""
-    load_checks()
+    require(*FEM)
     from concurrent.futures.process import BrokenProcessPool
 
     from fem_check import meshing, records_store, runner

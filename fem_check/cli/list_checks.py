@@ -6,20 +6,18 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from fem_check.cli.output import load_checks
-
 
 @click.command("list")
 def list_checks() -> None:
     """List the checks (name, kind, question, tolerance) and the cases of the validation book."""
-    checks = load_checks()
     from fem_check.book.case import EVIDENCE
     from fem_check.book.cases import ALL as CASES
+    from fem_check.checks import ALL
 
     table = Table(show_lines=False)
     for heading in ("check", "kind", "question", "tolerance"):
         table.add_column(heading, overflow="fold")
-    for check in checks.values():
+    for check in ALL.values():
         table.add_row(check.name, str(check.kind), check.question, check.tolerance)
     book = Table(title="fem-check book", show_lines=False)
     for heading in ("case", "evidence", "title"):

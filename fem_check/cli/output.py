@@ -1,7 +1,8 @@
-"""What the commands share: exit codes, refusals, the checks' own packages, a progress bar."""
+"""What the commands share: exit codes, refusals, packages that must be there, a progress bar."""
 
 from __future__ import annotations
 
+import importlib.util
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,12 +24,15 @@ def refuse(message: str) -> NoReturn:
     sys.exit(BAD_INPUT)
 
 
-def load_checks() -> dict[str, Any]:
-    try:
-        from fem_check.checks import ALL
-    except ImportError as problem:
-        refuse(f"{problem}: the finite-element checks need `pip install qsbearing[fem]`")
-    return dict(ALL)
+FEM = ("fem", "skfem", "meshio", "matplotlib")
+"""What solves contacts, for `require`."""
+
+
+def require(extra: str, *packages: str) -> None:
+    """Refuse a command of which packages are missing, and say which extra brings them."""
+    missing = [name for name in packages if importlib.util.find_spec(name) is None]
+    if missing:
+        refuse(f"this needs {', '.join(missing)}: pip install 'qsbearing[{extra}]'")
 
 
 @contextmanager

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 
 import click
 from rich.console import Console
 
-from fem_check.cli.output import RESULTS, load_checks, refuse
+from fem_check.cli.output import RESULTS, refuse, require
 
 
 @click.command("report")
@@ -30,8 +29,7 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
 
     Exit codes: 0 written, whatever the verdict in it; 2 no records, or a missing dependency.
     """
-    load_checks()
-    _check_documents()
+    require("report", "jinja2", "typst", "markdown_it", "matplotlib")
     from fem_check import records_store
     from fem_check.report import evidence, files
 
@@ -43,9 +41,3 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
         refuse(str(problem))
     console = Console(soft_wrap=True, highlight=False)
     console.print(*(f"wrote {path}" for path in written), f"from the records in {folder}", sep="\n")
-
-
-def _check_documents() -> None:
-    missing = [name for name in ("jinja2", "typst", "markdown_it") if importlib.util.find_spec(name) is None]
-    if missing:
-        refuse(f"the report needs {', '.join(missing)}: pip install 'qsbearing[report]'")

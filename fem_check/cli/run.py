@@ -10,7 +10,7 @@ import click
 from rich.console import Console
 
 from fem_check.cli.agreement_table import agreement_table
-from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, load_checks, progress_bar, refuse
+from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 
 
 @click.command("run")
@@ -24,7 +24,7 @@ def run_checks(names: tuple[str, ...], level: str, scene: str | None, out: Path,
 
     Prints each comparison with its reference and keeps the records in a folder.
     """
-    load_checks()
+    require(*FEM)
     from fem_check import runner
     from fem_check.agreement import EXAMPLE, Level
 

@@ -10,17 +10,18 @@ import os
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import meshio
 import numpy as np
 import platformdirs
-from skfem import MeshHex
-from skfem.io.meshio import from_meshio
 
 from fem_check.contact_problem import Array
 from fem_check.meshing.bricks import COMMITTED, DEPTH_GROWTH, SIDE_GROWTH
 from fem_check.meshing.making import TAGS, MeshError, gmsh_version, make
 from fem_check.meshing.recipe import Recipe
+
+if TYPE_CHECKING:
+    from skfem import MeshHex
 
 MANIFEST = "manifest.json"
 
@@ -106,6 +107,10 @@ def _quiet() -> Iterator[None]:
 
 def read(path: Path) -> MeshHex:
     """Read a mesh file, and check that its tagged faces lie where their tags belong."""
+    import meshio
+    from skfem import MeshHex
+    from skfem.io.meshio import from_meshio
+
     if not path.is_file():
         raise MeshError(f"{path}: no such mesh file")
     try:

@@ -48,14 +48,21 @@ ALIGN = "lrrrrrl"
 
 def cells(row: Row) -> list[Cell]:
     """The cells of a row below `HEADINGS`."""
-    unit = row_text.in_unit(row)[1]
     return [
-        quantity(row["quantity"])
-        + (f", {unit}" if unit else "")
+        _headed(row["quantity"], row_text.in_unit(row)[1])
         + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
         *row_text.of_row(row),
         badge(row["verdict"]),
     ]
+
+
+def _headed(name: str, unit: str) -> str:
+    return quantity(name) + (f", {unit}" if unit else "")
+
+
+def _difference_headed(row: Row) -> str:
+    """Head of a column of `row_text.difference`."""
+    return _headed(row["quantity"], "%" if row["reference"] != 0.0 else row_text.in_unit(row)[1])
 
 
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
@@ -65,20 +72,19 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
         cases.setdefault(row["case"], []).append(row)
     shapes: dict[tuple[str, ...], list[str]] = {}
     for case, own in cases.items():
-        shapes.setdefault(tuple(row["quantity"] for row in own), []).append(case)
+        shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
     found, lines = [], []
-    for quantities, names in shapes.items():
-        if len(names) >= 3 and len(quantities) >= 2:
-            found.append(_side_by_side(quantities, [(name, cases[name]) for name in names], caption))
+    for heads, names in shapes.items():
+        if len(names) >= 3 and len(heads) >= 2:
+            found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
         else:
             lines += [[name, *cells(row)] for name in names for row in cases[name]]
     return ([Table(("case", *HEADINGS), lines, f"l{ALIGN}", caption)] if lines else []) + found
 
 
-def _side_by_side(quantities: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
-    title = f"{caption}: deviation, and ± its uncertainty, per cent" if caption else "Deviation ± uncertainty, per cent"
+def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
+    title = f"{caption}: deviation, and ± its uncertainty" if caption else "Deviation ± uncertainty"
     lines: list[list[Cell]] = []
     for name, rows in cases:
         lines.append([name, *map(row_text.difference, rows), badge(verdict(rows))])
-    headings = ("case", *map(quantity, quantities), "verdict")
-    return Table(headings, lines, "l" + "r" * len(quantities) + "l", title)
+    return Table(("case", *heads, "verdict"), lines, "l" + "r" * len(heads) + "l", title)

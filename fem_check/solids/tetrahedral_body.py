@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.sparse as sp
-from skfem import CellBasis, ElementTetP2, MeshTet, MeshTet2
-from skfem.models.poisson import mass
-from skfem.quadrature import get_quadrature
-from skfem.refdom import RefTri
 
 from fem_check import elastic_body
 from fem_check.contact_problem import Array, ElasticConstants
 from fem_check.element_family import ElementFamily
 from fem_check.solids.body_mesh import BodyMesh
 
+if TYPE_CHECKING:
+    from skfem import MeshTet2
+
 # Curved elements have rational integrands; order 3 moves results by less than 1e-6 against 4.
-CURVED_TETRAHEDRA = ElementFamily("tet10_curved", "10-node tetrahedra, curved", ElementTetP2, 3, is_tetrahedral=True)
+CURVED_TETRAHEDRA = ElementFamily("tet10_curved", "10-node tetrahedra, curved", "ElementTetP2", 3, is_tetrahedral=True)
 SURFACE_ORDER = 9
 """Quadrature on the contact's facets: they do not match the cells of the pressure basis, whose kinks fall inside."""
 
@@ -57,7 +57,10 @@ class TetrahedralBody:
     @cached_property
     def mass(self) -> sp.csr_matrix:
         """Mass matrix of unit density [m3], shape (dof, dof)."""
-        scalar = mass.assemble(CellBasis(self.mesh, ElementTetP2(), intorder=4))
+        from skfem import CellBasis
+        from skfem.models.poisson import mass
+
+        scalar = mass.assemble(CellBasis(self.mesh, CURVED_TETRAHEDRA.element(), intorder=4))
         return sp.csr_matrix(sp.kron(scalar, sp.identity(3)))
 
     def on(self, where: Callable[[Array], Array]) -> Array:
@@ -66,6 +69,9 @@ class TetrahedralBody:
 
     def facets(self, where: Callable[[Array], Array]) -> Facets:
         """Boundary facets, all three vertices of which meet a condition."""
+        from skfem.quadrature import get_quadrature
+        from skfem.refdom import RefTri
+
         mesh = self.mesh
         boundary = mesh.boundary_facets()
         chosen = boundary[where(self.nodes)[mesh.facets[:, boundary]].all(axis=0)]
@@ -110,6 +116,8 @@ def _scikit_fem_mesh(mesh: BodyMesh) -> MeshTet2:
 
     Its reader for 10-node tetrahedra sorts the vertices but not the mid-nodes with them, which folds the elements.
     """
+    from skfem import MeshTet, MeshTet2
+
     straight = MeshTet2.from_mesh(MeshTet(np.ascontiguousarray(mesh.points), np.ascontiguousarray(mesh.tetrahedra)))
     positions = straight.doflocs.copy()
     positions[:, _edge_nodes(straight, *mesh.curved_edges)] = mesh.curved_nodes

@@ -4,7 +4,7 @@
     bearing     y         z         x (axis)   tilt y            tilt z
 
 Both are right-handed, and the shaft turns about the axis itself in both: the five coordinates change places and no
-sign changes. ROSS 2.3.0 counts alpha and beta as right-handed rotations, as its beam shows: in a slope beta = dx/dz, in
+sign changes. ROSS counts alpha and beta as right-handed rotations, as its beam shows: in a slope beta = dx/dz, in
 the other alpha = -dy/dz.
 
 A bearing mounted the other way round on the same shaft is the mirror image in a plane across the shaft. A mirror

@@ -1,7 +1,7 @@
 """An element of ROSS, the open program of rotor dynamics, from a stiffness over speed.
 
-ROSS 2.3.0's own bearing holds kxx, kxy, kyx, kyy, kzz over the speed of its shaft [N/m, rad/s] and nothing of tilts.
-With tilts included, its assembly is given an element that holds all five coordinates (`tilting_bearing.py`).
+ROSS's own bearing holds kxx, kxy, kyx, kyy, kzz over the speed of its shaft [N/m, rad/s] and nothing of tilts. With
+tilts included, its assembly is given an element that holds all five coordinates (`tilting_bearing.py`).
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.solution import Solution
 
+_SPEED_IN_ROSS = {"2": "frequency", "3": "speed"}
+"""What a version calls the speed of the shaft, the axis of a table of coefficients. In 3 a frequency is the whirl's."""
+
 
 def to_ross(
     stiffness: ArrayLike,
@@ -36,8 +39,8 @@ def to_ross(
     Args:
         stiffness: of one case (5, 5), or over the speed (speed, 5, 5); SI, in the order x, y, z, tilt y, tilt z of a
             solution, x being the shaft's axis.
-        speed: of the shaft [rad/s]; rising where there are several. ROSS interpolates by cubics and goes on with them
-            beyond both ends: give speeds that span those of the rotor's analysis.
+        speed: of the shaft [rad/s]; rising where there are several. ROSS interpolates by cubics and goes on beyond
+            both ends, ROSS 3 by straight lines: give speeds that span those of the rotor's analysis.
         n: node of the shaft.
         tilt: "included": the whole matrix. "held": ROSS's own element, with the stiffness at a slope of zero.
             "free": likewise, with the stiffness while no moment is carried, as in a seat that swivels. The last two
@@ -53,7 +56,7 @@ def to_ross(
 
     Raises:
         SceneError: every error of these arguments, at once; a stiffness that is NaN among them.
-        ImportError: ROSS is not installed.
+        ImportError: ROSS is not installed, or is neither 2 nor 3.
     """
     given = np.asarray(stiffness, float)
     speeds, errors = numeric("speed", speed, SPEED)
@@ -71,23 +74,29 @@ def to_ross(
         )
     raise_if_any(errors)
     assert matrix is not None and speeds is not None
-    frequency = speeds if speeds.size > 1 else None
-    if frequency is None:
-        matrix = matrix.reshape(5, 5)
-    return _element(matrix, frequency, kind, {"n": n, "cxx": cxx} | element)
+    if speeds.size == 1:
+        return _element(matrix.reshape(5, 5), None, kind, {"n": n, "cxx": cxx} | element)
+    return _element(matrix, speeds, kind, {"n": n, "cxx": cxx} | element)
 
 
-def _element(matrix: NDArray, frequency: NDArray | None, tilt: Tilt, element: dict[str, Any]) -> Any:
+def _element(matrix: NDArray, speed: NDArray | None, tilt: Tilt, element: dict[str, Any]) -> Any:
     try:
         import ross
     except ImportError as error:
         raise ImportError(f"to_ross needs ROSS: pip install 'qsbearing[ross]' ({error})") from error
+    axis = _SPEED_IN_ROSS.get(ross.__version__.split(".")[0])
+    if axis is None:
+        known = " and ".join(_SPEED_IN_ROSS)
+        raise ImportError(
+            f"to_ross knows ROSS {known}, not {ross.__version__}, where its arguments may mean something else: "
+            "pip install 'qsbearing[ross]'"
+        )
     moved = translations(matrix, Tilt.HELD if tilt is Tilt.INCLUDED else tilt)
     entries: dict[str, Any] = {f"k{a}{b}": moved[..., i, j] for i, a in enumerate("xy") for j, b in enumerate("xy")}
     entries["kzz"] = moved[..., 2, 2]
-    if frequency is None:
+    if speed is None:
         entries = {name: float(value) for name, value in entries.items()}
-    arguments = entries | {"frequency": frequency} | element
+    arguments = entries | {axis: speed} | element
     if tilt is not Tilt.INCLUDED:
         return ross.BearingElement(**arguments)
     from qsbearing.rotordynamics.tilting_bearing import TiltingBearingElement

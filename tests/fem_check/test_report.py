@@ -6,6 +6,8 @@ import dataclasses
 import json
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
@@ -15,10 +17,11 @@ import pytest
 from click.testing import CliRunner
 
 from fem_check import records_store
+from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import quantity
+from fem_check.report.rows import agreement, quantity
 from fem_check.row_text import UNITS
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
@@ -85,6 +88,22 @@ def test_every_row_of_the_records_stands_in_the_table(page: str) -> None:
             continue
         last_digit = 0.1 * (row["uncertainty_percent"] or 0.0)
         assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=max(last_digit, 1e-300))
+
+
+def test_a_column_says_the_unit_of_its_own_cells() -> None:
+    """Cases side by side: per cent of a reference, but of a reference that is zero a difference in the row's unit."""
+    columns = {"load": ("N", 200.0, 203.0), "rms deviation": ("1", 0.0, 0.006), "angle": ("deg", 0.0, 0.02)}
+    rows = [
+        Row(case, name, unit, reference, "source", found, None, None, "why").as_dict()
+        for case in "abc"
+        for name, (unit, reference, found) in columns.items()
+    ]
+    (table,) = agreement(rows, "Agreement")
+    assert table.headings[1:4] == ("load, %", "rms deviation", "angle, deg")
+    assert table.rows[0][1:4] == ["+1.5", "0.006", "0.02"]
+    assert "per cent" not in table.caption
+    rows[1]["reference"] = 1.0  # what is per cent in one case and a difference in the others shares no column
+    assert [len(each.rows) for each in agreement(rows)] == [9]
 
 
 def test_every_record_is_named_with_its_command(page: str) -> None:
@@ -185,6 +204,30 @@ def test_two_commands_make_it(tmp_path: Path) -> None:
     text = Page.of((tmp_path / "report" / names[0]).read_text(encoding="utf-8")).text
     assert f"fem-check run patch_test --level {level}" in text
     assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
+
+
+WITHOUT = ("skfem", "meshio", "gmsh", "rslab", "pandas", "xarray", "h5py", "h5netcdf", "distributed")
+"""What `pip install qsbearing[report]` does not bring."""
+COMMAND = f"import sys; sys.modules |= dict.fromkeys({WITHOUT}); from fem_check.cli import main; main()"
+
+
+def test_records_alone_are_enough_for_it(tmp_path: Path) -> None:
+    """It is made without the packages that make records; a check is refused, and says what it needs."""
+
+    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-c", COMMAND, *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+
+    made = run("report", "--out", "report")
+    assert made.returncode == 0, made.stderr
+    assert len(list((tmp_path / "report").iterdir())) == 2
+    assert "patch_test" in run("list").stdout
+    for command in ("run", "contact --scene b218 --race inner --load-N 1000", "cost", "release"):
+        refused = run(*command.split())
+        assert refused.returncode == 2
+        assert "skfem" in refused.stderr
+        assert "pip install" in refused.stderr
+        assert "Traceback" not in refused.stderr
 
 
 def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:

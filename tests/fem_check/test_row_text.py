@@ -39,9 +39,16 @@ def test_a_deviation_has_the_digits_of_its_uncertainty(
 def test_of_a_reference_that_is_zero_there_is_no_per_cent() -> None:
     angle = row_text.of_row(row(0.0, 0.0145, "deg", None, 2.0))
     assert angle == ("0", "0.0145", "", "", "0.02 deg")
-    assert row_text.difference(row(0.0, 0.0145, "deg", None, 2.0)) == "0.0145 deg"
+    assert row_text.difference(row(0.0, 0.0145, "deg", None, 2.0)) == "0.0145"
     length = row_text.of_row(row(0.0, 3e-9, "m", 1e-7, 5e-7))
     assert length == ("0", "0.003 ± 0.001", "", "", "0.005 µm")
+
+
+def test_a_deviation_that_is_the_quantity_itself_is_read_in_per_cent() -> None:
+    """The mean of relative deviations, kept as a fraction, is to be zero: the page that tells it has a % elsewhere."""
+    told = row_text.of_row(row(0.0, -0.00356, "relative", None, 0.57))
+    assert told == ("0", "-0.356", "", "", "0.57 %")
+    assert row_text.in_unit(row(0.0, 0.0, "relative", None, None))[1] == "%"
 
 
 def test_other_rows_have_per_cent() -> None:

@@ -13,13 +13,14 @@ from tests.rotordynamics import rotor_program, spindle
 TOLERANCE = 1e-4
 """Of a critical speed: the record keeps 0.1 rpm, the search stops at 0.01 rad/s, and eigenvalues of a rotor of hundred
 unknowns are good to 1e-8."""
+INTERPOLATION = 5e-4
+"""The same where the page's stiffness at every 1000 rpm is interpolated by another ROSS than the record's: 2.6e-4."""
 
 
 @pytest.fixture(scope="module")
 def page() -> dict[str, Any]:
     """What the page's program defines and prints."""
-    rotor_program.load()
-    return spindle.program()
+    return spindle.program() | {"ross": rotor_program.load()}
 
 
 def test_the_page_runs(tmp_path: Path) -> None:
@@ -31,7 +32,8 @@ def test_the_page_runs(tmp_path: Path) -> None:
 def test_the_record_is_what_ross_gives(page: dict[str, Any]) -> None:
     record = spindle.read()
     found = spindle.critical_speeds(page, 240.0)
-    assert found == pytest.approx(record["critical_speed_rpm"]["240"], rel=TOLERANCE)
+    tolerance = TOLERANCE if page["ross"].__version__ == record["ross"] else INTERPOLATION
+    assert found == pytest.approx(record["critical_speed_rpm"]["240"], rel=tolerance)
     assert spindle.tilt_choices(page) == pytest.approx(record["tilt_rpm"], rel=TOLERANCE)
     at_rest, at_speed = (float(line.split()[-2]) for line in page["printed"].splitlines())
     assert (at_rest, at_speed) == pytest.approx((found["rest"], found["spring"]), abs=0.6)  # whole rpm

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import sys
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -86,3 +87,21 @@ def test_where_ross_is_missing_it_is_said_how_to_get_it(monkeypatch: pytest.Monk
     monkeypatch.setitem(sys.modules, "ross", None)
     with pytest.raises(ImportError, match=r"pip install 'qsbearing\[ross\]'"):
         spindle_bearing(0.0).to_ross(0)
+
+
+@pytest.mark.parametrize(("version", "axis"), [("2.3.0", "frequency"), ("3.0.0", "speed"), ("3.1.0", "speed")])
+def test_the_speed_of_the_shaft_goes_by_the_name_it_has_in_that_version(
+    version: str, axis: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In ROSS 3 `frequency` is the frequency of the whirl: taken without an error, and wrong."""
+    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(__version__=version, BearingElement=dict))
+    made = spindle_bearing(SPEEDS).to_ross(0, tilt="held")
+    assert (made[axis] == SPEEDS).all()
+    assert {"speed", "frequency"} & set(made) == {axis}
+
+
+@pytest.mark.parametrize("version", ["1.6.1", "4.0.0"])
+def test_a_version_whose_words_are_not_known_is_refused(version: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(__version__=version, BearingElement=dict))
+    with pytest.raises(ImportError, match=rf"ROSS 2 and 3, not {version}"):
+        spindle_bearing(SPEEDS).to_ross(0, tilt="held")

@@ -119,7 +119,7 @@ def run() -> Result:
             ("median absolute deviation", np.median(np.abs(each)), None, "a finding: of the same values"),
         ):
             tolerance = 0.01 * bound if gated and bound else None
-            rows.append(compared(case, quantity, "1", 0.0, 0.01 * value, SOURCE, tolerance, reason))
+            rows.append(compared(case, quantity, "relative", 0.0, 0.01 * value, SOURCE, tolerance, reason))
     f0 = groove_of_static_rating(flat)
     apart = (f - f0)[judged & is_s]
     rows.append(
