@@ -1,7 +1,8 @@
 """Is what `qsbearing` solves right: every contact, the balls' motion and forces, the equilibrium and its stiffness?
 
-Judged from what is given alone (`drawing`, `references`, `quasi_static`: no code of qsbearing), and by finite elements. Contacts of one shape are similar at every load, so one finite-element contact stands for all balls and
-operating points; where each contact has a shape of its own (`hertz_angle = "actual"`), the most and the least slender.
+Judged from what is given alone (`drawing`, `references`, `quasi_static`: no code of qsbearing), and by finite elements.
+Contacts of one shape are similar at every load, so one finite-element contact stands for all balls and operating
+points; where each contact has a shape of its own (`hertz_angle = "actual"`), the most and the least slender.
 """
 
 from __future__ import annotations

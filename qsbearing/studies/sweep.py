@@ -118,7 +118,7 @@ def _done(running: Iterable[Future[Chunk]], executor: Executor) -> Iterable[Futu
     client = getattr(executor, "_client", None)
     without_since: float | None = None
     while not (done := wait(running, None if client is None else LOOK, FIRST_COMPLETED).done):
-        if client.nthreads():  # else the wait has ended with one that is done
+        if client is None or client.nthreads():  # else the wait has ended with one that is done
             without_since = None
         elif without_since is None:
             without_since = time.monotonic()
