@@ -101,8 +101,8 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str)
     for number in list(chunks):
         chunk = chunks.pop(number)
         for name, values in arrays_of(chunk, reasons).items():
-            place: Any = (*points.chunk(number), ...)
-            block = made[name][1][place]  # a view, of a grid without axes too
+            whole: Any = (*points.chunk(number), ...)  # a view, of a grid without axes too
+            block = made[name][1][whole]
             block[...] = values.reshape(block.shape)
     return xarray.Dataset(made, coordinates(points, slice(0, points.study.samples)), attributes(plan, label))
 

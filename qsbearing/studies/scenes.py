@@ -58,7 +58,7 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
             # What no varied array has a part in is wrong at the other points too.
-            whatever_the_point = [each for each in wrong if np.ndim(np.asarray(each.where)) == 0]
+            whatever_the_point = [each for each in wrong if each.where is None or np.ndim(each.where) == 0]
             if whatever_the_point:
                 raise SceneFileError(study.file, whatever_the_point) from None
             numbers = np.flatnonzero(possible)

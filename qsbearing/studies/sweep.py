@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import nullcontext
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
@@ -115,10 +115,10 @@ def _done(running: Iterable[Future[Chunk]], executor: Executor) -> Iterable[Futu
     Raises:
         TimeoutError: a cluster has had no worker for `WITHOUT_WORKERS`.
     """
-    client = getattr(executor, "_client", None)
+    client: Any = getattr(executor, "_client", None)  # of Dask
     without_since: float | None = None
     while not (done := wait(running, None if client is None else LOOK, FIRST_COMPLETED).done):
-        if client is None or client.nthreads():  # else the wait has ended with one that is done
+        if client.nthreads():  # only the wait for a cluster ends before one is done
             without_since = None
         elif without_since is None:
             without_since = time.monotonic()

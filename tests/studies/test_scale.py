@@ -132,3 +132,23 @@ def test_a_scheduler_that_is_lost_is_said_and_finished_points_are_kept(
     assert len(list(parts.glob("*.npz"))) >= 2
     subprocess.run([*COMMAND, "--out", str(out), "--resume"], capture_output=True, check=True)
     assert out.read_bytes() == whole.read_bytes()
+
+
+@pytest.mark.heavy
+@pytest.mark.filterwarnings("ignore")
+def test_workers_that_are_all_lost_are_said_and_waited_for_a_minute(
+    scheduler: tuple[str, list[subprocess.Popen]], tmp_path: Path
+) -> None:
+    address, processes = scheduler
+    given = [*COMMAND, "--out", str(tmp_path / "r.nc"), "--scheduler", address]
+    running = subprocess.Popen(given, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 240
+    while not list(tmp_path.glob("r.nc.parts/*.npz")) and time.monotonic() < deadline and running.poll() is None:
+        time.sleep(0.02)
+    for process in processes[1:]:
+        process.kill()
+    _, said = running.communicate(timeout=300)
+    assert running.returncode == 2, said
+    assert "waiting 60 s for one" in said
+    assert "no worker for 60 s): finished points are kept" in said
+    assert list(tmp_path.glob("r.nc.parts/*.npz"))
