@@ -56,9 +56,10 @@ class Body(NamedTuple):
     """By heat, alpha dT."""
 
     def stress(self, radius: Any, bore_pressure: Any = 0.0, outside_pressure: Any = 0.0) -> Stress:
-        """By rotation and pressures."""
+        """By rotation and pressures; lengths are cold ones, with the mass of which rho r^2 falls as a warm body grows."""
         pressed = stress_by_pressure(radius, self.a, self.b, bore_pressure, outside_pressure)
-        turning = stress_by_rotation(radius, self.a, self.b, self.speed, self.elastic)
+        warm = self.elastic._replace(density=self.elastic.density / (1.0 + self.strain))
+        turning = stress_by_rotation(radius, self.a, self.b, self.speed, warm)
         return Stress(pressed.radial + turning.radial, pressed.hoop + turning.hoop)
 
     def free_growth(self, radius: Any) -> Any:

@@ -238,10 +238,33 @@ def prescribed(scene: qs.Scene) -> list[tuple[Any, Any, bool]]:
     return found
 
 
+def heat_strain(scene: qs.Scene, body: str) -> NDArray:
+    """alpha dT of a ring, the shaft or the housing; without a temperature of its own a seat is as warm as its ring."""
+    rings = scene.ring_expansion
+    if rings is None:
+        return np.zeros(())
+    inside = {"shaft": "inner_ring", "housing": "outer_ring"}.get(body, body)
+    given = (getattr(rings, f"{name}_temperature") for name in (body, inside))
+    warm = next((np.asarray(each, float) for each in given if each is not None), None)
+    material = getattr(rings, f"{body}_material", None) or scene.bearing.ring_material
+    if warm is None or material.thermal_expansion is None:
+        return np.zeros(())
+    return np.asarray(material.thermal_expansion * (warm - np.asarray(rings.reference_temperature, float)))
+
+
+def moved_by_heat(scene: qs.Scene, race: str) -> NDArray:
+    """How far the race's groove centre moves along the axis from the balls' centres: its ring grows all round."""
+    bearing = scene.bearing
+    past = np.asarray(getattr(bearing, f"{race}_groove_radius"), float) - 0.5 * np.asarray(bearing.ball_diameter, float)
+    return np.asarray(heat_strain(scene, f"{race}_ring") * past * np.sin(bearing.free_contact_angle))
+
+
 def _misplaced(scene: qs.Scene, solution: qs.Solution) -> NDArray:
     found = np.zeros(solution.shape, bool)
     for c, (_, held, _) in enumerate(prescribed(scene)):
         if held is not None:
+            if c == 0 and scene.preload is not None:  # a length of the shaft
+                held = np.asarray(held, float) * (1.0 + heat_strain(scene, "shaft"))
             # Axially it is shifted to where the grown grooves touch and back, by BD at most.
             shifted = scene.bearing.groove_centre_distance if c == 0 and scene.is_reshaped else 0.0
             found |= ~(np.abs(solution.displacement[:, c] - held) <= 4 * EPS * (np.abs(held) + shifted))
@@ -468,9 +491,10 @@ def _closure(scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Con
     cosine, sine = np.cos(psi), np.sin(psi)
     lever = tilt_lever(scene)[..., None]
     tilt = lever * (d[3] * sine - d[4] * cosine)
-    # Axially the groove centres keep their places in their rings; radially they stand apart as they have grown.
+    # Axially heat alone moves the groove centres in their rings; radially they stand apart as they have grown.
     cold, grown = scene.bearing, scene.operating_bearing
-    a1 = _column(cold.groove_centre_distance * np.sin(cold.free_contact_angle)) + d[0] + tilt
+    touching = cold.groove_centre_distance * np.sin(cold.free_contact_angle)
+    a1 = _column(touching + moved_by_heat(scene, "inner") + moved_by_heat(scene, "outer")) + d[0] + tilt
     apart = grown.groove_centre_distance * np.cos(grown.free_contact_angle) + grown.radial_interference
     a2 = _column(apart) + d[1] * cosine + d[2] * sine
     li, lo = inner.length + inner.approach, outer.length + outer.approach

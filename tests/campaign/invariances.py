@@ -39,8 +39,6 @@ class Twin:
     """Which of its balls is each of the other's (case, ball); None: the same."""
     turn: NDArray | None = None
     """(case, 2, 2), by which y and z of its displacement are taken back; tilts likewise."""
-    has_datum: bool = True
-    """Whether its axial displacement counts from the same place."""
 
 
 def changed(group: Group, change: Callable[[str, NDArray], NDArray]) -> Group:
@@ -121,7 +119,7 @@ def reordered(group: Group) -> Twin | None:
 
 def warmed(group: Group) -> Twin | None:
     """As warm all through, of one coefficient of expansion: larger by that. Balls keep their mass, so that the square
-    of the speed grows with the size; what is said of the cold bearing, a rigid preload, stays."""
+    of the speed grows with the size; what is said of the cold bearing, fits and a held preload, stays."""
     if "ring_expansion" not in group.more:
         return None
     size = 1.0 + EXPANSION * WARMER
@@ -149,9 +147,7 @@ def warmed(group: Group) -> Twin | None:
     preload = of.more.get("preload", {})
     if "spring_N" not in preload and preload:
         twin = replace(twin, more=twin.more | {"preload": preload})
-    for table in (warm["ring_expansion"],):
-        table |= {key: value * size for key, value in table.items() if key.endswith("_interference_um")}
-    return Twin(of, replace(twin, more=twin.more | warm), size, has_datum=False)
+    return Twin(of, replace(twin, more=twin.more | warm), size)
 
 
 TWINS = {"scaled": scaled, "mirrored": mirrored, "turned": turned, "reordered": reordered, "warmed": warmed}
@@ -194,6 +190,6 @@ def compare(twin: Twin, solution: qs.Solution, other: qs.Solution) -> Compared:
         sign = np.linalg.det(twin.turn)[..., None]  # tilts are axial vectors
         moved[:, 3:] = sign * np.einsum("...ij,...j->...i", twin.turn, moved[:, 3:])
     apart = np.abs(moved - solution.displacement) * np.concatenate([np.ones_like(lever)] * 3 + [lever] * 2, axis=-1)
-    apart = apart[:, 0 if twin.has_datum else 1 :].max(axis=-1) / distance
+    apart = apart.max(axis=-1) / distance
     both = solution.converged & other.converged
     return Compared(both, solution.converged ^ other.converged, np.where(both, np.maximum(difference, apart), 0.0))

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.campaign import realistic
-from tests.campaign.checks import MOST_IMBALANCE, findings
+from tests.campaign.checks import MOST_IMBALANCE, findings, heat_strain, moved_by_heat
 from tests.campaign.group import GROUP, one_of
 from tests.campaign.mounted import of_one_ball_count, with_expansion
 
@@ -97,7 +97,9 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
         past = (np.asarray(bearing.inner_groove_radius) - 0.5 * np.asarray(bearing.ball_diameter)) * np.sin(
             bearing.free_contact_angle
         )
-        arm = np.asarray(row.position) - of.reference + row.sign * past
+        # The shaft is as warm at every row, and grows from the reference position.
+        along = (np.asarray(row.position) - of.reference) * (1.0 + heat_strain(found.scene, "shaft"))
+        arm = along + row.sign * (past + moved_by_heat(found.scene, "inner"))
         load = found.load
         total[:, 0] += row.sign * load[:, 0]
         total[:, 1:3] += load[:, 1:3]
