@@ -56,7 +56,7 @@ class Body(NamedTuple):
     """By heat, alpha dT."""
 
     def stress(self, radius: Any, bore_pressure: Any = 0.0, outside_pressure: Any = 0.0) -> Stress:
-        """By rotation and pressures; lengths are cold ones, with the mass of which rho r^2 falls as a warm body grows."""
+        """By rotation and pressures. Lengths are cold ones: a warm body keeps its mass, and its rho r^2 falls."""
         pressed = stress_by_pressure(radius, self.a, self.b, bore_pressure, outside_pressure)
         warm = self.elastic._replace(density=self.elastic.density / (1.0 + self.strain))
         turning = stress_by_rotation(radius, self.a, self.b, self.speed, warm)
