@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, NoReturn
 import click
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from rich.console import RenderableType
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
@@ -32,6 +34,13 @@ def print_table(renderable: RenderableType) -> None:
     from qsbearing.io.tables import text_of
 
     print_text(text_of(renderable))
+
+
+def print_wrote(paths: Iterable[object]) -> None:
+    """Say which files were written; as in a note, their names cannot steer the terminal."""
+    from qsbearing.validation import printable
+
+    print_text("".join(f"wrote {printable(str(path))}\n" for path in paths))
 
 
 def print_text(text: str) -> None:
