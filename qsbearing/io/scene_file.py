@@ -7,7 +7,7 @@ from math import nan
 from pathlib import Path
 from typing import Any
 
-from qsbearing.io import catalogue
+from qsbearing.io import catalogue, result_file
 from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
@@ -49,7 +49,8 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     """The scene of a TOML file, or a built-in example by its name.
 
     Args:
-        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first.
+        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first. A result,
+            as `qsbearing run --json` prints it (.json) or `qsbearing sweep` writes it (.nc), gives its own input.
 
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
@@ -57,8 +58,13 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     return scene_of(*document_of(source))
 
 
-def document_of(source: str | os.PathLike[str]) -> tuple[dict[str, Any], str, str]:
+def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple[dict[str, Any], str, str]:
     """The tables of a file or of a built-in example, what to call it in errors, and the label of its bearing.
+
+    Of a result these are the tables that it was made from.
+
+    Args:
+        of_study: of a sweep's result, with the tables of the study.
 
     Raises:
         SceneFileError: it cannot be read.
@@ -71,16 +77,20 @@ def document_of(source: str | os.PathLike[str]) -> tuple[dict[str, Any], str, st
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
         return {"bearing": {"name": entry.name}, **entry.example}, entry.name, ""
+    if path.suffix.lower() in result_file.ENDINGS:
+        document, label = result_file.input_of(path, of_study)
+        return document, str(source), label
     return read_toml(path), str(source), printable(path.stem)
 
 
 def text_of(source: str) -> str:
-    """The text of a scene file that was read; empty for an example of the catalogue.
+    """The text of a scene file that was read; empty for an example of the catalogue and for a result.
 
     Raises:
         SceneFileError: it cannot be read any more.
     """
-    return read_text(Path(source)) if is_file(Path(source)) else ""
+    path = Path(source)
+    return read_text(path) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
 
 
 def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:

@@ -117,7 +117,7 @@ class Store:
             results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
             return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
 
-    def join(self, label: str) -> None:
+    def join(self) -> None:
         """Write the file from all chunks, in one step as its reader sees it, and remove them.
 
         Raises:
@@ -125,7 +125,7 @@ class Store:
         """
         temporary = self.out.with_name(f".{self.out.name}.part")
         try:
-            write_netcdf(temporary, self.plan, self.points, self._chunks, label)
+            write_netcdf(temporary, self.plan, self.points, self._chunks)
             temporary.replace(self.out)
         except (OSError, RuntimeError) as error:  # HDF5 has errors of both kinds
             raise self._unwritten(error) from None

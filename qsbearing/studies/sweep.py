@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
-from qsbearing.studies.scenes import check, label_of
+from qsbearing.studies.scenes import check
 from qsbearing.studies.store import Store, open_results
 from qsbearing.studies.study import Study
 from qsbearing.threads import thread_count
@@ -55,7 +55,6 @@ def sweep(
     scene = check(study)
     points = Points(study)
     plan = plan_of(study, scene, points)
-    label = label_of(scene)
     chunks: dict[int, Chunk] = {}
     store = None if out is None else Store(out, plan, points, resume=resume)
     finished = store.finished() if store else set()
@@ -71,8 +70,8 @@ def sweep(
         done += chunk.status.size
         report(done, points.count)
     if store is None:
-        return dataset_of(plan, points, chunks, label)
-    store.join(label)
+        return dataset_of(plan, points, chunks)
+    store.join()
     return open_results(store.out)
 
 

@@ -251,7 +251,7 @@ def test_what_a_crash_has_damaged_is_solved_again(
     study = Study.of(COMBINED, MANY, samples=20)
     sweep(study, out=tmp_path / "whole.nc").close()
     with monkeypatch.context() as patch:
-        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
+        patch.setattr(Store, "join", lambda store: (_ for _ in ()).throw(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
             sweep(study, out=tmp_path / "r.nc")
     parts = tmp_path / "r.nc.parts"
