@@ -37,6 +37,7 @@ def _make(folder: Path) -> None:
     from rich.table import Table
 
     from qsbearing.studies.paper.figures import FIGURES, made
+    from qsbearing.validation import printable
 
     table = Table(box=None, padding=(0, 2, 0, 0))
     for head in ("figure", "statement", "by", "verdict"):
@@ -47,7 +48,7 @@ def _make(folder: Path) -> None:
         results.to_netcdf(folder / f"{figure.name}.nc", engine="h5netcdf")
         study = (files("qsbearing.studies.paper") / f"{figure.name}.toml").read_bytes()
         (folder / f"{figure.name}.toml").write_bytes(study)
-        print_text(f"{folder / figure.name}.png  {figure.title}\n")
+        print_text(f"{printable(str(folder / figure.name))}.png  {figure.title}\n")
         for number, each in enumerate(judged):
             where = f": {_in_short(each.where)}" if each.where else ""
             name = figure.name if number == 0 else ""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from qsbearing.cli.document_files import check_installed, folder, write
-from qsbearing.cli.output import print_table, print_text, refuse
+from qsbearing.cli.output import print_table, print_text, print_wrote, refuse
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -66,7 +66,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
 
     path = (folder(target) if target is not None else _own_folder()) / "guide.html"
     write({path: lambda found: html(found).encode()}, lambda: document(__version__))
-    print_text(f"wrote {path}\n")
+    print_wrote([path])
     if is_opened:
         click.launch(path.resolve().as_uri() + (f"#{topic}" if topic else ""))
 

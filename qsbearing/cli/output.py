@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING, NoReturn
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
     from rich.console import RenderableType
+
+    from qsbearing.scene.scene import Scene
+    from qsbearing.sets.bearing_set import BearingSet
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
 
@@ -27,11 +33,40 @@ def note(message: str) -> None:
     click.echo("\n".join(map(printable, f"qsbearing: {message}".split("\n"))), err=True)
 
 
+@contextmanager
+def warnings_as_notes() -> Iterator[None]:
+    """What Python is warned of, to a user as a sentence."""
+    import warnings
+
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always", UserWarning)
+        yield
+    for each in found:
+        note(str(each.message))
+
+
 def print_table(renderable: RenderableType) -> None:
     """A table of rich on standard output."""
     from qsbearing.io.tables import text_of
 
     print_text(text_of(renderable))
+
+
+def print_wrote(paths: Iterable[object]) -> None:
+    """Say which files were written; as in a note, their names cannot steer the terminal."""
+    from qsbearing.validation import printable
+
+    print_text("".join(f"wrote {printable(str(path))}\n" for path in paths))
+
+
+def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
+    """A result as JSON, with the input that it is reproduced from."""
+    import json
+
+    from qsbearing.io.scene_tables import input_tables
+
+    whole = {"version": found["version"], "input": input_tables(of), **found}
+    print_text(json.dumps(whole, indent=1, allow_nan=False) + "\n")
 
 
 def print_text(text: str) -> None:

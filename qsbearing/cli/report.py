@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+import os
+import re
+import shlex
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING, NoReturn
 
 import click
 
 from qsbearing.cli.document_files import check_installed, folder, write
-from qsbearing.cli.output import UNSOLVED, note, print_text
+from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import load_one, solve, solving
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from qsbearing.documents.model import Document
+    from qsbearing.scene.scene import Scene
+    from qsbearing.sets.bearing_set import BearingSet
+
+MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 
 @click.command(short_help="Write the design report of a scene or set, HTML and PDF.")
@@ -31,25 +40,54 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report")
+    asked, of_set = load_one(scene)
+    from qsbearing.io.scene_file import is_file, text_of
+
     path = Path(scene)
-    is_file = path.is_file()
-    name = (path.stem if is_file else scene).lower()
-    make = _maker(scene, path.read_text(encoding="utf-8") if is_file else "")
+    name = (path.stem if is_file(path) else scene).lower()
+    page = Path(out) / f"{name}_report.html"
+    _refuse_another(page, path)
+    make = _maker(asked, of_set, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
-    into = folder(out)
-    forms = {into / f"{name}_report.html": lambda found: html(found).encode(), into / f"{name}_report.pdf": pdf}
-    write(forms, make)
-    print_text("".join(f"wrote {each}\n" for each in forms))
+    folder(out)
+    forms = {page: lambda found: html(found).encode(), page.with_suffix(".pdf"): pdf}
+    made_from = _from_folder(path, page.parent) if is_file(path) else ""
+    write(forms, lambda: replace(make(), made_from=made_from))
+    print_wrote(forms)
 
 
-def _maker(scene: str, source: str) -> Callable[[], Document]:
+def _from_folder(path: Path, folder: Path) -> str:
+    """A scene's file as the report names it: from the report's own folder, so that both may move together."""
+    from urllib.parse import quote
+
+    try:
+        found = os.path.relpath(path.resolve(), folder.resolve())
+    except ValueError:  # on another drive
+        found = str(path.resolve())
+    return quote(os.fsencode(found))
+
+
+def _refuse_another(page: Path, path: Path) -> None:
+    """End where the report that is there is of another file, which is there as well."""
+    from urllib.parse import unquote_to_bytes
+
+    from qsbearing.io.scene_file import is_file
+
+    if not is_file(page):
+        return
+    with page.open(encoding="utf-8", errors="replace") as file:
+        found = MADE_FROM.search(file.read(2000))
+    other = page.parent / os.fsdecode(unquote_to_bytes(found[1] if found else ""))
+    if other.is_file() and not (path.exists() and other.samefile(path)):
+        refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
+
+
+def _maker(asked: Scene | None, of_set: BearingSet | None, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
     from qsbearing.messages import message
 
-    command = f"qsbearing report {scene} --out DIR"
-    asked, of_set = load_one(scene)
     if of_set is not None:
         from qsbearing.sets.solve import solve_set
 

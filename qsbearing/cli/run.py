@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import json
 import os
 import sys
 from contextlib import ExitStack
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.picture_file import PICTURES, drawn, form_of
 from qsbearing.cli.run_set import run_set
 from qsbearing.cli.run_spectrum import show_spectrum
@@ -50,7 +49,8 @@ if TYPE_CHECKING:
 def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
     is a set of rows on one shaft: `qsbearing init --set` prints one. One with [[spectrum]] has operating points with
-    shares of time, which make one life.
+    shares of time, which make one life. A result, of --json (.json) or of `qsbearing sweep` (.nc), is solved again from
+    the input that it holds; of a sweep the scene of its first point.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
@@ -69,10 +69,11 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         if is_spectrum and "--plot" in targets:
             refuse("--plot: pictures are of single operating points; --csv writes every ball of every point")
         solution = solve(loaded, accuracy)
+        asked = loaded if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
         if is_spectrum:
-            show_spectrum(solution, as_json, targets, write)
+            show_spectrum(solution, asked, as_json, targets, write)
             return
-        _show(solution, loaded, as_json)
+        _show(solution, loaded, asked, as_json)
         if not solution.converged:
             for target in targets.values():
                 note(f"{target} is not written: there is no solution to write")
@@ -124,11 +125,11 @@ def _check(accuracy: float) -> None:
         )
 
 
-def _show(solution: Solution, scene: Scene, as_json: bool) -> None:
+def _show(solution: Solution, scene: Scene, asked: Scene, as_json: bool) -> None:
     if as_json:
         from qsbearing.io.json_record import record
 
-        print_text(json.dumps(record(solution), indent=1, allow_nan=False) + "\n")
+        print_result(asked, record(solution))
         return
     from qsbearing.io.report import result
 

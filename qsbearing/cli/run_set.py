@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.picture_file import drawn
 from qsbearing.cli.scene import solving
 
@@ -30,7 +29,7 @@ def run_set(
     if as_json:
         from qsbearing.io.set_record import set_record
 
-        print_text(json.dumps(set_record(solution), indent=1, allow_nan=False) + "\n")
+        print_result(of, set_record(solution))
     else:
         from qsbearing.io.set_report import set_result
 

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
+    from qsbearing.scene.scene import Scene
     from qsbearing.solution import Solution
 
 
-def show_spectrum(solution: Solution, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer]) -> None:
+def show_spectrum(
+    solution: Solution, asked: Scene, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer]
+) -> None:
     """Show a solved spectrum and write its balls; ends with the exit code where some point is not solved."""
     from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
 
     if as_json:
-        print_text(json.dumps(spectrum_record(solution), indent=1, allow_nan=False) + "\n")
+        print_result(asked, spectrum_record(solution))
     else:
         print_table(spectrum_result(solution))
     if not solution.converged.all():

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TypeVar
 
-from qsbearing.cli.output import note, refuse
+from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
@@ -56,7 +56,8 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
     from qsbearing.validation import SceneError
 
     try:
-        found = read(source)
+        with warnings_as_notes():
+            found = read(source)
     except SceneError as error:
         refuse(str(error))
     try:

@@ -62,8 +62,8 @@ def sweep(
 ) -> None:
     """Solve SCENE, a TOML file or a catalogue bearing's name, at every point of a study.
 
-    A study file is a scene file with a table [vary]. Points that are impossible or have no equilibrium stay in the
-    results with status and reason.
+    A study file is a scene file with a table [vary]; a netCDF file of a sweep holds its study, which is solved again.
+    Points that are impossible or have no equilibrium stay in the results with status and reason.
 
     With --sobol: which part of each result's variance each random key makes, alone and together with the others.
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing.cli.output import refuse
+from qsbearing.cli.output import refuse, warnings_as_notes
 
 if TYPE_CHECKING:
     from qsbearing.studies.study import Study
@@ -37,4 +37,5 @@ def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
             refuse(f"--vary {text}: {fault}")
         varied[key.strip()] = values
     options = {name: value for name, value in given.items() if value is not None and value != ()}
-    return Study.of(scene, varied, **options)
+    with warnings_as_notes():
+        return Study.of(scene, varied, **options)

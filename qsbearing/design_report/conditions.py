@@ -59,21 +59,23 @@ class Facts(NamedTuple):
 
 def facts_of(solution: Solution) -> Facts:
     """Those of a single case."""
-    loaded = {side: getattr(solution, side) for side in SIDES}
 
-    def span(side: str, values: NDArray) -> Span:
-        of_loaded = values[loaded[side].load > 0.0]
-        return (float(of_loaded.min()), float(of_loaded.max())) if of_loaded.size else (0.0, 0.0)
+    def loaded(side: str, name: str) -> NDArray:
+        contacts = getattr(solution, side)
+        return np.asarray(getattr(contacts, name)[contacts.load > 0.0])
 
-    ratios = [span(side, each.semi_major_axis / each.semi_minor_axis) for side, each in loaded.items()]
+    def span(values: NDArray) -> Span:
+        return (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
+
+    ratios = [span(loaded(side, "semi_major_axis") / loaded(side, "semi_minor_axis")) for side in SIDES]
     ring = np.array(solution.load, float)
     ring[3:] /= 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
     return Facts(
         solution.scene,
         (min(each[0] for each in ratios), max(each[1] for each in ratios)),
-        {side: span(side, each.load) for side, each in loaded.items()},
-        {side: span(side, np.abs(each.angle) / deg) for side, each in loaded.items()},
-        max(span(side, each.max_pressure)[1] for side, each in loaded.items()),
+        {side: span(loaded(side, "load")) for side in SIDES},
+        {side: span(np.abs(loaded(side, "angle")) / deg) for side in SIDES},
+        max(span(loaded(side, "max_pressure"))[1] for side in SIDES),
         ring,
         np.asarray(solution.displacement[3:], float),
     )

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from qsbearing import provenance
 from qsbearing.documents.model import Block, Cell, Facts, Md, Remark, Table
 from qsbearing.ranked_warning import in_order
+from qsbearing.validation import printable
 
 
 def head(message: str, key_results: Table, warnings: Sequence[str], command: str) -> list[Block]:
@@ -31,5 +32,5 @@ def _facts(command: str) -> list[tuple[str, Cell]]:
         ("Commit", commit + (", with changes that are not committed" if made["dirty"] else "")),
         ("Machine", f"{machine['processor']}, {machine['system']}, Python {machine['python']}"),
         ("Packages", ", ".join(f"{package} {version}" for package, version in made["packages"].items())),
-        ("Command", Md(f"`{command}`")),
+        ("Command", Md(f"`{printable(command)}`")),
     ]

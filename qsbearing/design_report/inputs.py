@@ -29,6 +29,7 @@ from qsbearing.scene.keys import (
 )
 from qsbearing.scene.scene import CHOICES, Scene
 from qsbearing.units import zero_celsius
+from qsbearing.validation import printable
 
 Line = tuple[str, str, str, str]
 FOLLOWS = {
@@ -60,9 +61,20 @@ def section(scene: Scene, source: str) -> Section:
         "that is not named carries no load and is free to move."
     )
     blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
-    if source:
-        blocks += [Paragraph("The scene file as it was read:"), Code(source.rstrip("\n"), "toml")]
-    return Section("Input", blocks)
+    return Section("Input", blocks + as_read(source))
+
+
+LINES, COLUMNS = 400, 200
+"""Of a file's text that a report shows: it is typeset at half a millisecond a line."""
+
+
+def as_read(source: str) -> list[Block]:
+    """The text of the file, as far as a reader goes through it, with nothing in it that reorders or hides text."""
+    lines = source.rstrip("\n").split("\n")
+    shown = [printable(line.expandtabs(4)) for line in lines[:LINES]]
+    cut = "\n".join(line if len(line) <= COLUMNS else f"{line[:COLUMNS]} ..." for line in shown)
+    part = "The file" if len(lines) <= LINES else f"The first {LINES} of {len(lines):,} lines of the file,"
+    return [Paragraph(f"{part} as it was read:"), Code(cut, "toml")] if source else []
 
 
 def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:

@@ -8,13 +8,14 @@ import numpy as np
 
 from qsbearing.design_report.inputs import (
     Line,
+    as_read,
     bearing_lines,
     choice_lines,
     effect_lines,
     numbers,
     reading_lines,
 )
-from qsbearing.documents.model import Block, Cell, Code, Group, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Cell, Group, Paragraph, Section, Table
 from qsbearing.scene.keys import OPERATION, PRELOAD
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.units import mm, um
@@ -51,9 +52,7 @@ def section(of: BearingSet, source: str) -> Section:
         Paragraph(words),
         Table(("key of the file", "value", "unit", "from"), rows, "lrll"),
     ]
-    if source:
-        blocks += [Paragraph("The file as it was read:"), Code(source.rstrip("\n"), "toml")]
-    return Section("Input", blocks)
+    return Section("Input", blocks + as_read(source))
 
 
 def _rows(of: BearingSet) -> Table:

@@ -30,6 +30,7 @@ def data(document: model.Document) -> Plain:
             if level <= document.depth
         ],
         "depth": document.depth,
+        "made_from": document.made_from,
         "pictures": pictures,
     }
     names = {section.name for section, _ in document.walk()}

@@ -165,6 +165,8 @@ class Document:
     """What stands before the contents: the verdict and the facts about it."""
     depth: int = 2
     """Levels of headings in the table of contents."""
+    made_from: str = ""
+    """What the HTML says of its source, for programs."""
 
     def __post_init__(self) -> None:
         names = [section.name for section, _ in self.walk()]

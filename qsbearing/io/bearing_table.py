@@ -42,7 +42,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     entry = catalogue.find(good["name"]) if "name" in good else None
     from_entry: dict[str, Any] = {}
     if entry is not None:
-        label = f"{entry.name}{MODIFIED}" if set(good) - {"name"} else entry.name
+        label = label_of(entry, good)
         either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
         replaced = set(good) | unusable | (either if either & set(table) else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
@@ -66,6 +66,13 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     return bearing if len(errors) == before else None
 
 
+def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
+    """What a bearing is called of which a file gives an entry's name and these keys beside it."""
+    numbers = {key: value for key, value in given.items() if key != "name"}
+    changed = (isinstance(each, np.ndarray) or each != entry.bearing.get(key) for key, each in numbers.items())
+    return f"{entry.name}{MODIFIED}" if any(changed) else entry.name
+
+
 def _find_missing(present: set[str], errors: Errors) -> None:
     """Keys that a bearing needs, from the file or its catalogue entry."""
     for name in (*(key.name for key in BEARING[:5]), *MATERIALS):
@@ -76,6 +83,11 @@ def _find_missing(present: set[str], errors: Errors) -> None:
         errors.append(
             FileErrorDetail("bearing.free_contact_angle_deg", "missing", cause="Or give diametral_clearance_mm")
         )
+
+
+def is_in_radians(kind: BearingKind, angle: float) -> bool:
+    """Whether this is likely an angle of an angular-contact bearing in radians, given in degrees."""
+    return kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle <= FREE_ANGLE_MAX
 
 
 def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | None, Errors]:
@@ -92,7 +104,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     wrong: Errors = []
     if np.ndim(angle) or np.ndim(clearance):
         return bearing, wrong  # of a study, which varies one of the two alone
-    if has_angle and bearing.kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle / deg <= FREE_ANGLE_MAX:
+    if has_angle and is_in_radians(bearing.kind, angle / deg):
         given = good["free_contact_angle_deg"]
         cause = (
             f"Given in radians? {given:.6g} rad = {given / deg:.5g} deg. "

@@ -4,15 +4,28 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterable
+from enum import StrEnum
 from io import StringIO
 from typing import Any
 
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""With these a cell begins that spreadsheets evaluate."""
+
 
 def csv_text(columns: dict[str, Iterable[Any]]) -> str:
-    """Columns of equal length under their names; a cell without a number, None or NaN, is empty."""
+    """Columns of equal length under their names; a cell without a number, None or NaN, is empty.
+
+    Text that a spreadsheet would take for a formula has an apostrophe before it; words of this program's own choices,
+    such as +x, stay as they are.
+    """
     text = StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     for row in zip(*columns.values(), strict=True):
-        writer.writerow("" if value != value else value for value in row)
+        writer.writerow("" if value != value else _inert(value) for value in row)
     return text.getvalue()
+
+
+def _inert(value: Any) -> Any:
+    is_formula = isinstance(value, str) and value.startswith(FORMULA) and not isinstance(value, StrEnum)
+    return f"'{value}" if is_formula else value

@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from qsbearing.scene.keys import Key, find, path_in_file, with_file_keys
 from qsbearing.validation import ErrorDetail, SceneError, printable, shown, unit_mistake
 
+MOST_SHOWN = 50
+"""Errors of a file that are told one by one; the others are counted."""
+
 
 @dataclass(frozen=True)
 class FileErrorDetail:
@@ -49,13 +52,16 @@ class FileErrorDetail:
 
 
 class SceneFileError(SceneError):
-    """A scene file that cannot be used; `errors` holds every reason found, and the text shows them all."""
+    """A scene file that cannot be used; `errors` holds every reason found, the text the first fifty."""
 
     def __init__(self, file: str, errors: Iterable[FileErrorDetail]) -> None:
         self.file = file
         self.errors = tuple(errors)  # type: ignore[arg-type]
         count = f"{len(self.errors)} errors" if len(self.errors) != 1 else "1 error"
-        ValueError.__init__(self, "\n".join([f"{printable(file)}: {count}", *map(str, self.errors)]))
+        lines = [f"{printable(file)}: {count}", *map(str, self.errors[:MOST_SHOWN])]
+        if len(self.errors) > MOST_SHOWN:
+            lines.append(f"... and {len(self.errors) - MOST_SHOWN:,} more")
+        ValueError.__init__(self, "\n".join(lines))
 
 
 def translate(error: ErrorDetail) -> FileErrorDetail:

@@ -7,11 +7,11 @@ from math import nan
 from pathlib import Path
 from typing import Any
 
-from qsbearing.io import catalogue
+from qsbearing.io import catalogue, result_file
 from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
-from qsbearing.io.read_toml import read_toml
+from qsbearing.io.read_toml import read_text, read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.spectrum_table import scene_of_spectrum
 from qsbearing.io.table_checks import (
@@ -20,8 +20,9 @@ from qsbearing.io.table_checks import (
     judged,
     si,
     table_model,
+    unknown_key,
 )
-from qsbearing.io.unknown_key import near, suggest
+from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     OPERATION,
@@ -48,7 +49,8 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     """The scene of a TOML file, or a built-in example by its name.
 
     Args:
-        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first.
+        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first. A result,
+            as `qsbearing run --json` prints it (.json) or `qsbearing sweep` writes it (.nc), gives its own input.
 
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
@@ -56,21 +58,39 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     return scene_of(*document_of(source))
 
 
-def document_of(source: str | os.PathLike[str]) -> tuple[dict[str, Any], str, str]:
+def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple[dict[str, Any], str, str]:
     """The tables of a file or of a built-in example, what to call it in errors, and the label of its bearing.
+
+    Of a result these are the tables that it was made from.
+
+    Args:
+        of_study: of a sweep's result, with the tables of the study.
 
     Raises:
         SceneFileError: it cannot be read.
     """
     path = Path(source)
-    if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not _is_file(path):
+    if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.find(source)
         if entry is None:
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
         return {"bearing": {"name": entry.name}, **entry.example}, entry.name, ""
+    if path.suffix.lower() in result_file.ENDINGS:
+        document, label = result_file.input_of(path, of_study)
+        return document, str(source), label
     return read_toml(path), str(source), printable(path.stem)
+
+
+def text_of(source: str) -> str:
+    """The text of a scene file that was read; empty for an example of the catalogue and for a result.
+
+    Raises:
+        SceneFileError: it cannot be read any more.
+    """
+    path = Path(source)
+    return read_text(path) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
 
 
 def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
@@ -105,7 +125,8 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     return scene
 
 
-def _is_file(path: Path) -> bool:
+def is_file(path: Path) -> bool:
+    """Whether this is a file; no name is an error."""
     try:
         return path.is_file()
     except (OSError, ValueError):  # a name too long, or with a null character
@@ -134,9 +155,10 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
+        elif name in SET_SECTIONS:
+            errors.append(FileErrorDetail(name, "unknown key", cause=SETS_ARE_READ_BY))
         else:
-            cause = SETS_ARE_READ_BY if name in SET_SECTIONS else suggest(name, "", value).sentence
-            errors.append(FileErrorDetail(name, "unknown key", cause=cause))
+            unknown_key(name, name, "", value, errors)
 
 
 def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:

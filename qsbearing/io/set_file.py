@@ -12,8 +12,8 @@ from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.scene_file import document_of, operation_of, preload_of, scene_of
-from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model
-from qsbearing.io.unknown_key import near, suggest
+from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS, SHAFT
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
@@ -102,7 +102,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             cause = f"Did you mean {'[[rows]]' if meant == 'rows' else f'[{meant}]'}?" if meant else known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:
-            errors.append(FileErrorDetail(name, "unknown key", cause=suggest(name, "", value).sentence))
+            unknown_key(name, name, "", value, errors)
 
 
 def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:

@@ -117,7 +117,8 @@ def _row_columns(solution: SetSolution, i: int, shaft: dict[str, Any]) -> dict[s
         from qsbearing.readings import reading_columns, take_asked  # a set without readings does not load them
 
         own |= reading_columns(solution.rows[i], take_asked(solution.rows[i]))
-    of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm, "carries": str(row.carries)}
+    of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size
     first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))
+    first["carries"] = np.array([row.carries] * count, object)
     return first | own | last

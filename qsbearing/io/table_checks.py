@@ -11,8 +11,8 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator, create_model
 
 from qsbearing.effects import MomentShares
-from qsbearing.io.file_errors import FileErrorDetail
-from qsbearing.io.unknown_key import near, suggest
+from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail
+from qsbearing.io.unknown_key import Suggestion, near, suggest
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key, find
@@ -67,14 +67,26 @@ def checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tu
             name = str(detail["loc"][0])
             usable.pop(name, None)
             if detail["type"] == "extra_forbidden":
-                suggestion = suggest(name, model.__name__, table[name])
-                errors.append(FileErrorDetail(f"{path}.{name}", "unknown key", cause=suggestion.sentence))
-                unusable |= {suggestion.key} - set(table)
+                meant = unknown_key(f"{path}.{name}", name, model.__name__, table[name], errors)
+                unusable |= {meant} - set(table)
             else:
                 errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
                 unusable.add(name)
     good = dict(model.model_validate(usable))
     return {name: value for name, value in good.items() if value is not None}, unusable
+
+
+def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) -> str:
+    """Add the error of an unknown key; returns the known one that is meant, empty where none is.
+
+    Args:
+        path: of the key in the file.
+        name, section, value: as for `suggest`.
+    """
+    few = len(errors) < MOST_SHOWN  # to look for what is meant takes a millisecond, and of more nothing is shown
+    meant = suggest(name, section, value) if few else Suggestion("")
+    errors.append(FileErrorDetail(path, "unknown key", cause=meant.sentence))
+    return meant.key
 
 
 def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:

@@ -80,11 +80,12 @@ def load_centres(stiffness: NDArray) -> NDArray:
     """Where on the axis a radial load tilts nothing, from the middle of the bearing; shape (..., 2) [m].
 
     Of a load along x and of one along y: where the contact lines meet the axis, for a row under thrust at rest. There
-    the tilts of a bearing decouple from its radial motion, so that a node there loses least without them.
+    the tilts of a bearing decouple from its radial motion, so that a node there loses least without them. NaN where no
+    ball is loaded.
 
     Args:
         stiffness: in rotor axes.
     """
-    return np.stack(
-        [stiffness[..., 4, 0] / stiffness[..., 0, 0], -stiffness[..., 3, 1] / stiffness[..., 1, 1]], axis=-1
-    )
+    coupling = np.stack([stiffness[..., 4, 0], -stiffness[..., 3, 1]], axis=-1)
+    radial = np.stack([stiffness[..., 0, 0], stiffness[..., 1, 1]], axis=-1)
+    return np.divide(coupling, radial, out=np.full_like(coupling, np.nan), where=radial != 0.0)

@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
+from qsbearing.io.scene_tables import input_tables
 from qsbearing.provenance import commit
 from qsbearing.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points
+from qsbearing.studies.scenes import base_scene, label_of
 
 if TYPE_CHECKING:
     import xarray
@@ -58,15 +60,17 @@ def all_reasons(chunks: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
     return (*known, *sorted({reason for reasons in chunks for reason in reasons} - set(known)))
 
 
-def attributes(plan: Plan, scene_label: str) -> dict[str, Any]:
-    """What the results were made from."""
+def attributes(plan: Plan) -> dict[str, Any]:
+    """What the results were made from: the study, and all of its scene at one point."""
+    scene = base_scene(plan.study)
     found = {
         "Conventions": "CF-1.11",
-        "title": f"Study of {scene_label}",
+        "title": f"Study of {label_of(scene)}",
         "source": f"qsbearing {__version__}",
         "qsbearing_format": FORMAT,
         "qsbearing_version": __version__,
         "study": json.dumps(plan.study.as_data()),
+        "input": json.dumps(input_tables(scene)),
     }
     if plan.chosen is not None:
         found["chosen_effects"] = str(plan.chosen)
@@ -89,7 +93,7 @@ def coordinates(
     return found
 
 
-def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str) -> xarray.Dataset:
+def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk]) -> xarray.Dataset:
     """All chunks, in memory; they are taken out of `chunks` one by one, so that nothing is there twice."""
     import xarray
 
@@ -104,7 +108,7 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk], label: str)
             whole: Any = (*points.chunk(number), ...)  # a view, of a grid without axes too
             block = made[name][1][whole]
             block[...] = values.reshape(block.shape)
-    return xarray.Dataset(made, coordinates(points, slice(0, points.study.samples)), attributes(plan, label))
+    return xarray.Dataset(made, coordinates(points, slice(0, points.study.samples)), attributes(plan))
 
 
 def _flags(meanings: Iterable[str]) -> dict[str, Any]:

@@ -20,7 +20,7 @@ Chunks = Callable[[], Iterable[tuple[int, Chunk]]]
 """All chunks with their numbers, as often as they are asked for."""
 
 
-def write_netcdf(place: Path, plan: Plan, points: Points, chunks: Chunks, label: str) -> None:
+def write_netcdf(place: Path, plan: Plan, points: Points, chunks: Chunks) -> None:
     """Write the file.
 
     Raises:
@@ -34,7 +34,7 @@ def write_netcdf(place: Path, plan: Plan, points: Points, chunks: Chunks, label:
         for name, length in zip(points.dims, points.shape, strict=True):
             file.dimensions[name] = length
         file.dimensions[dataset.BALL] = plan.ball_axis
-        file.attrs.update(dataset.attributes(plan, label))
+        file.attrs.update(dataset.attributes(plan))
         beside = _write_coordinates(file, points)
         for name, (dims, kind, attrs) in dataset.variables_of(plan, points).items():
             variable = file.create_variable(name, dims, kind)

@@ -97,6 +97,16 @@ def possible_point(study: Study, random: dict[str, NDArray]) -> dict[str, NDArra
     return None
 
 
+def base_scene(study: Study) -> Scene | BearingSet | None:
+    """The study's scene at the first possible point of the axes, random keys at their medians; None: none is possible.
+
+    Raises:
+        SceneFileError: what is wrong with the study whatever the point.
+    """
+    base = possible_point(study, {each.key: each.at(np.asarray(0.5)) for each in study.distributions})
+    return None if base is None else _scene(study, {key: array.ravel()[0] for key, array in base.items()})
+
+
 def check(study: Study) -> Scene | BearingSet | None:
     """The study's scene at one possible point, after a look at all that can be wrong with the study as a whole.
 

@@ -13,7 +13,7 @@ from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
 from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.scenes import check, label_of
+from qsbearing.studies.scenes import check
 from qsbearing.studies.study import Study
 from qsbearing.threads import thread_count
 
@@ -58,7 +58,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
     import xarray
 
     study = study if study.quantities else study.replaced(quantities=MAIN)
-    plan, label = _checked(study, count)
+    plan = _checked(study, count)
     keys, names = [each.key for each in study.distributions], [each.name for each in plan.results]
     one, other, mixed = _results_of(plan, _base_samples(study, count))
     first, total = _indices(one, other, mixed)
@@ -74,7 +74,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
             "total_error": (dims, TWO_SIDED_95 * spread[1]),
         },
         {"result": names, "key": keys, "unit": ("key", [known_keys.known(key).unit or "1" for key in keys])},
-        attributes(plan, label)
+        attributes(plan)
         | {
             "base_samples": count,
             "points": count * (len(keys) + 2),
@@ -83,8 +83,8 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
     )
 
 
-def _checked(study: Study, count: int) -> tuple[Plan, str]:
-    """What is kept of each point, and the bearing's name."""
+def _checked(study: Study, count: int) -> Plan:
+    """What is kept of each point."""
     errors: list[Any] = []
     if not study.distributions or study.axes:
         cause = "Vary keys by normal(MEAN,SD), uniform(LOW,HIGH) or triangular(LOW,MODE,HIGH) alone"
@@ -92,13 +92,12 @@ def _checked(study: Study, count: int) -> tuple[Plan, str]:
     if count_problem(count):
         errors.append(FileErrorDetail("count", count_problem(count), count))
     try:
-        scene = check(study)
-        plan = plan_of(study, scene, Points(study))
+        plan = plan_of(study, check(study), Points(study))
     except SceneFileError as error:
         errors += error.errors
     if errors:
         raise SceneFileError(study.file, errors)
-    return plan, label_of(scene)
+    return plan
 
 
 def _base_samples(study: Study, count: int) -> Iterator[dict[str, NDArray]]:

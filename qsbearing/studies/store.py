@@ -207,7 +207,7 @@ class Store:
             results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
             return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
 
-    def join(self, label: str) -> None:
+    def join(self) -> None:
         """Write the file from all chunks, in one step as its reader sees it, and remove them.
 
         Raises:
@@ -215,7 +215,7 @@ class Store:
         """
         temporary = self.folder / "whole.part"  # there, as a run that goes on after a kill removes it
         try:
-            write_netcdf(temporary, self.plan, self.points, self._chunks, label)
+            write_netcdf(temporary, self.plan, self.points, self._chunks)
             put_in_place(temporary, self.place)
         except (OSError, RuntimeError) as error:  # HDF5 has errors of both kinds
             raise self._unwritten(error) from None

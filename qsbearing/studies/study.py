@@ -78,7 +78,7 @@ class Study:
         Raises:
             SceneFileError: everything that is wrong with the study, at once; what its points find is found by `sweep`.
         """
-        document, file, label = (dict(source), "study", "") if isinstance(source, dict) else document_of(source)
+        document, file, label = (dict(source), "study", "") if isinstance(source, dict) else document_of(source, True)
         errors: list[FileErrorDetail] = []
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
@@ -115,14 +115,16 @@ class Study:
 
     def as_data(self) -> dict[str, Any]:
         """All of it as plain data."""
+        random = {"samples": self.samples} if self.samples else {}
         return {
+            "label": self.label,
             "scene": self.document,
             "vary": {
                 each.key: list(each.values) if isinstance(each, Axis) else {each.kind: list(each.parameters)}
                 for each in self.variables
             },
             "study": {
-                "samples": self.samples,
+                **random,
                 "sampling": str(self.sampling),
                 "seed": self.seed,
                 "quantities": list(self.quantities),
@@ -132,7 +134,7 @@ class Study:
     @cached_property
     def fingerprint(self) -> str:
         """Tells this study, under this version of the package, from every other."""
-        text = json.dumps([__version__, self.label, self.as_data()], sort_keys=True, default=str)
+        text = json.dumps([__version__, self.as_data()], sort_keys=True, default=str)
         return hashlib.sha256(text.encode()).hexdigest()
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
-from qsbearing.studies.scenes import check, label_of
+from qsbearing.studies.scenes import check
 from qsbearing.studies.store import open_results, store_at
 from qsbearing.studies.study import Study
 from qsbearing.threads import thread_count
@@ -67,7 +67,6 @@ def sweep(
     scene = check(study)
     points = Points(study)
     plan = plan_of(study, scene, points)
-    label = label_of(scene)
     chunks: dict[int, Chunk] = {}
     with nullcontext() if out is None else store_at(out, plan, points, resume=resume) as store:
         finished = store.finished() if store else set()
@@ -83,8 +82,8 @@ def sweep(
             done += chunk.status.size
             report(done, points.count)
         if store is None:
-            return dataset_of(plan, points, chunks, label)
-        store.join(label)
+            return dataset_of(plan, points, chunks)
+        store.join()
     return open_results(store.out)
 
 

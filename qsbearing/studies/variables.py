@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.io.file_errors import FileErrorDetail
+from qsbearing.io.unknown_key import LARGEST
 from qsbearing.studies import keys
 from qsbearing.validation import shown
 
@@ -144,6 +145,8 @@ def _number(given: Any) -> float:
         raise VariableError(f"{shown(given)} is not a number. One of: {FORMS}") from None
     if not isfinite(value):
         raise VariableError(f"{shown(given)} is endless: every value must be a finite number")
+    if abs(value) > LARGEST:
+        raise VariableError(f"{shown(given)} is beyond any number of a bearing (at most {LARGEST:g})")
     return value
 
 

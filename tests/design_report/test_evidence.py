@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 import qsbearing as qs
+from qsbearing.design_report.conditions import facts_of
 from qsbearing.design_report.evidence import section
 from qsbearing.documents.model import Badge, Table
 from tests.design_report import evidence_numbers
@@ -43,6 +44,12 @@ SECTOR = "fem-check run bearing_sector"
 CONTACTS = "fem-check run solution_contacts --scene SCENE"
 GAP = "fem-check run conformity"
 BODIES = "fem-check run true_geometry"
+
+
+def test_a_ring_that_nothing_loads_has_no_contact_to_judge() -> None:
+    """And no warning of Python: those are errors here."""
+    facts = facts_of(qs.solve(qs.Scene(B218.bearing, qs.Operation(axial_load=0.0))))
+    assert (facts.ellipticity, facts.pressure, facts.loads["inner"]) == ((0.0, 0.0), 0.0, (0.0, 0.0))
 
 
 def test_the_scenes_that_were_checked_are_covered() -> None:

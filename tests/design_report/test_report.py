@@ -308,6 +308,59 @@ def test_bad_input_and_a_missing_extra_are_refused(tmp_path: Path, monkeypatch: 
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file"]
 
 
+PLAIN = '[bearing]\nname = "B218"\n[operation]\naxial_load_N = 1000\n'
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("latin.toml", PLAIN.encode() + b"# \xe9", "is not UTF-8 text"),
+        ("a" * 300, None, "neither a file nor a bearing"),
+        ("long.toml", b"#" * 1_000_001, "longer than 1 MB"),
+    ],
+)
+def test_its_file_is_read_as_that_of_any_command(name: str, content: bytes | None, said: str, tmp_path: Path) -> None:
+    if content is not None:
+        (tmp_path / name).write_bytes(content)
+    result = call(name if content is None else str(tmp_path / name), "--out", str(tmp_path / "out"))
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_no_name_or_comment_steers_a_terminal_or_hides_text(tmp_path: Path) -> None:
+    """Also: a byte order mark, a file of many lines, one of long ones, and a ring that nothing loads."""
+    scene = tmp_path / "a\x1b[31m\u202eb.toml"
+    lines = PLAIN.replace("1000", "0") + "# \u202ex" + "x" * 5_000 + "\n" + "# a\n" * 5_000
+    scene.write_bytes(b"\xef\xbb\xbf" + lines.encode())
+    result = call(str(scene), "--out", str(tmp_path / "out"))
+    assert (result.exit_code, result.stderr) == (0, "")
+    page = (tmp_path / "out" / "a\x1b[31m\u202eb_report.html").read_text(encoding="utf-8")
+    for text in (result.stdout, page):
+        assert not set("\x1b\u202e\ufeff") & set(text)
+        assert "\\x1b[31m\\u202eb" in text
+    assert "The first 400 of 5,005 lines of the file" in page
+    assert page.count("# a\n") < 400
+    assert "x" * 201 not in page
+
+
+def test_the_report_of_another_file_is_not_replaced(tmp_path: Path) -> None:
+    """My.toml and my.toml would be one report; of the same file it is made anew, and of one that is gone."""
+    other, out = tmp_path / "sub" / "my.toml", tmp_path / "out"
+    other.parent.mkdir()
+    for file in (tmp_path / "My.toml", other):
+        file.write_text(PLAIN)
+    assert call(str(tmp_path / "My.toml"), "--out", str(out)).exit_code == 0
+    before = (out / "my_report.html").read_bytes()
+    refused = call(str(other), "--out", str(out))
+    assert refused.exit_code == 2
+    assert f"my_report.html: is the report of {tmp_path / 'My.toml'}" in refused.stderr
+    assert (out / "my_report.html").read_bytes() == before
+    assert call(str(tmp_path / "sub" / ".." / "My.toml"), "--out", str(out)).exit_code == 0
+    (tmp_path / "My.toml").unlink()
+    assert call(str(other), "--out", str(out)).exit_code == 0
+
+
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
     with Browser() as browser:

@@ -20,6 +20,9 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io import output_file
+from qsbearing.io.catalogue import find
+from qsbearing.io.csv_table import csv_text
+from qsbearing.sets.bearing_set import Direction
 
 COMBINED = """
 [bearing]
@@ -234,6 +237,21 @@ def test_csv_holds_a_row_a_ball_and_the_ring_on_every_row(scene: Any, tmp_path: 
     call("run", scene(STATIC), "--csv", target)
     with target.open() as again:
         assert "raceway_control" not in again.readline(), "no column for what the scene does not call for"
+
+
+@pytest.mark.parametrize("begin", ["=", "+", "-", "@"])
+def test_no_cell_of_a_csv_is_a_formula(begin: str, tmp_path: Path) -> None:
+    """The bearing is called after its file; numbers below zero and the word +x stay what they are."""
+    file, target = tmp_path / f"{begin}cmd.toml", tmp_path / "out.csv"
+    own = {key: value for key, value in find("B218").bearing.items() if key != "kind"}  # type: ignore[union-attr]
+    bearing = "".join(f"{key} = {json.dumps(value)}\n" for key, value in own.items())
+    file.write_text(f"[bearing]\n{bearing}[operation]\naxial_load_N = 1000\nspeed_rpm = -5\n")
+    assert call("run", file, "--csv", target).exit_code == 0
+    with target.open(newline="") as written:
+        rows = list(csv.DictReader(written))
+    assert {row["bearing"] for row in rows} == {f"'{begin}cmd"}
+    assert {row["speed_rpm"] for row in rows} == {"-5.0"}
+    assert csv_text({"carries": [Direction.PLUS], "of": [f"{begin}1"]}) == f"carries,of\n+x,'{begin}1\n"
 
 
 def test_plots_are_what_their_names_say(tmp_path: Path) -> None:

@@ -273,12 +273,42 @@ def test_unknown_names_and_missing_files(tmp_path: Path) -> None:
         (b"[bearing]\nball_diameter_mm = -12,75  # Komma\n", "Decimals take a point: -12.75"),
         (b"a = " + b"9" * 5000, "is not TOML"),
         (b"a = " + b"[" * 20000, "is not TOML"),
-        (b"# " + b"x" * 1_000_001, "longer than a megabyte"),
+        (b"# " + b"x" * 1_000_001, "longer than 1 MB"),
+        (b".".join([b"a"] * 20_000) + b" = 1\n", "more than 16 parts"),
+        (b"a = {" + b" . ".join([b'"!"'] * 20_000) + b" = 1}\n", "more than 16 parts"),
+        (b"[[" + b".".join([b"a"] * 20_000) + b"]]\n", "more than 16 parts"),
+        (b"".join(b"k%d = 1\n" % k for k in range(10_001)), "has 10,001 keys; at most 10,000"),
+        (b"".join(b"[k%d]\n" % k for k in range(10_001)), "has 10,001 keys; at most 10,000"),
     ],
+    ids=lambda value: str(value)[:20],
 )
 def test_content_that_is_no_scene(load: Any, content: bytes, words: str) -> None:
     with pytest.raises(qs.SceneFileError, match=re.escape(words)):
         load(content)
+
+
+def test_many_errors_are_counted_and_the_first_fifty_told(load: Any) -> None:
+    """In any table; to look for what is meant by each would take a millisecond."""
+    for table in ("", "[bearing]\n", "[readings]\n"):
+        with pytest.raises(qs.SceneFileError) as raised:
+            load((table + "".join(f"unknown{k} = 1\n" for k in range(9_000))).encode())
+        told = str(raised.value).splitlines()
+        count = len(raised.value.errors)
+        assert count > 9_000
+        assert told[0].endswith(f"{count} errors")
+        assert told[-1] == f"... and {count - 50:,} more"
+        assert len(told) <= 2 + 3 * 50
+        searched = [error for error in raised.value.errors if error.problem == "unknown key" and error.cause]  # type: ignore[attr-defined]
+        assert len(searched) <= 50
+
+
+def test_what_is_no_key_is_not_counted_as_one(load: Any) -> None:
+    """Comments with underlines, dots in numbers, text and lists."""
+    comments = "# " + "=" * 70 + "\n" + "# a.b" * 20 + ".c" * 40 + "\n"
+    deviations = ", ".join(["0.1"] * 16)
+    text = '[bearing]\nname = "B218"\n[operation]\naxial_load_N = 1\n'
+    text += f"[effects]\nball_diameter_deviations_um = [{deviations}]\n"
+    assert load((comments * 200 + text).encode()).bearing.name == "B218"
 
 
 def test_a_comma_elsewhere_is_no_decimal_comma(load: Any) -> None:

@@ -53,6 +53,15 @@ def test_the_frame_says_what_varies_and_keeps_what_is_not_solved() -> None:
     assert list(frame["reason"][6:]) == ["open_side"] * 3
 
 
+def test_a_bearing_that_nothing_loads_has_no_load_centre() -> None:
+    """No warning of Python either: those are errors here."""
+    scene = qs.load_scene("7210c")
+    idle = qs.solve(dataclasses.replace(scene, operation=qs.Operation(axial_load=0.0)))
+    columns = stiffness_columns(idle)
+    assert columns["kxx_N_per_m"].tolist() == [0.0]
+    assert np.isnan(columns["load_centre_x_mm"]).all()
+
+
 def test_the_command_prints_the_same(tmp_path: Path) -> None:
     printed = CliRunner().invoke(cli, ["stiffness", "7210c", *VARY])
     assert printed.exit_code == 0, printed.output

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -10,11 +11,13 @@ from pathlib import Path
 
 import pandas
 import pytest
+import xarray
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies import sweep as sweeping
+from tests.sets.arrangements import PAIR_FILE
 
 
 def run(*arguments: object) -> Result:
@@ -144,6 +147,36 @@ def test_a_run_that_is_terminated_leaves_nothing_half_written(
     assert running.returncode == 143
     assert "Traceback" not in said
     assert [file.name for file in tmp_path.iterdir()] == ([left] if left else [])
+
+
+@pytest.mark.parametrize("given", ["axes", "random", "set", "auto"])
+def test_a_sweep_is_reproduced_from_its_file(given: str, tmp_path: Path) -> None:
+    """The study again, to the last bit; and `run` solves the scene of its first point."""
+    first, again, file = tmp_path / "first.nc", tmp_path / "again.nc", tmp_path / "my.toml"
+    text = "[operation]\nspeed_rpm = 9000\naxial_load_N = 3000\n"
+    file.write_text({"set": PAIR_FILE, "auto": 'effects = "auto"\ntolerance = 0.03\n'}.get(given, "") + {
+        "axes": f'[bearing]\nname = "B218"\nball_count = 15\n{text}[readings.life]\n[vary]\nspeed_rpm = [0, 7e3]\n',
+        "random": f'[bearing]\nname = "B218"\n{text}[study]\nsamples = 9\nseed = 3\nsampling = "latin_hypercube"\n',
+        "set": "[vary]\nspeed_rpm = {start = 1000, stop = 9000, count = 3}\n",
+        "auto": f'[bearing]\nname = "B218"\n{text}[vary]\ngroove_radius_coefficient = [0.5217, 0.53]\n',
+    }[given])  # fmt: skip
+    options = ["--vary", "ball_diameter_deviation_um=normal(0,0.1)", "-y", "inner_load"] if given == "random" else []
+    assert run("sweep", file, *options, "--out", first).exit_code == 0
+    file.unlink()
+    result = run("sweep", first, "--out", again)
+    assert (result.exit_code, result.stderr) == (0, "")
+    with qs.open_results(first) as one, qs.open_results(again) as other:
+        xarray.testing.assert_identical(other.load(), one.load())
+        place = dict.fromkeys(one["status"].dims, 0)
+        result = run("run", first, "--json")
+        alone = json.loads(result.stdout)
+        assert (result.exit_code, result.stderr) == (0, "")
+        assert alone["input"] == json.loads(one.attrs["input"])
+        if given == "random":
+            return  # its scene has the distributions' medians
+        name = "displacement_axial" if given == "set" else "ring_displacement_axial"
+        (found,) = (key for key in one if str(key).endswith(name))
+        assert alone["displacement"]["axial_um"] == pytest.approx(float(one[found][place]), rel=1e-12)
 
 
 def test_a_study_file_is_no_scene_to_run(tmp_path: Path) -> None:

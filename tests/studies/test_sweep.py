@@ -365,7 +365,7 @@ def test_a_run_that_is_killed_holds_no_lock(tmp_path: Path) -> None:
 def interrupted(study: Study, out: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of a run that has ended before its chunks were joined."""
     with monkeypatch.context() as patch:
-        patch.setattr(Store, "join", lambda store, label: (_ for _ in ()).throw(KeyboardInterrupt))
+        patch.setattr(Store, "join", lambda store: (_ for _ in ()).throw(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
             sweep(study, out=out)
     return out.with_name(f"{out.name}.parts")
