@@ -70,8 +70,9 @@ def attributes(plan: Plan) -> dict[str, Any]:
         "qsbearing_format": FORMAT,
         "qsbearing_version": __version__,
         "study": json.dumps(plan.study.as_data()),
-        "input": json.dumps(input_tables(scene)),
     }
+    if scene is not None:
+        found["input"] = json.dumps(input_tables(scene))
     if plan.chosen is not None:
         found["chosen_effects"] = str(plan.chosen)
     revision = commit()
