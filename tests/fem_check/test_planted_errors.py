@@ -135,6 +135,24 @@ PLANTED = {
         "return 0.0 * max(abs(value - values[-1]) for value in values[:-1])",
         "true_geometry",
     ),
+    "curved edges straight": (
+        "fem_check/solids/tetrahedral_body.py",
+        "positions[:, _edge_nodes(straight, *mesh.curved_edges)] = mesh.curved_nodes",
+        "_edge_nodes(straight, *mesh.curved_edges)",
+        "manufactured_solution",
+    ),
+    "Lame's constants swapped": (
+        "fem_check/elastic_body.py",
+        "matrix = first * product + second * product.transpose(0, 1, 4, 3, 2)",
+        "matrix = second * product + first * product.transpose(0, 1, 4, 3, 2)",
+        "manufactured_solution",
+    ),
+    "facets' areas +0.1 %": (
+        "fem_check/solids/tetrahedral_body.py",
+        "(normals * outward[:, None] * weights)",
+        "(1.001 * normals * outward[:, None] * weights)",
+        "patch_test",
+    ),
     "far-field displacement x 1.01": (
         "fem_check/elastic_body.py",
         "prescribed_displacement = far.transpose",
