@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 import scipy.sparse as sp
-from skfem import CellBasis, LinearForm, MeshHex, MeshTet
 
 from fem_check import elastic_body
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
@@ -65,12 +64,16 @@ def _arguments(points: Array) -> Array:
 
 def hexahedra(count: int) -> DisplacementSpace:
     """A brick, its elements growing sideways and in depth as those below a contact do."""
+    from skfem import MeshHex
+
     lines = np.linspace(0.0, 1.0, count + 1)
     return DisplacementSpace(MeshHex.init_tensor(lines, lines + 0.4 * lines**2, lines + 0.8 * lines**2))
 
 
 def tetrahedra(count: int) -> TetrahedralBody:
     """A piece of a spherical shell, every edge curved."""
+    from skfem import MeshTet
+
     lines = np.linspace(0.0, 1.0, count + 1)
     cube = MeshTet.init_tensor(lines, lines, lines)
 
@@ -90,6 +93,8 @@ def errors(space: DisplacementSpace, loads: Array, pulled: Array) -> tuple[dict[
         loads: on its surface, (dof,).
         pulled: nodes of the surface on which those act; the rest of it is held at the solution.
     """
+    from skfem import CellBasis, LinearForm
+
     basis = CellBasis(space.mesh, space.family.element(), intorder=6)
     points = np.asarray(basis.global_coordinates())
     force = [LinearForm(lambda v, w: w.f * v).assemble(basis, f=each) for each in body_force(points)]
@@ -118,6 +123,8 @@ def of_hexahedra(count: int) -> tuple[dict[str, float], Factor]:
 
 def of_tetrahedra(count: int) -> tuple[dict[str, float], Factor]:
     """Pulled on the outer sphere, whose exact normal the traction takes; held on the other faces."""
+    from skfem import CellBasis
+
     body = tetrahedra(count)
 
     def outside(points: Array) -> Array:
