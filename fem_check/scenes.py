@@ -119,7 +119,8 @@ def heat_strains(scene: qsbearing.Scene, name: str) -> dict[str, float]:
     A ring whose temperature is left out is at the reference temperature, shaft and housing are as warm as their rings.
     """
     ring = scene.bearing.ring_material
-    materials, warmer = {"inner_ring": ring, "outer_ring": ring, "shaft": ring, "housing": ring}, {}
+    materials = {"inner_ring": ring, "outer_ring": ring, "shaft": ring, "housing": ring}
+    warmer: dict[str, float] = {}
     for effect in scene.ring_effects:
         if isinstance(effect, qsbearing.RingExpansion):
             materials |= {"shaft": effect.shaft_material or ring, "housing": effect.housing_material or ring}
