@@ -10,7 +10,6 @@ from fem_check.checks import (
     hertz_formula,
     hybrid_contact,
     load_power_law,
-    manufactured_solution,
     other_contacts,
     patch_test,
     solution_contacts,
@@ -22,7 +21,6 @@ ALL = {
     check.name: check
     for check in (
         patch_test.CHECK,
-        manufactured_solution.CHECK,
         sphere_on_plane.CHECK,
         ball_in_inner_groove.CHECK,
         ball_in_outer_groove.CHECK,
