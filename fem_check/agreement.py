@@ -107,6 +107,24 @@ def collapsed(rows: Iterable[Row], case: str) -> list[Row]:
     return [replace(row, case=case, worst_at=row.case) for row in worst.values()]
 
 
+def covered(case: str, rows: Iterable[Row]) -> Row:
+    """The verdict on the uncertainties themselves: no deviation from an exact reference may exceed the one beside it.
+
+    Args:
+        case: of the row.
+        rows: whose references are exact, or as good as that.
+    """
+    over = {
+        f"{row.quantity}: {row.case}": abs(row.deviation_percent) / max(row.uncertainty_percent, 1e-12)
+        for row in rows
+        if row.uncertainty_percent is not None
+    }
+    worst = max(over, key=lambda name: math.inf if math.isnan(over[name]) else over[name])
+    source = "exact: the uncertainty covers the deviation from an exact reference"
+    why = "an uncertainty that its own deviation exceeds is too small"
+    return Row(case, "largest deviation over uncertainty", "1", 0.0, source, over[worst], None, 100.0, why, worst)
+
+
 Progress = Callable[[str, float], None]
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from fem_check import contact, convergence, elastic_body, measuring, meshing
-from fem_check.agreement import Level, Row
+from fem_check.agreement import Level, Row, covered
 from fem_check.contact import ContactSolution
 from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.elastic_body import CondensedBody, Progress, Support, silent
@@ -195,7 +195,7 @@ def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tup
         )
         for quantity in quantities or tuple(QUANTITIES)
     ]
-    return table + soundness_rows(case, [*found.sequence, *found.stretched])
+    return [*table, covered(case, table), *soundness_rows(case, [*found.sequence, *found.stretched])]
 
 
 def soundness_rows(case: str, measured: list[Measured]) -> list[Row]:

@@ -133,8 +133,11 @@ def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: A
         depths = over_b * b[case] / length
         principal = np.polynomial.chebyshev.chebvander(2.0 * depths / top - 1.0, degree) @ fitted[:, :, case]
         shear = 0.5 * (principal.max(axis=1) - principal.min(axis=1))
-        best = int(np.argmax(shear))
-        found[:, case] = shear[best], over_b[best] * b[case]
+        best = int(np.clip(np.argmax(shear), 1, len(shear) - 2))
+        # The vertex of a parabola through the three largest: the steps alone would leave 0.05 % of the depth.
+        left, middle, right = shear[best - 1 : best + 2]
+        vertex = over_b[best] + 0.5 * (left - right) / (left - 2.0 * middle + right) * (over_b[1] - over_b[0])
+        found[:, case] = middle, vertex * b[case]
     return found[0], found[1]
 
 

@@ -17,12 +17,17 @@ from fem_check import quasi_static
 from fem_check.contact_problem import Array
 from fem_check.equilibrium import BallRow, Model
 from fem_check.quasi_static import CHANNELS, Placed, Problem, alone
-from fem_check.scenes import axial_growth, drawing_at_rest, drawing_of
+from fem_check.scenes import axial_growth, drawing_at_rest, drawing_of, heat_strains
 
 LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 DISPLACEMENTS = ("axial_displacement", "radial_displacement_y", "radial_displacement_z", "tilt_y", "tilt_z")
 STRAIGHT = np.array([False, True, True, True, True, True])
 """Channels that are held while a bearing is mounted."""
+COLD: dict[str, Any] = {
+    **dict.fromkeys(f"{body}_temperature" for body in ("shaft", "inner_ring", "outer_ring", "housing")),
+    "reference_temperature": qsbearing.RingExpansion.reference_temperature,
+}
+"""Ring expansion that is given no temperature."""
 
 
 def of_scene(scene: qsbearing.Scene, name: str) -> Problem:
@@ -41,13 +46,18 @@ def of_scene(scene: qsbearing.Scene, name: str) -> Problem:
         if preload.axial_displacement is not None:
             shaft[0] = _number(preload.axial_displacement)
         else:
-            mounted = (Placed(row_of(scene, name, mounted=True), alone()),)
-            shaft[0] = _pressed(mounted, _number(preload.rigid))
+            mounted = Placed(row_of(as_preloaded(scene, preload), name), alone())
+            shaft[0] = _pressed((mounted,), _force(preload))
+        # The shaft, as long as it was held, has grown since.
+        shaft[0] *= 1.0 + heat_strains(scene, name)["shaft"]
     return Problem((Placed(row_of(scene, name), alone()),), load, held, shaft)
 
 
 def of_set(of: qsbearing.BearingSet, name: str) -> Problem:
     """Rows on one shaft.
+
+    Inner rings part as the shaft grows between them, outer ones as the housing does, both from the reference position;
+    what presses a row while the shaft is at its zero is a length of the shaft.
 
     Raises:
         SceneProblemError: a field holds several values.
@@ -56,7 +66,9 @@ def of_set(of: qsbearing.BearingSet, name: str) -> Problem:
     load, held, shaft = _channels(of.operation)
     turning = {each: getattr(of.operation, each) for each in ("speed", "outer_speed", "first_ball_azimuth")}
     scenes = [of.row_scene(number, qsbearing.Operation(**turning)) for number in range(len(of.rows))]
-    places = [_place(of, number, scene, name) for number, scene in enumerate(scenes)]
+    strains = [heat_strains(scene, name) for scene in scenes]
+    moved = {body: _moved_by_heat(of, [each[body] for each in strains]) for body in ("shaft", "housing")}
+    places = [_place(of, number, scene, name, moved["shaft"][number]) for number, scene in enumerate(scenes)]
     preload = of.preload
     pressed = dict.fromkeys((1.0, -1.0), 0.0)
     if preload is not None and preload.spring is not None:
@@ -66,22 +78,38 @@ def of_set(of: qsbearing.BearingSet, name: str) -> Problem:
     elif preload is not None:
         for sign in pressed:
             side = tuple(
-                Placed(row_of(scene, name, mounted=True), place * sign, _number(row.offset))
+                Placed(row_of(as_preloaded(scene, preload), name), place * sign, _number(row.offset))
                 for scene, place, row in zip(scenes, places, of.rows, strict=True)
                 if row.sign == sign
             )
-            pressed[sign] = _pressed(side, _number(preload.rigid))
-    rows = tuple(
-        Placed(row_of(scene, name), place, _number(row.offset) + pressed[row.sign])
-        for scene, place, row in zip(scenes, places, of.rows, strict=True)
-    )
-    return Problem(rows, load, held, shaft)
+            pressed[sign] = _pressed(side, _force(preload))
+    rows = []
+    for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True)):
+        apart = moved["shaft"][number] - moved["housing"][number]
+        length = (_number(row.offset) + pressed[row.sign]) * (1.0 + strains[number]["shaft"])
+        rows.append(Placed(row_of(scene, name), place, length + row.sign * apart))
+    return Problem(tuple(rows), load, held, shaft)
 
 
-def row_of(scene: qsbearing.Scene, name: str, mounted: bool = False) -> BallRow:
-    """The balls of a scene's bearing; mounted: at rest, cold and without fits."""
+def as_preloaded(scene: qsbearing.Scene, preload: qsbearing.Preload) -> qsbearing.Scene:
+    """The bearing at rest and at the reference temperature, with its fits where the preload is given mounted."""
+    effects: list[Any] = []
+    for effect in scene.ring_effects:
+        if isinstance(effect, qsbearing.BallDiameterDeviations):
+            effects.append(effect)
+        elif isinstance(effect, qsbearing.RingExpansion) and preload.mounted is not None:
+            effects.append(replace(effect, **COLD))
+    still = qsbearing.Operation(first_ball_azimuth=scene.operation.first_ball_azimuth)
+    return replace(
+        scene, operation=still, preload=None, ball_effects=(), raceway_control=None,
+        orbit_radius=qsbearing.OrbitRadius.PITCH_CIRCLE, ring_effects=tuple(effects),
+    )  # fmt: skip
+
+
+def row_of(scene: qsbearing.Scene, name: str) -> BallRow:
+    """The balls of a scene's bearing."""
     drawing, moment, operation = drawing_at_rest(scene, name), scene.gyroscopic_moment, scene.operation
-    turns = not mounted and bool(scene.ball_effects)
+    turns = bool(scene.ball_effects)
     model = Model(
         centrifugal=turns and scene.centrifugal_force is not None,
         gyroscopic=turns and moment is not None,
@@ -96,12 +124,12 @@ def row_of(scene: qsbearing.Scene, name: str, mounted: bool = False) -> BallRow:
     )  # fmt: skip
     count = round(_number(scene.bearing.ball_count))
     row = BallRow(
-        drawing=drawing if mounted else drawing_of(scene, name),
+        drawing=drawing_of(scene, name),
         model=model,
         azimuth=_number(operation.first_ball_azimuth) + 2.0 * np.pi * np.arange(count) / count,
         inner_speed=_number(operation.speed) if turns else 0.0,
         outer_speed=_number(operation.outer_speed or 0.0) if turns else 0.0,
-        touching_offset=drawing.touching_offset + (0.0 if mounted else axial_growth(scene, name)),
+        touching_offset=drawing.touching_offset + sum(axial_growth(scene, name)),
     )
     deviations = scene.ball_diameter_deviations
     if deviations is None:
@@ -113,6 +141,10 @@ def row_of(scene: qsbearing.Scene, name: str, mounted: bool = False) -> BallRow:
 
 def _number(value: Any) -> float:
     return float(np.asarray(value, float).reshape(-1)[0])
+
+
+def _force(preload: qsbearing.Preload) -> float:
+    return _number(preload.rigid if preload.mounted is None else preload.mounted)
 
 
 def _channels(operation: qsbearing.Operation) -> tuple[Array, Array, Array]:
@@ -128,16 +160,33 @@ def _channels(operation: qsbearing.Operation) -> tuple[Array, Array, Array]:
     return load, held, shaft
 
 
-def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: str) -> Array:
+def _moved_by_heat(of: qsbearing.BearingSet, strains: list[float]) -> Array:
+    """By how much a shaft or housing with these strains at the rows moves each row in +x from the reference position.
+
+    Between two rows it grows by the mean of their strains, beyond the outermost by the strain there.
+    """
+    at, reference = np.array([_number(row.position) for row in of.rows]), _number(of.reference)
+    order = np.argsort(at)
+    places, grown = at[order], np.array(strains)[order]
+    moved = np.concatenate([[0.0], np.cumsum(0.5 * (grown[1:] + grown[:-1]) * np.diff(places))])
+    beyond = grown[0] * min(reference - places[0], 0.0) + grown[-1] * max(reference - places[-1], 0.0)
+    return np.asarray(np.interp(at, places, moved) - np.interp(reference, places, moved) - beyond)
+
+
+def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: str, moved: float) -> Array:
     """How the shaft moves a row's ring, where its groove centres' circle is; in the row's own axes.
 
     A row that carries in -x is seen in a mirror across the shaft: axial displacement and tilts are reversed, and the
     groove centres, which lie past the balls' on the side that is pushed, are on the other side.
+
+    Args:
+        moved: the row, by the heat of the shaft, in +x [m].
     """
     drawing, row = drawing_at_rest(scene, name), of.rows[number]
-    sign, arm = row.sign, _number(row.position) - _number(of.reference)
+    sign, arm = row.sign, _number(row.position) - _number(of.reference) + moved
     if scene.tilt_lever is not qsbearing.TiltLever.PITCH_CIRCLE:
-        arm += sign * (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
+        beyond = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
+        arm += sign * (beyond + axial_growth(scene, name)[0])
     at = np.array([arm, 0.0, 0.0])
     place = np.zeros((5, CHANNELS))
     for channel, direction in enumerate(np.eye(3)):

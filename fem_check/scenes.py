@@ -98,19 +98,42 @@ def drawing_at_rest(scene: qsbearing.Scene, name: str) -> Drawing:
     )
 
 
-def axial_growth(scene: qsbearing.Scene, name: str) -> float:
-    """By how much further apart, axially, the groove centres lie in their warm rings [m].
+def axial_growth(scene: qsbearing.Scene, name: str) -> tuple[float, float]:
+    """By how much heat moves the inner and the outer groove's centre axially from the plane of the balls' centres [m].
 
-    Each groove's centre keeps its distance from the plane of the balls' centres, but for the heat of its own ring.
+    Each keeps its distance from there, but for the heat of its own ring.
     """
-    drawing, moved = drawing_at_rest(scene, name), 0.0
+    drawing, strains = drawing_at_rest(scene, name), heat_strains(scene, name)
+    inner, outer = (
+        strains[f"{race}_ring"]
+        * (getattr(drawing, f"{race}_groove_radius") - 0.5 * drawing.ball_diameter)
+        * sin(drawing.free_contact_angle)
+        for race in ("inner", "outer")
+    )
+    return inner, outer
+
+
+def heat_strains(scene: qsbearing.Scene, name: str) -> dict[str, float]:
+    """alpha dT of inner_ring, outer_ring, shaft and housing.
+
+    A ring whose temperature is left out is at the reference temperature, shaft and housing are as warm as their rings.
+    """
+    ring = scene.bearing.ring_material
+    materials = {"inner_ring": ring, "outer_ring": ring, "shaft": ring, "housing": ring}
+    warmer: dict[str, float] = {}
     for effect in scene.ring_effects:
         if isinstance(effect, qsbearing.RingExpansion):
-            for race in RACES:
-                length = getattr(drawing, f"{race}_groove_radius") - 0.5 * drawing.ball_diameter
-                warmer = _warmer(effect, f"{race}_ring", name)
-                moved += _strain(scene.bearing.ring_material, warmer, name) * length * sin(drawing.free_contact_angle)
-    return moved
+            materials |= {"shaft": effect.shaft_material or ring, "housing": effect.housing_material or ring}
+            for body, on in (
+                ("inner_ring", ""),
+                ("outer_ring", ""),
+                ("shaft", "inner_ring"),
+                ("housing", "outer_ring"),
+            ):
+                given = getattr(effect, f"{body}_temperature")
+                reference = _number(effect.reference_temperature, name)
+                warmer[body] = warmer.get(on, 0.0) if given is None else _number(given, name) - reference
+    return {body: _strain(material, warmer.get(body, 0.0), name) for body, material in materials.items()}
 
 
 def _number(value: Any, name: str, field: str = "a number") -> float:
@@ -124,26 +147,17 @@ def _strain(material: Any, warmer: float, name: str) -> float:
     return 0.0 if material.thermal_expansion is None else _number(material.thermal_expansion, name) * warmer
 
 
-def _warmer(effect: qsbearing.RingExpansion, body: str, name: str) -> float:
-    """Than at the reference temperature [K]; shaft and housing left out are as warm as their rings."""
-    own = getattr(effect, f"{body}_temperature")
-    if own is None:
-        ring = {"shaft": "inner_ring", "housing": "outer_ring"}.get(body)
-        return 0.0 if ring is None else _warmer(effect, ring, name)
-    return _number(own, name) - _number(effect.reference_temperature, name)
-
-
 def _ring_growth(
     effect: qsbearing.RingExpansion, scene: qsbearing.Scene, drawing: Drawing, name: str
 ) -> dict[str, float]:
     """Of both groove radii and both circles of groove centres [m]."""
-    operation, ring_material = scene.operation, scene.bearing.ring_material
+    operation, ring_material, strains = scene.operation, scene.bearing.ring_material, heat_strains(scene, name)
     speeds = {"inner": _number(operation.speed, name), "outer": _number(operation.outer_speed or 0.0, name)}
 
     def body(what: str, material: Any, bore: float, outside: float, speed: float) -> Annulus:
         return Annulus(
             bore, outside, _number(material.elastic_modulus, name), _number(material.poisson_ratio, name),
-            _number(material.density, name), speed, _strain(material, _warmer(effect, what, name), name),
+            _number(material.density, name), speed, strains[what],
         )  # fmt: skip
 
     bore, outside = 0.5 * _number(effect.bore_diameter, name), 0.5 * _number(effect.outside_diameter, name)
@@ -164,7 +178,9 @@ def _ring_growth(
     growth = {}
     for race, ends in (("inner", (bore, bottoms["inner"])), ("outer", (bottoms["outer"], outside))):
         ring = body(f"{race}_ring", ring_material, *ends, speeds[race])
-        growth[f"{race}_centre"] = elastic_growth(ring, bottoms[race], *seats[race]) + ring.strain * centres[race]
+        # Pressure and rotation strain a ring that heat has grown.
+        elastic = elastic_growth(ring, bottoms[race], *seats[race]) * (1.0 + ring.strain)
+        growth[f"{race}_centre"] = elastic + ring.strain * centres[race]
         growth[f"{race}_radius"] = ring.strain * getattr(drawing, f"{race}_groove_radius")
     return growth
 

@@ -10,6 +10,7 @@ from fem_check.checks import (
     hertz_formula,
     hybrid_contact,
     load_power_law,
+    manufactured_solution,
     other_contacts,
     patch_test,
     solution_contacts,
@@ -21,6 +22,7 @@ ALL = {
     check.name: check
     for check in (
         patch_test.CHECK,
+        manufactured_solution.CHECK,
         sphere_on_plane.CHECK,
         ball_in_inner_groove.CHECK,
         ball_in_outer_groove.CHECK,

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from fem_check import boundary_element, contact, convergence, half_space_contact, measuring
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
 from fem_check.checks import groove_contacts
 from fem_check.groove import BallInGroove
 from fem_check.references import hertz
@@ -52,7 +52,7 @@ def gap_rows(groove: BallInGroove, case: str, level: Level, progress: Progress) 
     found = [over_hertz(groove, LOAD, count, progress) for count in counts]
     rows = []
     for name, tolerance in TOLERANCES[level].items():
-        mesh = convergence.estimate([1.0 / count for count in counts], [each[name] for each in found])
+        mesh = convergence.largest_change([each[name] for each in found])
         rows.append(
             Row(
                 case,
@@ -61,12 +61,12 @@ def gap_rows(groove: BallInGroove, case: str, level: Level, progress: Progress) 
                 reference.ratio[name],
                 boundary_element.SOURCE,
                 found[-1][name],
-                100.0 * mesh.uncertainty / reference.ratio[name] + reference.uncertainty_percent[name],
+                100.0 * mesh / reference.ratio[name] + reference.uncertainty_percent[name],
                 tolerance,
                 WHY,
             )
         )
-    return rows
+    return [*rows, covered(case, rows)]
 
 
 def load_at_error(error: list[float], limit: float) -> float | None:

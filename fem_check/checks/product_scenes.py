@@ -26,11 +26,20 @@ def _turned(load: float) -> dict[str, float]:
 
 COMBINED: dict[str, Any] = {"axial_load": 12e3, **_turned(4e3), "first_ball_azimuth": 5.0 * qs.deg}
 CELSIUS = qs.zero_celsius
-WARM = qs.RingExpansion(
-    90 * qs.mm, 160 * qs.mm, shaft_interference=12 * qs.um, shaft_bore_diameter=40 * qs.mm,
-    shaft_temperature=CELSIUS + 50, inner_ring_temperature=CELSIUS + 45, outer_ring_temperature=CELSIUS - 5,
-    housing_interference=-4 * qs.um, housing_outside_diameter=210 * qs.mm, housing_temperature=CELSIUS - 20,
-)  # fmt: skip
+ALUMINIUM = qs.Material(70e9, 0.33, 2700.0, 23e-6, "aluminium")
+
+
+def _warm(shaft: float, inner_ring: float, outer_ring: float, housing: float, reference: float = 20.0) -> Any:
+    """Seats that press and bodies of two materials, so that each temperature [degrees Celsius] counts."""
+    return qs.RingExpansion(
+        90 * qs.mm, 160 * qs.mm, shaft_interference=12 * qs.um, shaft_bore_diameter=40 * qs.mm,
+        shaft_temperature=CELSIUS + shaft, inner_ring_temperature=CELSIUS + inner_ring,
+        outer_ring_temperature=CELSIUS + outer_ring, housing_interference=10 * qs.um,
+        housing_outside_diameter=210 * qs.mm, housing_material=ALUMINIUM, housing_temperature=CELSIUS + housing,
+        reference_temperature=CELSIUS + reference,
+    )  # fmt: skip
+
+
 TURNING = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=10 * qs.um)
 UNEQUAL = qs.BallDiameterDeviations([1.5 * qs.um, -1 * qs.um, 0.5 * qs.um, *13 * [0.0]])
 WITH_CLEARANCE = qs.BallBearing.from_diametral_clearance(
@@ -80,7 +89,11 @@ def scenes() -> dict[str, qs.Scene]:
         "displaced orbit, 10000 rpm": _at(10000.0, fixed, orbit_radius="displaced", **BOTH),
         "unequal balls, 6000 rpm": _at(6000.0, fixed, ring_effects=(UNEQUAL,), **BOTH),
         "rings grow by fits, heat and rotation, balls by heat, 12000 rpm": _at(
-            12000.0, fixed, ring_effects=(WARM, qs.BallExpansion(CELSIUS + 40)), **BOTH
+            12000.0, fixed, ring_effects=(_warm(52.0, 46.0, 33.0, 28.0), qs.BallExpansion(CELSIUS + 40)), **BOTH
+        ),
+        "preload as mounted, on a warm shaft in a warm housing, 9000 rpm": _at(
+            9000.0, {}, preload=qs.Preload(mounted=2500.0),
+            ring_effects=(_warm(47.0, 44.0, 36.0, 31.0, 22.0), qs.BallExpansion(CELSIUS + 42), UNEQUAL), **BOTH
         ),
         "rigid preload, rings grow by rotation and fit, 12000 rpm": _at(
             12000.0, {}, preload=qs.Preload(rigid=3000.0), ring_effects=(TURNING,), **BOTH
@@ -116,6 +129,14 @@ def sets() -> dict[str, qs.BearingSet]:
         "face to face, pressed by 40 um, rings that grow, 8000 rpm": qs.BearingSet(
             (qs.Row(B218, 0.0, MINUS, offset=3e-6), qs.Row(B218, 60e-3, PLUS, ring_effects=(TURNING,))),
             loads, qs.Preload(axial_displacement=40e-6), **BOTH,
+        ),
+        "back to back, mounted, shaft and housing warm from row to row, 6000 rpm": qs.BearingSet(
+            (
+                qs.Row(B218, 0.0, PLUS, offset=4e-6, ring_effects=(_warm(50.0, 46.0, 40.0, 28.0),)),
+                qs.Row(B218, 50e-3, PLUS, ring_effects=(_warm(44.0, 42.0, 36.0, 27.0), UNEQUAL)),
+                qs.Row(B218, 160e-3, MINUS, ring_effects=(_warm(38.0, 36.0, 31.0, 25.0),)),
+            ),
+            replace(loads, speed=6000.0 * qs.rpm), qs.Preload(mounted=5000.0), reference_position=-30e-3, **BOTH,
         ),
     }  # fmt: skip
 

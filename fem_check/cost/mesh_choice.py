@@ -14,6 +14,7 @@ from fem_check import convergence
 from fem_check.agreement import Row
 from fem_check.cost.measurement import JUDGED
 from fem_check.element_family import SERENDIPITY
+from fem_check.half_space_contact import ORDERS
 
 SEQUENCES = {6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (4, 8, 16)}
 """Meshes solved for a result and its uncertainty, by elements per semi-axis of the finest. Well apart: errors are
@@ -57,7 +58,8 @@ def choices(record: dict[str, Any]) -> list[MeshChoice]:
         accuracies = []
         for name in JUDGED:
             errors = [entry["error"][name] for entry in chosen]
-            uncertainty = convergence.estimate(sizes, errors).uncertainty + chosen[-1]["position_uncertainty"][name]
+            uncertainty = convergence.uncertainty_at_order(sizes, errors, ORDERS[name])
+            uncertainty += chosen[-1]["position_uncertainty"][name]
             accuracies.append(abs(errors[-1]) + uncertainty)
         seconds = sum(entry["seconds"]["median"] for entry in chosen)
         found.append(MeshChoice(sequence, max(accuracies), seconds, chosen[-1]["peak_memory_MB"]))

@@ -203,13 +203,13 @@ def test_the_cheapest_that_will_do_comes_first(kept):
 
 
 def test_the_accuracy_of_a_choice_includes_its_uncertainty():
-    # Errors of 8 h^3: that of h = 0.1 is 8e-3; Roache's factor makes 1e-2 of it; the positions add 1e-3.
+    # Errors that fall at the lowest order, the approach's: Roache's factor on that of h = 0.1, and the positions' 1e-3.
     entries = [
         {
             "family": SERENDIPITY.label,
             "elements_per_semi_axis": count,
             "element_size": h,
-            "error": dict.fromkeys(measurement.JUDGED, -8.0 * h**3),
+            "error": dict.fromkeys(measurement.JUDGED, -8.0 * h ** half_space_contact.ORDERS["approach"]),
             "position_uncertainty": dict.fromkeys(measurement.JUDGED, 1e-3),
             "seconds": {"median": 2.0},
             "peak_memory_MB": 10.0 * count,
@@ -217,7 +217,7 @@ def test_the_accuracy_of_a_choice_includes_its_uncertainty():
         for count, h in ((4, 0.4), (8, 0.2), (16, 0.1))
     ]
     assert mesh_choice.choices({"meshes": entries}) == [
-        MeshChoice((4, 8, 16), pytest.approx(8e-3 + 1.25 * 8e-3 + 1e-3), 6.0, 160.0)
+        MeshChoice((4, 8, 16), pytest.approx(2.25 * 8.0 * 0.1**1.5 + 1e-3), 6.0, 160.0)
     ]
 
 

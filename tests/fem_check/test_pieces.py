@@ -9,7 +9,7 @@ import scipy.sparse as sp
 from scipy.optimize import nnls
 
 from fem_check import boussinesq, contact, convergence, linear_solver
-from fem_check.agreement import Row, collapsed
+from fem_check.agreement import Row, collapsed, covered
 from fem_check.pressure_basis import PressureBasis
 
 
@@ -73,22 +73,6 @@ def test_every_solver_solves(solver, monkeypatch):
     np.testing.assert_allclose(matrix @ factor.solve(sides[:, 0]), sides[:, 0], atol=1e-12)
 
 
-def test_estimate_finds_a_power_law():
-    sizes = [0.25, 0.2, 0.125]
-    found = convergence.estimate(sizes, [3.0 + 2.0 * h**2.5 for h in sizes])
-    assert found.order == pytest.approx(2.5, rel=1e-9)
-    assert found.extrapolated == pytest.approx(3.0, rel=1e-12)
-    assert found.uncertainty == pytest.approx(1.25 * 2.0 * 0.125**2.5, rel=1e-9)
-
-
-def test_estimate_is_careful_without_one():
-    found = convergence.estimate([0.25, 0.2, 0.125], [3.1, 2.9, 3.0])
-    assert found.order is None
-    assert found.uncertainty >= 0.1 * 0.9  # no smaller than what the meshes differ by
-    with pytest.raises(ValueError, match="at least three"):
-        convergence.estimate([0.2, 0.1], [1.0, 2.0])
-
-
 def row(found: float, tolerance: float | None) -> Row:
     return Row("case", "approach", "m", 2.0, "source", found, None, tolerance, "why")
 
@@ -110,6 +94,16 @@ def test_similar_rows_collapse_into_their_worst():
     assert hidden.verdict == "fail"
 
 
+def test_an_uncertainty_too_small_fails_of_itself():
+    honest, short = (replace(row(2.002, 0.2), uncertainty_percent=told) for told in (0.11, 0.09))
+    assert covered("case", [honest]).verdict == "pass"
+    judged = covered("case", [honest, replace(short, quantity="load"), row(2.1, 0.2)])
+    assert (judged.verdict, judged.worst_at) == ("fail", "load: case")
+    assert judged.found == pytest.approx(0.1 / 0.09)
+    for told in (0.0, float("nan")):
+        assert covered("case", [honest, replace(short, uncertainty_percent=told)]).verdict == "fail"
+
+
 def test_uncertainty_at_a_known_order_bounds_the_error():
     sizes = [0.25, 0.2, 0.125]
     values = [3.0 + 2.0 * h**3 for h in sizes]
@@ -118,6 +112,7 @@ def test_uncertainty_at_a_known_order_bounds_the_error():
     assert error <= convergence.uncertainty_at_order(sizes, values, 2.5) <= 3.0 * error
     # Two meshes that agree by chance do not hide what the coarsest says.
     assert convergence.uncertainty_at_order(sizes, [3.1, 3.0, 3.0], 2.5) > 0.01
+    assert convergence.largest_change([3.1, 3.0, 3.0]) == pytest.approx(0.1)
 
 
 @pytest.mark.parametrize("order", [2.0, 2.2, 2.5])

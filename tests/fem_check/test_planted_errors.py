@@ -290,6 +290,49 @@ PLANTED = {
         "prescribed_displacement = 1.01 * far.transpose(",
         "load_power_law",
     ),
+    # Uncertainties that are too small, and code verification.
+    "mesh uncertainty returns 0": (
+        "fem_check/convergence.py",
+        "return SAFE_FACTOR * max(steps)",
+        "return 0.0 * max(steps)",
+        "sphere_on_plane",
+    ),
+    "mesh uncertainty returns 0, load series": (
+        "fem_check/convergence.py",
+        "return SAFE_FACTOR * max(steps)",
+        "return 0.0 * max(steps)",
+        "load_power_law",
+    ),
+    "uncertainty of ratios returns 0": (
+        "fem_check/convergence.py",
+        "return max(abs(value - values[-1]) for value in values[:-1])",
+        "return 0.0 * max(abs(value - values[-1]) for value in values[:-1])",
+        "true_geometry",
+    ),
+    "curved edges straight": (
+        "fem_check/solids/tetrahedral_body.py",
+        "positions[:, _edge_nodes(straight, *mesh.curved_edges)] = mesh.curved_nodes",
+        "_edge_nodes(straight, *mesh.curved_edges)",
+        "manufactured_solution",
+    ),
+    "Lame's constants swapped": (
+        "fem_check/elastic_body.py",
+        "matrix = first * product + second * product.transpose(0, 1, 4, 3, 2)",
+        "matrix = second * product + first * product.transpose(0, 1, 4, 3, 2)",
+        "manufactured_solution",
+    ),
+    "facets' areas +0.1 %": (
+        "fem_check/solids/tetrahedral_body.py",
+        "(normals * outward[:, None] * weights)",
+        "(1.001 * normals * outward[:, None] * weights)",
+        "patch_test",
+    ),
+    "far-field displacement x 1.01": (
+        "fem_check/elastic_body.py",
+        "prescribed_displacement = far.transpose",
+        "prescribed_displacement = 1.01 * far.transpose",
+        "sphere_on_plane",
+    ),
 }
 COMPILED = ("load exponent 1.49", "centrifugal force doubled")
 

@@ -5,6 +5,7 @@ The finite-element half costs minutes and runs with the check itself (`fem-check
 """
 
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -97,6 +98,29 @@ def test_sets_are_judged_and_right(label):
     rows = list(set_rows(label, scenes.solve_set(label, product_scenes.sets()[label]), label))
     assert failing(rows) == set()
     assert passing(rows) >= BALANCE | {"load of each row", "stiffness, tilts at the lever"}
+
+
+TEMPERATURES = ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")
+
+
+@pytest.mark.parametrize("body", TEMPERATURES)
+def test_every_temperature_of_the_warm_scenes_counts(body):
+    """Judged by a scene in which one body is a hundredth of a kelvin warmer, each is red."""
+    warm = {
+        label: scene
+        for label, scene in product_scenes.scenes().items()
+        if scene.ring_expansion is not None and scene.ring_expansion.is_warm
+    }
+    assert len(warm) == 2
+    for label, scene in warm.items():
+        solution = scenes.solve("", label, scene)
+        rings = replace(scene.ring_expansion, **{body: getattr(scene.ring_expansion, body) + 0.01})
+        others = tuple(each for each in scene.ring_effects if not isinstance(each, qs.RingExpansion))
+        other = replace(scene, ring_effects=(rings, *others))
+        rows = equilibrium_rows(
+            label, partial(problems.of_scene, other, label), [solution], solution, solution.displacement
+        )
+        assert "contact load" in failing(rows)
 
 
 @pytest.mark.parametrize("control", ["outer", "inner", "per_ball", "minimum_dissipation"])

@@ -6,6 +6,7 @@ from fem_check.book.case import Case
 from fem_check.book.cases import (
     b218_textbook,
     boresi_contacts,
+    code_aster_spheres,
     endurance_1956,
     gmn_dynamic_ratings,
     gmn_hybrid_ratings,
@@ -32,6 +33,7 @@ _ORDER = (
     b218_textbook,
     half_loaded_ring,
     boresi_contacts,
+    code_aster_spheres,
     skf_examples,
     hamrock_209_film,
     iso_16281_seven_balls,
