@@ -7,6 +7,9 @@ S. Timoshenko & J. N. Goodier, Theory of Elasticity, "Rotating disks": an annulu
 c1 and c2 of every body follow together from the conditions at its surfaces: no radial stress where it is free, and at a
 seat one radial stress for both, and displacements that make up for the interference. A seat that this would pull
 together is open, and both bodies are free.
+
+Radii are those before heating. A body that heat makes larger by 1 + s keeps its mass: its density falls by (1 + s)^3,
+and rho r^2, on which the stress depends, by 1 + s.
 """
 
 from __future__ import annotations
@@ -34,7 +37,7 @@ class Annulus:
     def _rotation(self, radius: float) -> tuple[float, float]:
         """(u, sigma_r) of the last term."""
         nu = self.poisson_ratio
-        size = self.density * self.speed**2 / 8.0
+        size = self.density / (1.0 + self.strain) * self.speed**2 / 8.0
         return -(1.0 - nu**2) * size * radius**3 / self.elastic_modulus, -(3.0 + nu) * size * radius**2
 
     def displacement(self, radius: float, with_heat: bool = True) -> tuple[Array, float]:
