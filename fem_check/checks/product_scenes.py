@@ -136,7 +136,7 @@ def sets() -> dict[str, qs.BearingSet]:
                 qs.Row(B218, 50e-3, PLUS, ring_effects=(_warm(44.0, 42.0, 36.0, 27.0), UNEQUAL)),
                 qs.Row(B218, 160e-3, MINUS, ring_effects=(_warm(38.0, 36.0, 31.0, 25.0),)),
             ),
-            replace(loads, speed=6000.0 * qs.rpm), qs.Preload(mounted=5000.0), reference_position=-30e-3, **BOTH,
+            replace(loads, speed=6000.0 * qs.rpm), qs.Preload(mounted=20e3), reference_position=-30e-3, **BOTH,
         ),
     }  # fmt: skip
 
