@@ -1,9 +1,9 @@
 """Pictures of a solved case, one function each; matplotlib is imported where it draws.
 
-Each takes a solution of a bearing (all but `contact_ellipses` one of a set as well) and, where it has case axes, the
-index of one case; and returns a figure of matplotlib.
+Each takes a solution of a bearing (all but `contact_ellipses` and `section` one of a set as well) and, where it has
+case axes, the index of one case; and returns a figure of matplotlib.
 """
 
-from qsbearing.pictures.sheet import contact_angles, contact_ellipses, load_distribution, overview
+from qsbearing.pictures.sheet import contact_angles, contact_ellipses, load_distribution, overview, section
 
-__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview"]
+__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview", "section"]

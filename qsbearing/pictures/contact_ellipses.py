@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.case_index import Place
-from qsbearing.pictures.style import GREY, STYLE, balls, raceways
+from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways
 from qsbearing.solution import Solution
 from qsbearing.units import MPa, mm
 
@@ -57,8 +57,9 @@ def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
     axes.set_xticks(places, names, fontsize=8)
     axes.set_yticks([1.45 * tallest, -1.45 * tallest], ["inner\nraceway", "outer\nraceway"], fontsize=9)
     axes.tick_params(length=0)
-    title = "Contact ellipses to scale, rolling direction to the right"
+    title = "Contact ellipses to scale,\nrolling direction to the right"
     if not alone:
+        title = title.replace("\n", " ")
         axes.set_xlabel(f"azimuth of the ball, deg{every}", fontsize=9)
         title += "; numbers: maximum pressure, MPa"
     axes.set_title(title, fontsize=10)
@@ -92,9 +93,8 @@ def _round_length(length: float) -> float:
 
 def _columns(solution: Solution, place: Place) -> tuple[NDArray, list[str], str]:
     """Which balls to draw, their names, and what to add to the axis label where some are left out."""
-    azimuth, present = balls(solution, place)
-    load = np.stack([contacts.load[place][present] for _, contacts in raceways(solution)])
-    if np.ptp(load, axis=1).max() <= 1e-9 * load.max():
+    azimuth, _ = balls(solution, place)
+    if carry_alike(solution, place):
         return np.array([0]), ["all balls"], ""
     turned = np.round(np.degrees(azimuth) % 360.0, 6) % 360.0
     order = np.argsort(turned)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.case_index import Index, Place, place_of
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads, load_span
-from qsbearing.pictures.style import Span, figure_of_size, legend, write_title, write_title_of_set
+from qsbearing.pictures.section import draw_section
+from qsbearing.pictures.style import Span, carry_alike, figure_of_size, legend, write_title, write_title_of_set
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution import Solution
 
@@ -59,11 +61,28 @@ def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     return _alone(draw_ellipses, (10.0, 4.6), solution, index)
 
 
+def section(solution: Solution, index: Index = None, ball: int | None = None) -> Figure:
+    """The section through one ball with the lines of action, angles and loads of its contacts.
+
+    Args:
+        ball: its number, from zero; None: the one with the largest contact load.
+    """
+    return _alone(partial(draw_section, ball=ball), (6.4, 5.4), solution, index)
+
+
 def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
-    """Loads, angles and ellipses on one sheet; of a set, loads and angles of each row."""
+    """On one sheet loads, angles and ellipses, or, where all balls carry alike, the section and the ellipses; of a
+    set, loads and angles of each row."""
     if isinstance(solution, SetSolution):
         return _rows([LOADS, ANGLES], solution, index)
     place = solution._place(index)
+    if carry_alike(solution, place):
+        figure = figure_of_size(10.4, 5.0)
+        left, right = figure.subplots(1, 2, width_ratios=(1.9, 1.0))
+        draw_section(left, solution, place)
+        draw_ellipses(right, solution, place)
+        write_title(figure, solution, place)
+        return figure
     figure = figure_of_size(11.0, 8.2)
     grid = figure.add_gridspec(2, 2, width_ratios=(1.0, 1.25), height_ratios=(1.1, 1.0))
     loads = figure.add_subplot(grid[0, 0], projection="polar")

@@ -84,6 +84,13 @@ def balls(solution: Solution, place: Place) -> tuple[NDArray, NDArray]:
     return azimuth[present], present
 
 
+def carry_alike(solution: Solution, place: Place) -> bool:
+    """Whether all balls carry the same loads, as under pure thrust."""
+    _, present = balls(solution, place)
+    load = np.stack([contacts.load[place][present] for _, contacts in raceways(solution)])
+    return bool(np.ptp(load, axis=1).max() <= 1e-9 * load.max())
+
+
 def raceways(solution: Solution) -> tuple[tuple[str, RacewayContacts], ...]:
     """Both raceways with their names."""
     return ("inner", solution.inner), ("outer", solution.outer)

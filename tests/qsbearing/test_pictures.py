@@ -54,7 +54,7 @@ def test_every_scene_is_drawn_without_a_warning(name: str) -> None:
         pictures.overview(solution).savefig(BytesIO(), dpi=40)
 
 
-@pytest.mark.parametrize("picture", ["load_distribution", "contact_angles", "contact_ellipses"])
+@pytest.mark.parametrize("picture", ["load_distribution", "contact_angles", "contact_ellipses", "section"])
 def test_every_picture_alone_is_drawn_without_a_warning(picture: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -146,6 +146,48 @@ def test_pressures_do_not_run_into_each_other(name: str) -> None:
     ]
     for i, box in enumerate(boxes):
         assert not any(box.overlaps(other) for other in boxes[:i]), axes.get_title()
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_section_shows_the_most_loaded_ball_to_scale(name: str) -> None:
+    """Lines of action from the groove centres, where the model has them, to the contacts, as long as these are."""
+    solution = SOLUTIONS[name]
+    (axes,) = pictures.section(solution).axes
+    ball = int(np.nanargmax(np.fmax(solution.inner.load, solution.outer.load)))
+    lines = {line.get_color(): line for line in axes.lines if line.get_linewidth() == 1.6}
+    patches = {line.get_color(): line for line in axes.lines if line.get_linewidth() == 4.5}
+    for side, up, contacts in (("inner", -1.0, solution.inner), ("outer", 1.0, solution.outer)):
+        radius = float(getattr(solution.scene.bearing, f"{side}_groove_radius")) / qs.mm
+        colour = pictures.style.STYLE[side]["color"]
+        if contacts.load[ball] == 0.0:
+            assert colour not in patches
+            continue
+        centre, contact = np.transpose(lines[colour].get_data())
+        along = up * (contact - centre)
+        assert np.degrees(np.arctan2(*along)) == pytest.approx(contacts.angle[ball] / qs.deg, abs=1e-9)
+        assert np.hypot(*along) == pytest.approx(radius, rel=1e-12)
+        # The ball, whose centre is the origin, reaches into the raceway by the approach.
+        assert 0.5 * solution.scene.bearing.ball_diameter / qs.mm - np.hypot(*contact) == pytest.approx(
+            contacts.approach[ball] / qs.mm, abs=1e-9
+        )
+        x, y = patches[colour].get_data()
+        assert np.hypot(np.diff(x), np.diff(y)).sum() == pytest.approx(
+            2.0 * contacts.semi_major_axis[ball] / qs.mm, rel=1e-3
+        )
+
+
+def test_the_section_of_an_unloaded_ball_says_so_and_a_given_seat_is_drawn() -> None:
+    solution = SOLUTIONS["at rest, balls unloaded"]
+    ball = int(np.argmin(solution.inner.load))
+    texts = [text.get_text() for text in pictures.section(solution, ball=ball).axes[0].texts]
+    assert "inner contact:\nno load" in texts
+    seats = []
+    for outside in (160.0, 170.0):
+        rings = qs.RingExpansion(90 * qs.mm, outside * qs.mm)
+        grown = qs.solve(dataclasses.replace(solution.scene, ring_effects=(rings,)))
+        _, _, outer = pictures.section(grown).axes[0].patches
+        seats.append(outer.get_xy()[:, 1].max())
+    assert seats[1] - seats[0] == pytest.approx(5.0, abs=1e-9)
 
 
 def test_one_case_of_many() -> None:

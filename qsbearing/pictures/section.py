@@ -1,0 +1,147 @@
+"""The section through one ball: both rings, the lines of action of its contacts, their angles and loads.
+
+Ball, groove radii and groove centres are to scale, as they lie under load. Of the rings only the grooves are known to
+the model: faces, shoulders and seats are sketched, except a bore or an outside diameter that the scene gives.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.case_index import Place
+from qsbearing.pictures.style import GREY, STYLE, carry_alike, raceways
+from qsbearing.scene.bearing import BearingKind
+from qsbearing.solution import Solution
+from qsbearing.units import MPa, deg, mm
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+HIGH_SHOULDER, LOW_SHOULDER = 60.0 * deg, 12.0 * deg
+"""Half-angles of the sketched groove, on the side that carries and on the other."""
+
+WIDTH, THICKNESS = 1.35, 0.3
+"""Of the sketched rings, as parts of the ball diameter; the thickness below the groove's bottom."""
+
+
+def most_loaded_ball(solution: Solution, place: Place) -> int:
+    """Number of the ball with the largest contact load."""
+    loads = [np.nan_to_num(contacts.load[place]) for _, contacts in raceways(solution)]
+    return int(np.argmax(np.maximum(*loads)))
+
+
+def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None = None) -> None:
+    """Args:
+    ball: its number from zero; None: the one with the largest contact load.
+    """
+    number = most_loaded_ball(solution, place) if ball is None else ball
+    bearing = solution.scene.bearing
+    diameter = _number(bearing.ball_diameter, place, solution) / mm
+    free = _number(bearing.free_contact_angle, place, solution)
+    _ball(axes, diameter)
+    reach = 0.88 * diameter
+    end = reach * np.array([np.sin(free), np.cos(free)])
+    axes.plot([-end[0], end[0]], [-end[1], end[1]], color=GREY, linewidth=0.8, linestyle=":")
+    axes.text(*(0.98 * end), f"$\\alpha_0$ = {free / deg:.3g}° ", fontsize=9, color=GREY, ha="right", va="center")
+    axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
+    for side, contacts in raceways(solution):
+        up = 1.0 if side == "outer" else -1.0
+        radius = _number(getattr(bearing, f"{side}_groove_radius"), place, solution) / mm
+        load, approach = float(contacts.load[place][number]), float(contacts.approach[place][number])
+        # Without load it touches where it would: at the free angle.
+        angle = float(contacts.angle[place][number]) if load > 0.0 else free
+        beyond = radius - 0.5 * diameter + (approach / mm if load > 0.0 else 0.0)
+        centre = -up * beyond * np.array([np.sin(angle), np.cos(angle)])
+        _ring(axes, solution, place, side, centre, radius, diameter)
+        half = float(contacts.semi_major_axis[place][number]) / mm if load > 0.0 else 0.0
+        _line_of_action(axes, side, centre, angle, radius, half)
+        _label(axes, side, angle, load, float(contacts.max_pressure[place][number]), diameter)
+    span = 0.5 * WIDTH * diameter
+    axes.set_xlim(-1.9 * span, 1.9 * span)
+    axes.set_ylim(-1.0 * diameter, 0.98 * diameter)
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.set_title(_title(solution, place, number), fontsize=10)
+    axes.text(0.0, -0.99 * diameter, "axis of the bearing below; ring outlines are sketched", fontsize=7.5,
+              color=GREY, ha="center", va="bottom")  # fmt: skip
+
+
+def _number(value: Any, place: Place, solution: Solution) -> float:
+    return float(np.broadcast_to(np.asarray(value, float), solution.shape)[place])
+
+
+def _title(solution: Solution, place: Place, number: int) -> str:
+    if carry_alike(solution, place):
+        return "Section through any ball"
+    azimuth = solution.azimuth[place]
+    most = ", the most heavily loaded" if number == most_loaded_ball(solution, place) else ""
+    return f"Section through the ball at {np.degrees(azimuth[number]) % 360.0:.4g}°{most}"
+
+
+def _ball(axes: Axes, diameter: float) -> None:
+    from matplotlib.patches import Circle
+
+    axes.add_patch(Circle((0.0, 0.0), 0.5 * diameter, facecolor="0.97", edgecolor="black", linewidth=1.0, zorder=1.5))
+    axes.plot(0.0, 0.0, "+", color="black", markersize=7, zorder=3)
+
+
+def _ring(
+    axes: Axes, solution: Solution, place: Place, side: str, centre: NDArray, radius: float, diameter: float
+) -> None:
+    """The section of a ring: the groove between its shoulders, faces and seat."""
+    from matplotlib.patches import Polygon
+
+    up = 1.0 if side == "outer" else -1.0
+    low = HIGH_SHOULDER if solution.scene.bearing.kind is BearingKind.DEEP_GROOVE else LOW_SHOULDER
+    turned = np.linspace(-low, HIGH_SHOULDER, 60)
+    groove = centre + up * radius * np.stack([np.sin(turned), np.cos(turned)], axis=1)
+    face = 0.5 * WIDTH * diameter
+    seat = centre[1] + up * (radius + _thickness(solution, place, side, diameter))
+    corners = [(up * face, groove[-1, 1]), (up * face, seat), (-up * face, seat), (-up * face, groove[0, 1])]
+    axes.add_patch(
+        Polygon(
+            np.concatenate([groove, corners]), closed=True, facecolor="0.86", edgecolor="0.25", linewidth=0.9, zorder=1
+        )
+    )
+
+
+def _thickness(solution: Solution, place: Place, side: str, diameter: float) -> float:
+    """Of a ring below its groove's bottom [mm]: given by its seat, or sketched."""
+    rings, bearing = solution.scene.ring_expansion, solution.scene.bearing
+    if rings is None:
+        return THICKNESS * diameter
+    seat = _number(getattr(rings, "bore_diameter" if side == "inner" else "outside_diameter"), place, solution) / mm
+    up = 1.0 if side == "outer" else -1.0
+    radius = _number(getattr(bearing, f"{side}_groove_radius"), place, solution) / mm
+    angle = _number(bearing.free_contact_angle, place, solution)
+    pitch = _number(bearing.pitch_diameter, place, solution) / mm
+    bottom = 0.5 * pitch + up * (radius - (radius - 0.5 * diameter) * np.cos(angle))
+    return max(up * (0.5 * seat - float(bottom)), 0.02 * diameter)
+
+
+def _line_of_action(axes: Axes, side: str, centre: NDArray, angle: float, radius: float, half: float) -> None:
+    """From the groove's centre through the ball's to the contact, with the contact's length on the raceway."""
+    up, colour = (1.0 if side == "outer" else -1.0), STYLE[side]["color"]
+    contact = centre + up * radius * np.array([np.sin(angle), np.cos(angle)])
+    axes.plot(*np.stack([centre, contact]).T, color=colour, linestyle=STYLE[side]["linestyle"], linewidth=1.6, zorder=3)
+    axes.plot(*centre, marker="o", markersize=3, color=colour, zorder=3.1)
+    if half:
+        along = angle + np.linspace(-half, half, 30) / radius
+        patch = centre + up * radius * np.stack([np.sin(along), np.cos(along)], axis=1)
+        axes.plot(*patch.T, color=colour, linewidth=4.5, solid_capstyle="butt", zorder=2.8)
+
+
+def _label(axes: Axes, side: str, angle: float, load: float, pressure: float, diameter: float) -> None:
+    up = 1.0 if side == "outer" else -1.0
+    name = "o" if side == "outer" else "i"
+    if load > 0.0:
+        text = f"$\\alpha_{name}$ = {angle / deg:.1f}°\n$Q_{name}$ = {load:.0f} N\n$p_0$ = {pressure / MPa:.0f} MPa"
+    else:
+        text = f"{side} contact:\nno load"
+    axes.text(
+        up * 0.75 * WIDTH * diameter * 0.98, up * 0.45 * diameter, text, color=STYLE[side]["color"], fontsize=10,
+        ha="left" if up > 0.0 else "right", va="center", linespacing=1.5,
+    )  # fmt: skip
