@@ -133,7 +133,7 @@ def test_what_is_missing_is_said(records: Path) -> None:
     (records / "quick" / "patch_test.json").unlink()
     text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
     assert "Check patch_test is not on record here" in text
-    assert "not on record: patch_test, sphere_on_plane" in text
+    assert "not on record: patch_test, manufactured_solution, sphere_on_plane" in text
     assert "the validation book" in text
     assert "commit, date and machine not recorded" in text
 
