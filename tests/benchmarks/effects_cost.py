@@ -1,4 +1,4 @@
-"""What each effect costs: `python -m tests.benchmarks.effects_cost` measures it, keeps the record, fills the README's
+"""What each effect costs: `python -m tests.benchmarks.effects_cost` measures it, keeps the record, fills the guide's
 table; with `--from-record` only the table. Each column adds to the one before; all in turn, processor time."""
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from qsbearing.chooser.choose import completed
 from qsbearing.solver import solve
 from qsbearing.studies.cost import machine, measuring, speeds
 
-README = Path(__file__).parents[2] / "README.md"
+PAGE = Path(qs.__file__).parent / "guide" / "timing.md"
 RECORD = Path(__file__).with_suffix(".json")
 BATCH, ROUNDS = 1000, 30
 
@@ -60,7 +60,7 @@ def measure() -> dict[str, Any]:
 
 
 def table(found: dict[str, Any]) -> str:
-    """The README's table."""
+    """The page's table."""
     rows = found["seconds"]
     lines = [f"| µs | {' | '.join(rows)} |", "|" + "---|" * (len(rows) + 1)]
     for count, name in (("1", "one call"), (str(BATCH), f"a point of {BATCH}, one core")):
@@ -70,11 +70,11 @@ def table(found: dict[str, Any]) -> str:
 
 
 def filled(page: str, found: dict[str, Any]) -> str:
-    """The README with its table made anew."""
+    """The page with its table made from the record."""
     pattern = r"(<!-- effects: made by tests/benchmarks/effects_cost.py -->\n).*?(<!-- end of effects -->)"
     page, count = re.subn(pattern, lambda match: f"{match[1]}{table(found)}\n{match[2]}", page, flags=re.DOTALL)
     if count != 1:
-        raise ValueError(f"the README has {count} tables of effects, not one")
+        raise ValueError(f"the page has {count} tables of effects, not one")
     return page
 
 
@@ -87,7 +87,7 @@ def main() -> None:
     """Measure, keep, show."""
     if sys.argv[1:] != ["--from-record"]:
         RECORD.write_text(json.dumps(measure(), indent=1) + "\n", encoding="utf-8")
-    README.write_text(filled(README.read_text(encoding="utf-8"), load()), encoding="utf-8")
+    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), load()), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ import qsbearing.cli
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "qsbearing" / "guide"
-NOT_HERE = ("python", "(python3", "pip")
+NOT_HERE = ("python", "python3", "pip", "pytest")
 """The repository's own scripts, and the installation, which continuous integration runs."""
 _BLOCK = re.compile(r"(<!-- minutes long -->\n+)?^```(\w+)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)
 _INLINE = re.compile(r"`(qsbearing [a-z][^`\n]*)`")
