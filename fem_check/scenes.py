@@ -17,7 +17,7 @@ from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
 from fem_check.ring_growth import Annulus, elastic_growth
 from qsbearing.io.set_file import load_scene_or_set
-from qsbearing.messages import STATIC_PRESSURE_LIMIT
+from qsbearing.messages.bearing import STATIC_PRESSURE_LIMIT
 
 AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
 

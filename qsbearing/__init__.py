@@ -36,9 +36,7 @@ if TYPE_CHECKING:
     from qsbearing.io.scene_file import load_scene
     from qsbearing.io.set_file import load_set
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.messages import message, warnings
-    from qsbearing.raceway_contacts import RacewayContacts
-    from qsbearing.ring_stiffness import stiffness
+    from qsbearing.messages.bearing import message, warnings
     from qsbearing.rotordynamics import stiffness_table, to_ross
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
@@ -50,8 +48,10 @@ if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.sets.solve import solve_set
     from qsbearing.sets.system_life import system_life
-    from qsbearing.solution import Solution
-    from qsbearing.status import Reason, Status
+    from qsbearing.solution.raceway_contacts import RacewayContacts
+    from qsbearing.solution.ring_stiffness import stiffness
+    from qsbearing.solution.solution import Solution
+    from qsbearing.solution.status import Reason, Status
     from qsbearing.studies.sobol import sobol_indices
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
@@ -74,13 +74,13 @@ _HOMES = {
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
     "io.scene_file": ("load_scene",),
     "io.set_file": ("load_set",),
-    "messages": ("message", "warnings"),
+    "messages.bearing": ("message", "warnings"),
     "scene.bearing": ("BallBearing", "BearingKind"),
     "material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "scene.operation": ("Operation",),
     "scene.preload": ("Preload",),
     "scene.scene": ("Scene",),
-    "raceway_contacts": ("RacewayContacts",),
+    "solution.raceway_contacts": ("RacewayContacts",),
     "rotordynamics": ("stiffness_table", "to_ross"),
     "sets.bearing_set": ("BearingSet", "Row"),
     "sets.preload_loads": ("preload_loads",),
@@ -88,9 +88,9 @@ _HOMES = {
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),
     "sets.system_life": ("system_life",),
-    "ring_stiffness": ("stiffness",),
-    "solution": ("Solution",),
-    "status": ("Reason", "Status"),
+    "solution.ring_stiffness": ("stiffness",),
+    "solution.solution": ("Solution",),
+    "solution.status": ("Reason", "Status"),
     "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
     "studies.study": ("Study",),

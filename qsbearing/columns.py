@@ -22,7 +22,7 @@ from qsbearing.scene.scene import Scene
 from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
 
 if TYPE_CHECKING:
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 DISPLACEMENT = (
     ("axial_um", um),

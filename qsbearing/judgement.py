@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.effects import EFFECTS, Entry
 from qsbearing.scene.scene import CHOICES, Scene
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 WORDS = {
     "contact_angle": "contact angles",

@@ -20,7 +20,7 @@ from qsbearing.units import deg
 if TYPE_CHECKING:
     import xarray
 
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 _WORDS = {
     "N_per_um": "N/um",

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from qsbearing.effects.operating_point import LIGHT, SMALLEST_ANGLE
 from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 T = TypeVar("T", Solution, SetSolution)
 

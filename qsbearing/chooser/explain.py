@@ -12,8 +12,8 @@ from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, Entry
 from qsbearing.judgement import estimated, judge, lines_to_add
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
-from qsbearing.solver import solve
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solver import solve
 
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 DATA_MISSING = "likely needed, data missing"

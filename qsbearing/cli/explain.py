@@ -35,7 +35,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     from dataclasses import replace
 
     from qsbearing.chooser.explain import explain
-    from qsbearing.messages import message
+    from qsbearing.messages.bearing import message
 
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")

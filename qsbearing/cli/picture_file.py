@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     import xarray
 
     from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 PICTURES = (".png", ".svg", ".pdf")
 

@@ -86,7 +86,7 @@ def _refuse_another(page: Path, path: Path) -> None:
 
 def _maker(asked: Scene | None, of_set: BearingSet | None, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
-    from qsbearing.messages import message
+    from qsbearing.messages.bearing import message
 
     if of_set is not None:
         from qsbearing.sets.solve import solve_set

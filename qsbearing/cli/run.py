@@ -19,7 +19,7 @@ from qsbearing.cli.scene import load_scene_or_set, solve
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 
 @click.command(short_help="Solve a scene; show loads, angles, stiffness.")
@@ -137,7 +137,7 @@ def _show(solution: Solution, scene: Scene, asked: Scene, as_json: bool) -> None
     if solution.choice is not None:
         from rich.text import Text
 
-        from qsbearing.messages import chosen
+        from qsbearing.messages.bearing import chosen
 
         print_table(Text("\n" + "\n".join(chosen(solution, scene))))
 

@@ -11,7 +11,7 @@ from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refu
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 
 def show_spectrum(

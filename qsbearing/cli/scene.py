@@ -13,7 +13,7 @@ from qsbearing.cli.output import note, refuse, warnings_as_notes
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 T = TypeVar("T")
 

@@ -15,7 +15,7 @@ from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.io.scene_file import load_scene
 from qsbearing.material import Material
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, mm, rpm
 
 Span = tuple[float, float]

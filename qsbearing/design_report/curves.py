@@ -15,8 +15,8 @@ from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import FORCES, Preload
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
-from qsbearing.solver import solve
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solver import solve
 from qsbearing.units import MPa, deg, rpm, um
 
 if TYPE_CHECKING:

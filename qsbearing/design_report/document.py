@@ -12,7 +12,7 @@ from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 
 def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:

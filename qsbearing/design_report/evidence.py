@@ -10,7 +10,7 @@ from qsbearing.design_report.set_statements import OF_SETS
 from qsbearing.design_report.statements import STATEMENTS
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 COVERED, SIMILAR, NOT_COVERED = Badge("covered", "pass"), Badge("similar", "finding"), Badge("not covered", "missing")
 MEANING = (

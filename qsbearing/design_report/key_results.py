@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Group, Table
 from qsbearing.io.report import freedom
-from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, deg, mrad, um
 
 Line = tuple[str, str]

@@ -7,7 +7,7 @@ from typing import Any
 
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 
 def taken(solution: Solution) -> dict[str, Any]:

@@ -12,10 +12,10 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
+from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.ranked_warning import said_of
 from qsbearing.sets.preload_summary import Limits, limits, preload_summary
-from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 
 

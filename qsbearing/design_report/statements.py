@@ -26,7 +26,7 @@ from qsbearing.design_report.conditions import (
     per_area,
 )
 from qsbearing.material import SILICON_NITRIDE
-from qsbearing.messages import STATIC_PRESSURE_LIMIT
+from qsbearing.messages.bearing import STATIC_PRESSURE_LIMIT
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.units import MPa, deg
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 SMALLEST_ANGLE = radians(1.0)
 """Contact angles below it are judged as if they were this large [rad]."""

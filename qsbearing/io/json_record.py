@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.case_index import Place
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, um, zero_celsius
 
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.case_index import Place
 from qsbearing.readings.shown import ball_values, case_values
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.solution import Solution
 
 
 def readings_record(solution: Solution, readings: Mapping[str, Any], index: Place = ()) -> dict[str, Any]:

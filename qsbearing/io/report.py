@@ -14,12 +14,12 @@ from rich.table import Table
 from rich.text import Text
 
 from qsbearing.columns import GEOMETRY, STIFFNESS
-from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import Solution
+from qsbearing.solution.flatten import case_arrays
+from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
 
 if TYPE_CHECKING:

@@ -25,8 +25,8 @@ from qsbearing.io.report import (
 from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
 from qsbearing.judgement import percent
+from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.units import rpm
 

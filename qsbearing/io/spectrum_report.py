@@ -16,7 +16,7 @@ from qsbearing.io.report import asked_for, warnings_below
 from qsbearing.io.tables import plain_table
 from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.asked import take_asked
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 
 MILLION, HOUR = 1e6, 3600.0

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.case_index import Place
 from qsbearing.pictures.style import GREY, Span, balls, line_style, mark_lost, plain, raceways
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.solution import Solution
 from qsbearing.units import deg
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.case_index import Place
 from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, mm
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.case_index import Place
 from qsbearing.pictures.style import GREY, STYLE, carry_alike, raceways
 from qsbearing.scene.bearing import BearingKind
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, deg, mm
 
 if TYPE_CHECKING:

@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qsbearing.case_index import Index, Place, place_of
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import Span, carry_alike, figure_of_size, legend, write_title, write_title_of_set
 from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Index, Place, place_of
+from qsbearing.solution.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.ball_messages import FRICTION_BEYOND, FRICTION_IN_DOUBT
-from qsbearing.case_index import Place
-from qsbearing.raceway_contacts import RacewayContacts
+from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution import Solution
+from qsbearing.solution.case_index import Place
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.units import mrad, rpm, um
 
 if TYPE_CHECKING:

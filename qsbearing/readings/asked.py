@@ -39,7 +39,7 @@ from qsbearing.readings.static_rating import static_safety, static_safety_errors
 from qsbearing.readings.subsurface_stress import stress
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.validation import ErrorDetail, SceneError, choose
 
 Arguments = Mapping[str, Any]

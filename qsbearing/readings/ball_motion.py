@@ -29,12 +29,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import entry, kernel
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
 """Arrays of the balls that their motion in the contacts follows from."""

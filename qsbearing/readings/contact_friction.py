@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.elliptic import second_kind
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.ranked_warning import wrong_model
 from qsbearing.readings.ball_motion import (
     AXIS,
@@ -35,7 +34,8 @@ from qsbearing.readings.ellipse_sliding import (
 from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS

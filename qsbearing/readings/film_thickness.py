@@ -34,14 +34,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry, kernel
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
 from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.units import mm, rpm
 from qsbearing.validation import LENGTH, ErrorDetail, Quantity, raise_if_any, within
 

@@ -23,7 +23,7 @@ from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.scene.bearing import BearingKind
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import Nmm, deg, mm, rpm
 from qsbearing.validation import (
     FORCE,

@@ -29,7 +29,7 @@ from qsbearing.readings.ball_motion import (
 )
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.passes import filled_cases, of_balls
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 NEEDS = ("load", "sine", "cosine"), AXIS
 """Arrays of contacts and balls that are read off the solution."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.threads import in_threads
 
 SAME_SHAPE = 1e-13

@@ -19,12 +19,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_motion import RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
 from qsbearing.readings.remarks import Remarks
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 
 FINE = 18
 """Halvings of the interval of c, for the table."""

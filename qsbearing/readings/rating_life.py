@@ -39,7 +39,7 @@ from qsbearing.readings.passes import filled_cases, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa
 from qsbearing.validation import raise_if_any
 

@@ -20,13 +20,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.ranked_warning import wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
 from qsbearing.scene.bearing import BallBearing
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, Nmm, deg, mm, rpm, um
 
 MILLION = 1e6

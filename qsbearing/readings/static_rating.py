@@ -21,7 +21,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, loa
 from qsbearing.readings.passes import filled_cases, of_balls
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.scene.bearing import BallBearing, BearingKind
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, deg, mm
 from qsbearing.validation import FORCE, ErrorDetail, raise_if_any, within
 

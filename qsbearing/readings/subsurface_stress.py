@@ -24,13 +24,13 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry, formula
 from qsbearing.contact.hertz import subsurface_shear
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.solution import Solution
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solution import Solution
 from qsbearing.units import mm
 
 TABLE = 33

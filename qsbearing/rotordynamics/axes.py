@@ -20,7 +20,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.ring_stiffness import SOFTEST
+from qsbearing.solution.ring_stiffness import SOFTEST
 
 NAMES = ("x", "y", "z", "alpha", "beta")
 """The rotor's coordinates; the last two are rotations."""

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.rotordynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
-from qsbearing.status import Status
+from qsbearing.solution.status import Status
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 _SPEED_IN_ROSS = {"2": "frequency", "3": "speed"}
 """What a version calls the speed of the shaft, the axis of a table of coefficients. In 3 a frequency is the whirl's."""

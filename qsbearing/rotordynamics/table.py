@@ -14,7 +14,7 @@ from qsbearing.units import mm
 if TYPE_CHECKING:
     import pandas
 
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 _ROTATIONS = NAMES[3:]
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
 from qsbearing.sets.row_cases import Found, RowCases
+from qsbearing.solution.ring_stiffness import SOFTEST
 
 # Choices that shape the way to an equilibrium, not the equilibrium.
 MOST_ITERATIONS = 60

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from qsbearing.preload_state import PreloadState
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
+from qsbearing.solution.preload_state import PreloadState
 from qsbearing.validation import RATIO, ErrorDetail, SceneError, within
 
 LOST = str(PreloadState.LOST)

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.preload_state import EXCESSIVE, PreloadState
+from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_messages import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
-from qsbearing.status import Status
+from qsbearing.solution.preload_state import EXCESSIVE, PreloadState
+from qsbearing.solution.status import Status
 from qsbearing.validation import ErrorDetail, SceneError
 
 VALUES = 65

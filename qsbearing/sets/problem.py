@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
 from qsbearing.scene.operation import CHANNELS, TURNING, Operation
@@ -18,7 +17,8 @@ from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, un
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, offset_in_operation, row_matrix
 from qsbearing.sets.row_cases import RowCases, empty
-from qsbearing.solution import Solution
+from qsbearing.solution.flatten import CaseMaker
+from qsbearing.solution.solution import Solution
 
 
 class Problem:

@@ -9,21 +9,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import preload_state
-from qsbearing.case_index import Index, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD
 from qsbearing.effects import RingEffect, as_fitted, as_made
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
-from qsbearing.preload_state import PreloadLoads
+from qsbearing.messages import bearing_set
 from qsbearing.ranked_warning import RankedWarning
-from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.sets import set_messages
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
-from qsbearing.solution import Solution
-from qsbearing.status import STATUS_OF_CODE, Reason
+from qsbearing.solution import preload_state
+from qsbearing.solution.case_index import Index, place_of
+from qsbearing.solution.preload_state import PreloadLoads
+from qsbearing.solution.ring_stiffness import SOFTEST
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.status import STATUS_OF_CODE, Reason
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
@@ -86,7 +86,7 @@ class SetSolution:
             lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
         for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
             largest = self.rows[number].inner.load.max()
-            name = set_messages.row_name(row, number)
+            name = bearing_set.row_name(row, number)
             lines.append(f"  {name}: axial load {load:.6g} N, largest ball load {largest:.6g} N")
         return "\n".join(lines)
 
@@ -97,7 +97,7 @@ class SetSolution:
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return set_messages.message(self, index)
+        return bearing_set.message(self, index)
 
     def warnings(self, index: Index = None) -> list[RankedWarning]:
         """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
@@ -106,7 +106,7 @@ class SetSolution:
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return set_messages.warnings(self, index)
+        return bearing_set.warnings(self, index)
 
     @property
     def converged(self) -> Any:

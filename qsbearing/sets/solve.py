@@ -14,7 +14,7 @@ from qsbearing.scene.operation import STRAIGHT, Operation
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.problem import Problem
 from qsbearing.sets.set_solution import AtRest, SetSolution
-from qsbearing.solver import TOLERANCE
+from qsbearing.solution.solver import TOLERANCE
 from qsbearing.threads import in_threads, thread_count
 
 CHOICES_OF_CONTACT = ("hertz_angle", "hertz_form", "tilt_lever")

@@ -15,9 +15,9 @@ from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
-from qsbearing.solution import Solution
-from qsbearing.solver import solve
-from qsbearing.status import Reason
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solver import solve
+from qsbearing.solution.status import Reason
 from qsbearing.studies.points import Points
 from qsbearing.studies.results import Result, find, known_results, read, reading_of, suggestion
 from qsbearing.studies.scenes import scene_of_points

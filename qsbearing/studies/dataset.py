@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing import __version__
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.provenance import commit
-from qsbearing.status import Reason
+from qsbearing.solution.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing import quantities
 from qsbearing.sets.set_quantities import SetQuantity, set_quantities
 from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 """With these after its name, the largest or smallest over the balls of a result that each ball has."""

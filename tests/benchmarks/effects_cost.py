@@ -15,7 +15,7 @@ from typing import Any
 import qsbearing as qs
 from qsbearing import provenance
 from qsbearing.chooser.choose import completed
-from qsbearing.solver import solve
+from qsbearing.solution.solver import solve
 from qsbearing.studies.cost import machine, measuring, speeds
 
 PAGE = Path(qs.__file__).parent / "guide" / "timing.md"

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import jumps as module
-from qsbearing.jumps import WORDS, Cause, jumps
+from qsbearing.pictures.study import jumps as module
+from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 

@@ -24,10 +24,10 @@ from fem_check.book.cases import ALL
 from fem_check.book.not_yet import NOT_YET
 from fem_check.cli import cli
 from fem_check.pressure_basis import PressureBasis
-from qsbearing import flatten
 from qsbearing.compiled import COMPILED
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
 from qsbearing.scene import bearing as scene_bearing
+from qsbearing.solution import flatten
 
 pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
 

@@ -117,13 +117,13 @@ PLANTED = {
         GROOVE,
     ),
     "load along z 10 % too large": (
-        "qsbearing/flatten.py",
+        "qsbearing/solution/flatten.py",
         "load / (force * diameter) if channel.is_rotation else load / force",
         "load / (force * diameter) if channel.is_rotation else (1.1 if i == 2 else 1.0) * load / force",
         SOLUTION,
     ),
     "load along z with the wrong sign": (
-        "qsbearing/flatten.py",
+        "qsbearing/solution/flatten.py",
         "load / (force * diameter) if channel.is_rotation else load / force",
         "load / (force * diameter) if channel.is_rotation else (-1.0 if i == 2 else 1.0) * load / force",
         SOLUTION,
@@ -165,13 +165,13 @@ PLANTED = {
         SOLUTION,
     ),
     "rigid preload +1 %": (
-        "qsbearing/solver.py",
+        "qsbearing/solution/solver.py",
         '{"axial_displacement": mounted.displacement[..., 0]}',
         '{"axial_displacement": 1.01 * mounted.displacement[..., 0]}',
         SOLUTION,
     ),
     "spring preload +1 %": (
-        "qsbearing/solver.py",
+        "qsbearing/solution/solver.py",
         '{"axial_load": scene.preload.spring}',
         '{"axial_load": 1.01 * scene.preload.spring}',
         SOLUTION,
@@ -219,7 +219,7 @@ PLANTED = {
         SOLUTION,
     ),
     "unequal balls by half their deviations": (
-        "qsbearing/flatten.py",
+        "qsbearing/solution/flatten.py",
         "1.0 + self._deviations_of(start, stop) /",
         "1.0 + 0.5 * self._deviations_of(start, stop) /",
         SOLUTION,
@@ -273,7 +273,7 @@ PLANTED = {
         SOLUTION,
     ),
     "tilt lever of the pitch circle forgotten": (
-        "qsbearing/flatten.py",
+        "qsbearing/solution/flatten.py",
         "if is_exact else 0.5 * pitch",
         "if is_exact or True else 0.5 * pitch",
         SOLUTION,

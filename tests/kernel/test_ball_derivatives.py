@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from qsbearing.compiled import entry
 from qsbearing.effects.gyroscopic_moment import NO_BOUND
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import LOAD_BOUND
 from qsbearing.kernel.ball import moving_ball
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.loop_closure import inner_length, outer_length, set_inner_line, set_outer_line
 from qsbearing.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.kernel.workspace import working_memory
+from qsbearing.solution.flatten import CaseMaker
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, OUTER, turning
 
 STEP = 1e-7

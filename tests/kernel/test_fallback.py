@@ -17,11 +17,11 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
+from qsbearing.solution.flatten import CaseMaker
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
     B218,

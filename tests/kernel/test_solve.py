@@ -14,10 +14,10 @@ from scipy.special import ellipe
 import qsbearing as qs
 from qsbearing.compiled import COMPILED, entry
 from qsbearing.effects.raceway_control import CONTROL_CODES
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.ball_inertia import inertia
 from qsbearing.kernel.workspace import working_memory
-from qsbearing.messages import warnings
+from qsbearing.messages.bearing import warnings
+from qsbearing.solution.flatten import CaseMaker
 from qsbearing.threads import thread_count
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (

@@ -270,8 +270,8 @@ def unsolved(monkeypatch: pytest.MonkeyPatch) -> None:
     def solve(*_: Any, **__: Any) -> None:
         raise AssertionError("solved before the outputs were tried")
 
-    importlib.import_module("qsbearing.solver")
-    monkeypatch.setattr(sys.modules["qsbearing.solver"], "solve", solve)
+    importlib.import_module("qsbearing.solution.solver")
+    monkeypatch.setattr(sys.modules["qsbearing.solution.solver"], "solve", solve)
 
 
 @pytest.mark.usefixtures("unsolved")

@@ -19,10 +19,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing import solver as solving
 from qsbearing.kernel.newton import STALLED
-from qsbearing.messages import message, warnings
+from qsbearing.messages.bearing import message, warnings
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.solution import solver as solving
 
 from .any_scene import CHOICES, bearings, bounded, few, many, operations
 

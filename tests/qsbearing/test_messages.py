@@ -239,9 +239,7 @@ MADE_BY, MAKERS = "ranked_warning", ("wrong_model", "check_data", "good_to_know"
 
 def test_every_warning_says_where_the_guide_has_more() -> None:
     found = places()
-    assert {"messages", "ball_messages", "missing_messages", "expansion_messages", "set_messages"} <= {
-        module for module, _ in found
-    }
+    assert {"bearing", "balls", "missing_effects", "expansion", "bearing_set"} <= {module for module, _ in found}
     pages = topics()
     for module, see in found:
         page, _, section = see.partition("#")

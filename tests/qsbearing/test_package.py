@@ -22,7 +22,7 @@ def test_every_public_name_is_there() -> None:
 
 
 def test_solve_is_the_function_whatever_was_imported_before() -> None:
-    code = "import qsbearing.solver, qsbearing as qs\nassert callable(qs.solve), qs.solve\n"
+    code = "import qsbearing.solution.solver, qsbearing as qs\nassert callable(qs.solve), qs.solve\n"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from qsbearing.jumps import Cause, jumps
 from qsbearing.pictures.study import picture
+from qsbearing.pictures.study.jumps import Cause, jumps
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 

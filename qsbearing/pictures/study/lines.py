@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.block_statistics import MOST
-from qsbearing.jumps import WORDS, Cause, jumps
+from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain

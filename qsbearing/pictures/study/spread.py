@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from qsbearing.block_statistics import blocks, histogram, quantiles
 from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
+from qsbearing.pictures.study.rank_correlation import rank_correlation
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, plain
-from qsbearing.rank_correlation import rank_correlation
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -27,8 +27,8 @@ from qsbearing import __version__
 from qsbearing.chooser import comparison
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
-from qsbearing.solver import solve
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solver import solve
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.machine import machine

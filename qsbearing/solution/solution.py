@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import preload_state, ring_stiffness
-from qsbearing.case_index import Index, Place, place_of
 from qsbearing.columns import DISPLACEMENT, LOAD, columns
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
-from qsbearing.preload_state import PreloadLoads
-from qsbearing.raceway_contacts import RacewayContacts
 from qsbearing.scene.scene import Scene
-from qsbearing.solved_cases import SolvedCases
-from qsbearing.status import STATUS_OF_CODE, reasons
+from qsbearing.solution import preload_state, ring_stiffness
+from qsbearing.solution.case_index import Index, Place, place_of
+from qsbearing.solution.flatten import CaseMaker
+from qsbearing.solution.preload_state import PreloadLoads
+from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.solved_cases import SolvedCases
+from qsbearing.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.units import deg
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel import results as readings
 from qsbearing.kernel.workspace import working_memory
+from qsbearing.solution.flatten import CaseMaker
 from qsbearing.threads import in_threads
 
 CHUNK = 4096

@@ -6,16 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing import messages, preload_state
-from qsbearing.case_index import Index
+from qsbearing import messages
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
-from qsbearing.preload_state import PreloadLoads, PreloadState
 from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of, wrong_model
 from qsbearing.scene.operation import CHANNELS
-from qsbearing.sets.bearing_set import Row
-from qsbearing.status import STATUS_OF_CODE
+from qsbearing.solution import preload_state
+from qsbearing.solution.case_index import Index
+from qsbearing.solution.preload_state import PreloadLoads, PreloadState
+from qsbearing.solution.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:
+    from qsbearing.sets.bearing_set import Row
     from qsbearing.sets.set_solution import SetSolution
 
 

@@ -19,7 +19,7 @@ from qsbearing.kernel.results import stiffness_of_cases
 
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 SOFTEST = 1e-9
 """A direction this much softer than the stiffest is resisted by rounding only (chosen: far above the rounding of a

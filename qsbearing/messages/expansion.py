@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.ball_messages import Warnings
+from qsbearing.messages.balls import Warnings
 from qsbearing.ranked_warning import check_data, wrong_model
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, um
 
 HEAT = "how_to#heat-fits-and-rotation"

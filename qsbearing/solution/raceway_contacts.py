@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from qsbearing.kernel import results as readings
 
 if TYPE_CHECKING:
-    from qsbearing.solution import Solution
+    from qsbearing.solution.solution import Solution
 
 
 class RacewayContacts:

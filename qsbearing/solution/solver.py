@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.flatten import CaseMaker
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
-from qsbearing.solved_cases import KEPT
+from qsbearing.solution.flatten import CaseMaker
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solved_cases import KEPT
 from qsbearing.threads import in_threads, thread_count
 
 TOLERANCE = 1e-12

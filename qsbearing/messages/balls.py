@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import NO_CONSISTENT_CONTROL
 from qsbearing.ranked_warning import Rank, RankedWarning, good_to_know, wrong_model
-from qsbearing.solution import Solution
+from qsbearing.solution.solution import Solution
 
 Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""

@@ -8,13 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import preload_state
-from qsbearing.ball_messages import Warnings, ball_warnings, friction_warnings, rows
-from qsbearing.case_index import Index
 from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
-from qsbearing.expansion_messages import expansion_warnings
 from qsbearing.judgement import estimated, lines_to_add
 from qsbearing.kernel.admissibility import (
     CONVERGED,
@@ -25,14 +21,18 @@ from qsbearing.kernel.admissibility import (
     UNLOADED_RING,
     UNSUPPORTED,
 )
-from qsbearing.missing_messages import data_warnings, missing_warnings
-from qsbearing.preload_state import PreloadLoads, PreloadState
+from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
+from qsbearing.messages.expansion import expansion_warnings
+from qsbearing.messages.missing_effects import data_warnings, missing_warnings
 from qsbearing.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
-from qsbearing.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import Solution
+from qsbearing.solution import preload_state
+from qsbearing.solution.case_index import Index
+from qsbearing.solution.preload_state import PreloadLoads, PreloadState
+from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
+from qsbearing.solution.solution import Solution
 from qsbearing.units import GPa, MPa, mrad, um
 
 if TYPE_CHECKING:

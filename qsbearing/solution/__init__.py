@@ -1,0 +1,1 @@
+"""A scene's cases made, solved and read off."""
