@@ -34,6 +34,8 @@ from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.typed_passes import AnnotateTypes
 
+from qsbearing.private_folder import fault_of, for_the_user_alone
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 COMPILED = not numba_config.DISABLE_JIT  # type: ignore[attr-defined]
@@ -53,17 +55,25 @@ def _source_digest() -> str:
     return digest.hexdigest()[:16]
 
 
-def _usable_cache_folder() -> str | None:
-    """The folder for this source's compiled kernel, made; None where nothing can be written."""
+def _usable_cache_folder() -> tuple[str | None, str]:
+    """(the folder for this source's compiled kernel, made; why None): one to which nobody but the user can write.
+
+    What numba caches is pickled, so that whoever writes to the folder has his own code run.
+    """
     root = Path(os.environ.get("NUMBA_CACHE_DIR") or platformdirs.user_cache_dir("qsbearing"))
-    folder = root / f"kernel-{_source_digest()}"
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        root = root.resolve()
+        folder = root / f"kernel-{_source_digest()}"
+        with for_the_user_alone():
+            folder.mkdir(parents=True, exist_ok=True)
+        fault = fault_of(folder)
+        if fault is not None:
+            return None, f"{fault}: remove it, or name a folder of your own in NUMBA_CACHE_DIR"
         os.utime(folder)
         _forget_old_kernels(root)
-    except OSError:
-        return None
-    return str(folder) if os.access(folder, os.W_OK) else None
+    except OSError as error:
+        return None, f"{error.filename or root}: {error.strerror}"
+    return (str(folder), "") if os.access(folder, os.W_OK) else (None, f"{folder} cannot be written to")
 
 
 def _forget_old_kernels(root: Path) -> None:
@@ -74,7 +84,7 @@ def _forget_old_kernels(root: Path) -> None:
 
 # The pipeline of parts relies on internals of numba that were tried with these versions only.
 _BUILDS_PARTS = (0, 61) <= numba.version_info[:2] <= (0, 68) and os.environ.get("QSBEARING_PLAIN_NUMBA") != "1"
-_CACHE_FOLDER = _usable_cache_folder() if COMPILED else None
+_CACHE_FOLDER, _NO_FOLDER = _usable_cache_folder() if COMPILED else (None, "")
 _entries: set[str] = set()
 
 
@@ -154,28 +164,38 @@ def entry(function: F) -> F:
     before = numba_config.CACHE_DIR  # type: ignore[attr-defined]
     try:
         numba_config.CACHE_DIR = _CACHE_FOLDER or before  # type: ignore[attr-defined]
-        dispatcher = _njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function)
+        with for_the_user_alone():
+            dispatcher = _njit(**_OPTIONS, nogil=True, cache=_CACHE_FOLDER is not None)(function)
     finally:
         numba_config.CACHE_DIR = before  # type: ignore[attr-defined]
     if COMPILED and _CACHE_FOLDER is not None:
-        _survive_damage(dispatcher._cache)
+        _keep_to(_CACHE_FOLDER, dispatcher)
     return cast(F, dispatcher)
 
 
-def _survive_damage(cache: Any) -> None:
-    """Let a damaged file of the cache be said and compiled anew: numba would end in an error of pickle."""
-    load = cache.load_overload
+def _keep_to(folder: str, dispatcher: Any) -> None:
+    """Cache there only, for the user alone; a damaged file is said and compiled anew, where numba would end in an error
+    of pickle."""
+    cache = dispatcher._cache
+    if not Path(cache.cache_path).is_relative_to(folder):  # numba's own choice of another, which nobody has looked at
+        cache.disable()
+    load, save = cache.load_overload, cache.save_overload
 
     def load_or_discard(signature: Any, target: Any) -> Any:
         try:
             return load(signature, target)
         except Exception as error:  # a damaged pickle may raise anything
             what = f"{type(error).__name__}: {error}"
-            print(f"qsbearing: a file in {_CACHE_FOLDER} is damaged ({what}): compiling anew", file=sys.stderr)
-            cache.flush()
+            print(f"qsbearing: a file in {folder} is damaged ({what}): compiling anew", file=sys.stderr)
+            with for_the_user_alone():
+                cache.flush()
             return None
 
-    cache.load_overload = load_or_discard
+    def save_for_the_user(signature: Any, data: Any) -> None:
+        with for_the_user_alone():
+            save(signature, data)
+
+    cache.load_overload, cache.save_overload = load_or_discard, save_for_the_user
 
 
 class _Compilation(numba_event.Listener):
@@ -192,8 +212,8 @@ class _Compilation(numba_event.Listener):
         what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
         if ".readings." in function.__module__:
             what = "a reading"
-        where = f"cached in {_CACHE_FOLDER}" if _CACHE_FOLDER else "no folder to cache it in: each start will do this"
-        print(f"qsbearing: compiling {what}, once, some seconds ({where})", file=sys.stderr, flush=True)
+        when = f"once, cached in {_CACHE_FOLDER}" if _CACHE_FOLDER else f"at each start, not cached: {_NO_FOLDER}"
+        print(f"qsbearing: compiling {what}, some seconds ({when})", file=sys.stderr, flush=True)
 
     def on_end(self, event: numba_event.Event) -> None:
         pass

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import os
+import pickle
+import stat
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
+
+compiled_and_owned = pytest.mark.skipif(
+    not COMPILED or not hasattr(os, "geteuid"),
+    reason="nothing is cached, or files have no owner here (Windows)",
+)
 
 
 def test_every_public_name_is_there() -> None:
@@ -69,19 +77,88 @@ def doubled(x: float) -> float:
 @pytest.mark.parametrize("kind", ["nbi", "nbc"])
 def test_a_damaged_file_of_the_cache_is_compiled_anew(tmp_path: Path, kind: str) -> None:
     """Index or machine code cut short: said once, and the next start finds a sound copy."""
-    (tmp_path / "probe.py").write_text(ENTRY, encoding="utf-8")
-    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}
-    command = [sys.executable, "-c", "import probe; print(probe.doubled(3.0))"]
-
-    def run() -> subprocess.CompletedProcess[str]:
-        return subprocess.run(command, capture_output=True, text=True, check=True, env=environment, cwd=tmp_path)
-
-    assert run().stdout == "6.0\n"
+    doubled_once(tmp_path, tmp_path / "cache")
     kept = list((tmp_path / "cache").rglob(f"*.{kind}"))
     assert len(kept) == 1
     kept[0].write_bytes(kept[0].read_bytes()[:100])
-    damaged, again = run(), run()
-    assert damaged.stdout == again.stdout == "6.0\n"
+    damaged, again = (doubled_once(tmp_path, tmp_path / "cache") for _ in range(2))
     assert "damaged" in damaged.stderr
     assert "Traceback" not in damaged.stderr
     assert again.stderr == ""
+
+
+COMMAND = [sys.executable, "-c", "import qsbearing_probe; print(qsbearing_probe.doubled(3.0))"]
+
+
+class Crafted:
+    """Unpickled, it makes a file."""
+
+    def __init__(self, made: Path) -> None:
+        self.made = made
+
+    def __reduce__(self) -> tuple[Callable[[str, str], object], tuple[str, str]]:
+        return open, (str(self.made), "w")
+
+
+def doubled_once(folder: Path, cache: Path) -> subprocess.CompletedProcess[str]:
+    (folder / "qsbearing_probe.py").write_text(ENTRY, encoding="utf-8")
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(cache)}
+    done = subprocess.run(COMMAND, capture_output=True, text=True, check=True, env=environment, cwd=folder)
+    assert done.stdout == "6.0\n"
+    return done
+
+
+@compiled_and_owned
+@pytest.mark.parametrize(
+    ("opened", "mode"),
+    [("above", 0o002), ("root", 0o020), ("kernel", 0o002), ("within", 0o002), ("file", 0o020), ("file", 0o002)],
+)
+def test_nothing_that_others_may_have_written_is_run(tmp_path: Path, opened: str, mode: int) -> None:
+    """A crafted pickle in place of a cached index, where others may write: not unpickled, and said in a sentence."""
+    cache = tmp_path / "above" / "cache"
+    doubled_once(tmp_path, cache)
+    [file] = cache.rglob("*.nbi")
+    places = {"file": file, "within": file.parent, "kernel": file.parent.parent, "root": cache, "above": cache.parent}
+    assert [stat.S_IMODE(path.stat().st_mode) for path in (cache, file.parent.parent, file.parent)] == [0o700] * 3
+    file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
+    place = places[opened]
+    place.chmod(stat.S_IMODE(place.stat().st_mode) | mode)
+    done = doubled_once(tmp_path, cache)
+    assert not (tmp_path / "made").exists()
+    assert f"{place} is writable by others: remove it" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+@compiled_and_owned
+def test_a_cache_in_a_folder_for_all_is_the_user_s_where_only_owners_move_what_is_theirs(tmp_path: Path) -> None:
+    """As /tmp is."""
+    everyone = tmp_path / "everyone"
+    everyone.mkdir()
+    everyone.chmod(0o1777)
+    doubled_once(tmp_path, everyone)
+    assert doubled_once(tmp_path, everyone).stderr == ""
+
+
+@compiled_and_owned
+def test_whatever_mode_new_files_have_the_cache_is_its_user_s(tmp_path: Path) -> None:
+    before = os.umask(0o002)
+    try:
+        doubled_once(tmp_path, tmp_path / "cache")
+        assert doubled_once(tmp_path, tmp_path / "cache").stderr == ""
+    finally:
+        os.umask(before)
+
+
+@compiled_and_owned
+@pytest.mark.skipif(getattr(os, "geteuid", int)() != 0, reason="only root may give files away")
+@pytest.mark.parametrize("level", [0, 1, 2, 3])
+def test_another_user_s_cache_is_not_read(tmp_path: Path, level: int) -> None:
+    cache = tmp_path / "cache"
+    doubled_once(tmp_path, cache)
+    [file] = cache.rglob("*.nbi")
+    file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
+    owned = [file, *file.parents][level]
+    os.chown(owned, 65534, 65534)
+    done = doubled_once(tmp_path, cache)
+    assert not (tmp_path / "made").exists()
+    assert f"{owned} is another user's: remove it" in done.stderr
