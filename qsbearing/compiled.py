@@ -186,7 +186,7 @@ def _keep_to(folder: str, dispatcher: Any) -> None:
             return load(signature, target)
         except Exception as error:  # a damaged pickle may raise anything
             what = f"{type(error).__name__}: {error}"
-            print(f"qsbearing: a file in {folder} is damaged ({what}): compiling anew", file=sys.stderr)
+            print(f"qsbearing: a file in {folder} is damaged ({what}): it is compiled again", file=sys.stderr)
             with for_the_user_alone():
                 cache.flush()
             return None
