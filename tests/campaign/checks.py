@@ -116,7 +116,6 @@ class Contacts:
         self.angle = np.nan_to_num(public.angle, nan=0.0)
         self.approach = np.nan_to_num(public.approach, nan=-1.0)
         self.sine, self.cosine = np.sin(self.angle), np.cos(self.angle)
-        self.rolled_sine = self.sine
         self.semi_major, self.semi_minor = public.semi_major_axis, public.semi_minor_axis
         self.groove = _column(getattr(scene.operating_bearing, f"{race}_groove_radius"))
         self.length = self.groove - 0.5 * ball_diameters(scene, solution)
@@ -174,7 +173,7 @@ def findings(
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
-        centrifugal, moment, sensitivity = inertia_loads(scene, solution, inner, outer, passing)
+        centrifugal, moment, sensitivity, axis_sine = inertia_loads(scene, solution, inner, outer, passing)
         # What touches neither raceway does not roll, nor does what only the rounding of its position, a sum of four
         # numbers, presses.
         moment = np.where(np.maximum(inner.approach, outer.approach) > 4.0 * EPS * diameter, moment, 0.0)
@@ -186,7 +185,7 @@ def findings(
         carried = np.maximum(np.abs(inner.friction), np.abs(outer.friction))
         moment = np.minimum(np.abs(moment), diameter * carried)
         turned = [GAP * _turn(scene, solution, inner, outer, side) for side in (inner, outer)]
-        by_rounding = _friction_by_rounding(solution, inner, outer, sensitivity, turned)
+        by_rounding = _friction_by_rounding(inner, outer, axis_sine, sensitivity, turned)
         # Centrifugal force goes with the square of a speed.
         inertial = [
             most + 2.0 * centrifugal * sensitivity * turn for most, turn in zip(by_rounding, turned, strict=True)
@@ -295,15 +294,18 @@ def is_still(scene: qs.Scene) -> NDArray:
 
 def inertia_loads(
     scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, passing: bool
-) -> tuple[NDArray, NDArray, NDArray]:
-    """(Fc, Mg, sensitivity), of the effects that the scene names; fills in shares of the moment and the line rolled on.
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    """(Fc, Mg, sensitivity, p), of the effects that the scene names; fills in shares of the moment.
+
+    The gyroscopic moment is proportional to p, the radial part of the ball's axis: the sine of the controlling line, or
+    under minimum dissipation the weighted sum of both.
 
     The sensitivity is how much more than itself the rounding of lines changes a speed: without bound where the orbit
     comes to rest, the rings turning against each other, and where the lines stand at right angles.
     """
     zero = np.zeros_like(inner.load)
     if solution.raceway_control is None:
-        return zero, zero, zero
+        return zero, zero, zero, zero
     pitch, diameter = _column(scene.operating_bearing.pitch_diameter), ball_diameters(scene, solution)
     radius = 0.5 * pitch
     if scene.orbit_radius is qs.OrbitRadius.DISPLACED:  # by as much as the ball's centre from where it would just touch
@@ -318,7 +320,6 @@ def inertia_loads(
     seen = outer.angle + weight * _mirrored(inner.angle - outer.angle)
     rolled = np.where(is_pressed(inner, outer) & (not passing), inner.angle, seen)
     inner_sine, inner_cosine = np.sin(rolled), np.cos(rolled)
-    inner.rolled_sine = inner_sine
     by_inner = np.where(solution.raceway_control == "inner", 1.0, 0.0)
     if scene.raceway_control is qs.RacewayControl.MINIMUM_DISSIPATION:  # friction moments c w of both in balance
         c_inner, c_outer = spin_constants(scene, solution, inner, outer)
@@ -346,7 +347,7 @@ def inertia_loads(
     turns = inner.placed & outer.placed & ~is_still(scene)
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
-    return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity
+    return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity, p
 
 
 def is_pressed(inner: Contacts, outer: Contacts) -> NDArray:
@@ -451,22 +452,18 @@ def _turn(scene: qs.Scene, solution: qs.Solution, i: Contacts, o: Contacts, side
 
 
 def _friction_by_rounding(
-    solution: qs.Solution, i: Contacts, o: Contacts, sensitivity: NDArray, turned: list[NDArray]
+    i: Contacts, o: Contacts, axis_sine: NDArray, sensitivity: NDArray, turned: list[NDArray]
 ) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of positions makes or takes.
 
-    It follows the speeds and the sine of the controlling line as rolling sees it, which may be all but none where the
-    line itself is not.
+    It follows the speeds and the axis's radial part p, T = c p, so that a line that turns by e changes it by c e = T e/p
+    at most. Lines may be known to all digits and p to none: near a line at zero, and under minimum dissipation wherever
+    w sin(ai) and (1 - w) sin(ao) all but cancel, which is where balls go that have little else to carry a large moment.
+    What rounding makes of the weight w is of that size too.
     """
-    sine = np.abs(o.sine if solution.raceway_control is None else _by(solution, i.rolled_sine, o.rolled_sine))
     most = np.maximum(np.abs(i.friction), np.abs(o.friction))
-    slope = most / np.maximum(sine, np.finfo(float).tiny)
+    slope = most / np.maximum(np.abs(axis_sine), np.finfo(float).tiny)
     return [(slope + most * sensitivity) * turn for turn in turned]
-
-
-def _by(solution: qs.Solution, inner: NDArray, outer: NDArray) -> NDArray:
-    """What belongs to each ball's controlling raceway."""
-    return np.where(solution.raceway_control == "inner", inner, outer)
 
 
 LEAST_PRESSED = 1e-200

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from tests.campaign.checks import Findings, findings
+from tests.campaign.checks import MOST_IMBALANCE, Findings, findings
+from tests.campaign.chunk import groups_of
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, INNER, OUTER, PER_BALL, resting, solved, turning
 
 
@@ -148,6 +149,19 @@ def all_effects(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: flo
 @pytest.mark.parametrize("friction", [None, 0.04])
 def test_every_effect_is_recomputed(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: float | None) -> None:
     assert failing(all_effects(control, orbit, friction)) == set()
+
+
+def test_a_moment_of_an_axis_that_all_but_cancels_is_known_to_rounding() -> None:
+    """Minimum dissipation without centrifugal force: of a moment of tonnes a ball finds the axis that leaves it a
+    millinewton, p being 1e-8 of sines of a tenth; a load that is off by a hundred-thousandth is still seen."""
+    [(_, group)] = groups_of("mounted", 1, 24522, 24523)
+    scene = group.scene()
+    solution = solved(scene)
+    found = findings(scene, solution)
+    assert found.imbalance > MOST_IMBALANCE
+    assert failing(solution) == set()
+    change(solution.inner.load, factor=1.0 + 1e-5, at=4)
+    assert "imbalance" in failing(solution)
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from tests.campaign.chunk import MOST_DIFFERENCE, Tally, judge_twin
+from tests.campaign.chunk import MOST_DIFFERENCE, Tally, groups_of, judge_twin
 from tests.campaign.envelope import chunk_groups
 from tests.campaign.group import GROUP, Group
-from tests.campaign.invariances import TWINS, Twin, changed, compare
+from tests.campaign.invariances import SIZES, TWINS, Twin, changed, compare
 
 FEW = 4
 
@@ -60,6 +60,25 @@ def test_a_twin_that_differs_is_seen(name: str) -> None:
     pytest.fail("no group has such a twin")
 
 
+@pytest.mark.parametrize(
+    ("number", "most", "key"), [(6997, 1e-13, "axial_displacement_um"), (37124, 1e-17, "inner_groove_radius_mm")]
+)
+def test_loads_are_compared_as_far_as_positions_are_known(number: int, most: float, key: str) -> None:
+    """Of scenes that as cold all through are pressed by little more than a rounding, or less; a length that does not
+    follow by a hundredth is seen."""
+    [(_, group)] = groups_of("mounted", 1, number, number + 1)
+    twin = TWINS["warmed"](group)
+    assert twin is not None
+    of, other = solved(twin.of), solved(twin.group)
+    assert 0.0 < np.nanmax(of.outer.approach) < most
+    loads = np.nanmax(np.abs(of.outer.load - other.outer.load / twin.size**2)) / np.nanmax(of.outer.load)
+    assert loads > MOST_DIFFERENCE
+    assert compare(twin, of, other).difference <= 1e-12
+
+    spoilt = solved(changed(twin.group, lambda name, value: value * 1.01 if name == key else value))
+    assert compare(twin, of, spoilt).difference > MOST_DIFFERENCE
+
+
 def test_another_equilibrium_is_noted_and_other_equations_are_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     """Heat is the only twin whose equations may be others."""
     group = next(group for group in mounted_groups() if "ring_expansion" in group.more and not is_held(group))
@@ -75,3 +94,15 @@ def test_another_equilibrium_is_noted_and_other_equations_are_wrong(monkeypatch:
             wrong = judge_twin(tally, number, group, solved(group))
         assert bool(wrong) == (name == "warmed")
         assert bool(tally.noted["twin with another equilibrium"]) == (name == "scaled")
+
+
+def test_one_of_several_equilibria_is_not_one_of_other_equations(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A scene of balls under minimum dissipation that has several: bearings of other sizes show it, though not the first
+    of them."""
+    [(_, group)] = groups_of("mounted", 1, 88735, 88736)
+    at = GROUP * list(TWINS).index("warmed")
+    tally = Tally()
+    assert judge_twin(tally, at, group, solved(group)) == {}
+    assert tally.noted["twin with another equilibrium"] == 1
+    monkeypatch.setattr("tests.campaign.chunk.SIZES", SIZES[:1])
+    assert list(judge_twin(tally, at, group, solved(group))) == [0]
