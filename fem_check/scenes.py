@@ -16,8 +16,8 @@ from fem_check.contact_problem import ElasticConstants
 from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
 from fem_check.ring_growth import Annulus, elastic_growth
+from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.io.set_file import load_scene_or_set
-from qsbearing.messages.bearing import STATIC_PRESSURE_LIMIT
 
 AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
 
@@ -279,10 +279,10 @@ def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
     for race in RACES:
         contacts = getattr(point.solution, race)
         pressure = float(contacts.max_pressure.max())
-        if pressure > STATIC_PRESSURE_LIMIT:
+        if pressure > STATIC_PRESSURE:
             raise SceneProblemError(
                 f"scene {source}, {point.label}: the {race} raceway's pressure reaches "
-                f"{pressure / qsbearing.MPa:.0f} MPa; beyond {STATIC_PRESSURE_LIMIT / qsbearing.MPa:.0f} MPa (ISO 76) "
+                f"{pressure / qsbearing.MPa:.0f} MPa; beyond {STATIC_PRESSURE / qsbearing.MPa:.0f} MPa (ISO 76) "
                 "permanent dents exceed about 1e-4 of the ball's diameter, and no elastic contact describes it: take "
                 "less load"
             )

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from qsbearing.io.scene_file import load_scene
     from qsbearing.io.set_file import load_set
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.messages.bearing import message, warnings
+    from qsbearing.messages import message, warnings
     from qsbearing.rotordynamics import stiffness_table, to_ross
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
@@ -74,7 +74,7 @@ _HOMES = {
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
     "io.scene_file": ("load_scene",),
     "io.set_file": ("load_set",),
-    "messages.bearing": ("message", "warnings"),
+    "messages": ("message", "warnings"),
     "scene.bearing": ("BallBearing", "BearingKind"),
     "material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "scene.operation": ("Operation",),

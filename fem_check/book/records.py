@@ -45,11 +45,6 @@ def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
     }
 
 
-def comparable(entry: Record) -> Record:
-    """A record without what every run changes: date, commit, machine, seconds."""
-    return {key: value for key, value in entry.items() if key not in RUN}
-
-
 def folder_of(records: Path) -> Path:
     """Where the book's records are kept in a folder of records."""
     return records / "book"

@@ -42,7 +42,7 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
                 refuse(f"--out {out}: {error}")
         solution = solve(load(scene))
         if not solution.converged:
-            from qsbearing.messages.bearing import message
+            from qsbearing.messages import message
 
             note(message(solution))
             sys.exit(UNSOLVED)

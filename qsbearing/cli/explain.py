@@ -35,15 +35,15 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     from dataclasses import replace
 
     from qsbearing.chooser.explain import explain
-    from qsbearing.messages.bearing import message
+    from qsbearing.messages import message
+    from qsbearing.scene.scene import Scene
 
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
-    loaded, of_set = load_one(scene)
-    if of_set is not None:
-        show_set(of_set, as_json, tolerance)
+    loaded = load_one(scene)
+    if not isinstance(loaded, Scene):
+        show_set(loaded, as_json, tolerance)
         return
-    assert loaded is not None
     with solving():
         solution, rows = explain(replace(loaded, tolerance=None), tolerance)
     if as_json:

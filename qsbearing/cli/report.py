@@ -40,14 +40,14 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report")
-    asked, of_set = load_one(scene)
+    asked = load_one(scene)
     from qsbearing.io.scene_file import is_file, text_of
 
     path = Path(scene)
     name = (path.stem if is_file(path) else scene).lower()
     page = Path(out) / f"{name}_report.html"
     _refuse_another(page, path)
-    make = _maker(asked, of_set, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
+    make = _maker(asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -84,21 +84,21 @@ def _refuse_another(page: Path, path: Path) -> None:
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 
 
-def _maker(asked: Scene | None, of_set: BearingSet | None, source: str, command: str) -> Callable[[], Document]:
+def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
-    from qsbearing.messages.bearing import message
+    from qsbearing.messages import message
+    from qsbearing.scene.scene import Scene
 
-    if of_set is not None:
+    if not isinstance(asked, Scene):
         from qsbearing.sets.solve import solve_set
 
         with solving():
-            solved = solve_set(of_set)
+            solved = solve_set(asked)
         if not solved.converged:
             _end(message(solved))
         from qsbearing.design_report import set_document
 
         return lambda: set_document.document(solved, source, command)
-    assert asked is not None
     solution = solve(asked)
     if not solution.converged:
         _end(message(solution))

@@ -58,11 +58,12 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         given = {"--csv": csv_target, "--plot": plot_target}
         targets = {option: target for option, target in given.items() if target is not None}
         write = _claim(stack, scene, targets)
-        loaded, of_set = load_scene_or_set(scene)
-        if of_set is not None:
-            run_set(of_set, as_json, targets, write, accuracy)
+        loaded = load_scene_or_set(scene)
+        from qsbearing.scene.scene import Scene
+
+        if not isinstance(loaded, Scene):
+            run_set(loaded, as_json, targets, write, accuracy)
             return
-        assert loaded is not None
         if accuracy is not None:
             _check(accuracy)
         is_spectrum = "spectrum" in loaded.readings

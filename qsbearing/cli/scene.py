@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from qsbearing.solution.solution import Solution
 
 T = TypeVar("T")
+Asked = TypeVar("Asked", bound="Scene | BearingSet")
 
 PATIENCE = 2.0
 """Seconds of silence on a terminal."""
@@ -28,27 +29,24 @@ def load(source: str) -> Scene:
     return _of_one_point(_loaded(load_scene, source), source)
 
 
-def load_scene_or_set(source: str) -> tuple[Scene | None, BearingSet | None]:
-    """Likewise, but a file with rows is a set: the one or the other."""
+def load_scene_or_set(source: str) -> Scene | BearingSet:
+    """Likewise, but a file with rows is a set; of several operating points, if it says so."""
     from qsbearing.io.set_file import load_scene_or_set
-    from qsbearing.scene.scene import Scene
 
-    found = _loaded(load_scene_or_set, source)
-    return (found, None) if isinstance(found, Scene) else (None, found)
+    return _loaded(load_scene_or_set, source)
 
 
-def load_one(source: str) -> tuple[Scene | None, BearingSet | None]:
+def load_one(source: str) -> Scene | BearingSet:
     """Likewise, of one operating point."""
-    scene, of_set = load_scene_or_set(source)
-    return None if scene is None else _of_one_point(scene, source), of_set
+    return _of_one_point(load_scene_or_set(source), source)
 
 
-def _of_one_point(scene: Scene, source: str) -> Scene:
-    if "spectrum" in scene.readings:
+def _of_one_point(asked: Asked, source: str) -> Asked:
+    if "spectrum" in asked.readings:
         refuse(
             f"{source}: [[spectrum]] holds several operating points, which `qsbearing run` solves; leave it out here"
         )
-    return scene
+    return asked
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:

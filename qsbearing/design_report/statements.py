@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.contact.first_yield import first_yield_pressure
+from qsbearing.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.design_report.conditions import (
     NOTHING,
     Difference,
@@ -26,7 +26,6 @@ from qsbearing.design_report.conditions import (
     per_area,
 )
 from qsbearing.material import SILICON_NITRIDE
-from qsbearing.messages.bearing import STATIC_PRESSURE_LIMIT
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.units import MPa, deg
 
@@ -113,8 +112,8 @@ def _true_bodies(facts: Facts) -> list[Difference]:
 
 
 def _elastic(facts: Facts) -> list[Difference]:
-    if facts.pressure > STATIC_PRESSURE_LIMIT:
-        return [Difference(f"above {STATIC_PRESSURE_LIMIT / MPa:.0f} MPa: permanent dents", True)]
+    if facts.pressure > STATIC_PRESSURE:
+        return [Difference(f"above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents", True)]
     if facts.pressure > FIRST_YIELD:
         return [Difference(f"above {FIRST_YIELD / MPa:.0f} MPa, where yielding begins below the surface")]
     return []
@@ -221,7 +220,7 @@ STATEMENTS = (
     ),
     Statement(
         f"Elastic contact. Bearing steel begins to yield below the surface near {FIRST_YIELD / MPa:.0f} MPa; "
-        f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
+        f"{STATIC_PRESSURE / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
         lambda facts: f"Maximum pressure here: {facts.pressure / MPa:.0f} MPa",
         "qsbearing run SCENE",
         _elastic,

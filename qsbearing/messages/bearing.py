@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from math import inf
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.contact.first_yield import first_yield_pressure
+from qsbearing.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
 from qsbearing.judgement import estimated, lines_to_add
@@ -24,24 +23,17 @@ from qsbearing.kernel.admissibility import (
 from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.messages.expansion import expansion_warnings
 from qsbearing.messages.missing_effects import data_warnings, missing_warnings
+from qsbearing.messages.preload import preload_warnings
 from qsbearing.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
-from qsbearing.solution import preload_state
 from qsbearing.solution.case_index import Index
-from qsbearing.solution.preload_state import PreloadLoads, PreloadState
 from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.solution.solution import Solution
 from qsbearing.units import GPa, MPa, mrad, um
 
-if TYPE_CHECKING:
-    from qsbearing.sets.set_solution import SetSolution
-
 STATUSES = "how_to#what-a-status-means"
-
-STATIC_PRESSURE_LIMIT = 4200e6
-"""Contact pressure of the static load rating of ball bearings (ISO 76) [Pa]: a permanent dent of 1e-4 D."""
 
 SMALL_TILT = 0.02
 """Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
@@ -55,17 +47,8 @@ SEPARATED = 0.01
 made for axial load works at its free angle; 1 % of it is 1 % of the axial load that its balls could carry)."""
 
 
-def message(solution: Solution | SetSolution, index: Index = None) -> str:
-    """One sentence on how a case of a bearing or set ended; of several cases without an index, how many ended how.
-
-    Args:
-        index: the case, along the solution's case axes; negative numbers count from the end.
-
-    Raises:
-        ValueError: the index does not name one case of this solution.
-    """
-    if not isinstance(solution, Solution):
-        return solution.message(index)
+def message(solution: Solution, index: Index = None) -> str:
+    """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
         return f"{solution._maker.count} cases: {solution._counts()}."
     k = solution._flat_index(index)
@@ -160,23 +143,8 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     return said
 
 
-def warnings(solution: Solution | SetSolution, index: Index = None) -> list[RankedWarning]:
-    """Sentences on what to beware of in the numbers of a case of a bearing or set; empty where there is nothing.
-
-    First what says that the model is wrong for the case, then what to check of the data, then what is good to know;
-    each sentence has its `rank`, and in `see` the page of the guide that has more.
-
-    Of several cases without an index, one sentence for each kind of warning: how many cases have it, which is the
-    first, and what there is to say about that one.
-
-    Args:
-        index: the case, along the solution's case axes; negative numbers count from the end.
-
-    Raises:
-        ValueError: the index does not name one case of this solution.
-    """
-    if not isinstance(solution, Solution):
-        return solution.warnings(index)
+def warnings(solution: Solution, index: Index = None) -> list[RankedWarning]:
+    """Sentences on what to beware of in the numbers of a case; of several, one for each kind of warning."""
     solved = solution._results["status"] == CONVERGED
     if index is not None or not solution.shape:
         k = solution._flat_index(index)
@@ -193,7 +161,7 @@ def warnings(solution: Solution | SetSolution, index: Index = None) -> list[Rank
 
 def _all_warnings(solution: Solution, part: slice) -> Warnings:
     """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
-    yield from _preload_warnings(solution, part)
+    yield from preload_warnings(solution, part)
     yield from _ring_warnings(solution, part)
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
@@ -206,40 +174,6 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _sparse_warning(solution, part)
 
 
-def _preload_warnings(solution: Solution, part: slice) -> Warnings:
-    """A preload that is held and has been lost, has fallen or has grown."""
-    preload, found = solution.scene.preload, solution.preload_loads
-    if preload is None or preload.kind == "spring" or found is None:
-        return
-
-    def cases(values: Any) -> NDArray:
-        return np.broadcast_to(values, solution.shape).reshape(-1)[part]
-
-    loads = PreloadLoads(*map(cases, found))
-    words, who = preload_state.states(loads), "the bearing"
-
-    def of(i: int) -> PreloadLoads:
-        return PreloadLoads(*(float(each[i]) for each in loads))
-
-    def stiffness(each: Solution, i: int) -> float:
-        return float(cases(each.stiffness[..., 0, 0])[i])
-
-    yield words == PreloadState.LOST, lambda i: preload_state.lost(who, of(i), preload.state)
-    yield (
-        preload_state.is_reduced(loads),
-        lambda i: preload_state.reduced(
-            *(who, of(i), preload.state),
-            *(stiffness(solution._at_rest(True) or solution, i), stiffness(solution, i)),
-        ),
-    )
-    yield (
-        words == PreloadState.EXCESSIVE,
-        lambda i: preload_state.excessive(
-            *(who, of(i)), *(float(cases(each)[i]) for each in (solution.preload_unmounted, solution.preload_mounted))
-        ),
-    )
-
-
 def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
     """Dents, and first yield where the scene gives a yield strength."""
     rings = solution.scene.ring_expansion
@@ -248,18 +182,18 @@ def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
     if rings is not None:
         below = f" Steel of {rings.yield_strength / MPa:.5g} MPa first yields near {first_yield / GPa:.2g} GPa."
     yield (
-        pressure > STATIC_PRESSURE_LIMIT,
+        pressure > STATIC_PRESSURE,
         lambda i: wrong_model(
             f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
-            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa: permanent dents.{below}",
+            f"{STATIC_PRESSURE / MPa:.0f} MPa: permanent dents.{below}",
             "limits",
         ),
     )
     yield (
-        (pressure > first_yield) & (pressure <= STATIC_PRESSURE_LIMIT),
+        (pressure > first_yield) & (pressure <= STATIC_PRESSURE),
         lambda i: good_to_know(
             f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
-            f"{STATIC_PRESSURE_LIMIT / MPa:.0f} MPa.{below}",
+            f"{STATIC_PRESSURE / MPa:.0f} MPa.{below}",
             "limits",
         ),
     )

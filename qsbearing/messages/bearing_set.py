@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing import messages
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.messages import bearing
+from qsbearing.messages.preload import excessive, lost, reduced
 from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of, wrong_model
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import preload_state
@@ -58,7 +59,7 @@ def _why(solution: SetSolution, k: int) -> str:
     if outcome.fault[k] >= 0:
         number = int(outcome.fault[k])
         row = solution.rows[number]
-        why = messages.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
+        why = bearing.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
         name = capital(row_name(solution.set.rows[number], number))
         return f"{name} gives way. {why}{_overloaded(solution, k)}{where}"
     if outcome.unsupported[k].any():
@@ -111,7 +112,7 @@ def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
         said.append(wrong_model(what, "limits#hypotheses"))
     for number, row_solution in enumerate(solution.rows):
         name = capital(row_name(rows[number], number))
-        said += [said_of(name, each) for each in messages.warnings(row_solution, place or None)]
+        said += [said_of(name, each) for each in bearing.warnings(row_solution, place or None)]
     return in_order(said)
 
 
@@ -138,12 +139,12 @@ def _preload(solution: SetSolution, of: PreloadLoads, place: tuple[int, ...], nu
     who, word = row_name(solution.set.rows[number], number), preload_state.states(own)
     state = "before fitting" if solution.set.preload is None else solution.set.preload.state
     if word == PreloadState.LOST:
-        return [preload_state.lost(who, own, state)]
+        return [lost(who, own, state)]
     if word == PreloadState.EXCESSIVE:
         before, after = solution.preload_unmounted[at], solution.preload_mounted[at]  # type: ignore[index]
-        return [preload_state.excessive(who, own, before, after)]
+        return [excessive(who, own, before, after)]
     if preload_state.is_reduced(own):
         mounted = np.broadcast_to(solution.mounted.rows[number].stiffness, (*solution.shape, 5, 5))  # type: ignore[union-attr]
         now = solution.rows[number].stiffness
-        return [preload_state.reduced(who, own, state, mounted[(*place, 0, 0)], now[(*place, 0, 0)])]
+        return [reduced(who, own, state, mounted[(*place, 0, 0)], now[(*place, 0, 0)])]
     return []

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
+from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.dynamic_rating import (
@@ -47,9 +48,6 @@ MILLION = 1e6
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
 """Exponents of the mean over a raceway's contacts: a ring that turns past the load meets all of them at every point;
 one that stands tires where it is loaded most."""
-
-PLASTIC_PRESSURE = 4200e6
-"""Rating lives assume elastic contacts; beyond the static limit they mean nothing [Pa]."""
 
 
 NEEDS = ("load", "max_pressure"), ()
@@ -270,9 +268,9 @@ def _found(
             ),
         ),
         (
-            largest_pressure(solution) > PLASTIC_PRESSURE,
+            largest_pressure(solution) > STATIC_PRESSURE,
             wrong_model(
-                f"a contact is pressed beyond {PLASTIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no rating life "
+                f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no rating life "
                 "that holds",
                 "limits",
             ),

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
+from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.passes import filled_cases, of_balls
@@ -24,9 +25,6 @@ from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, deg, mm
 from qsbearing.validation import FORCE, ErrorDetail, raise_if_any, within
-
-STATIC_PRESSURE = 4200e6
-"""Permissible contact pressure of ball bearings at rest [Pa]: a permanent dent of about 1e-4 D (ISO 76)."""
 
 FATIGUE_PRESSURE = 1500e6
 """Pressure below which bearing steel does not tire under ideal conditions [Pa] (ISO 281, annex B)."""

@@ -1,4 +1,4 @@
-"""What has become of a preload, of a bearing or of a row of a set: maintained, lost or excessive, in sentences."""
+"""What has become of a preload, of a bearing or of a row of a set: maintained, lost or excessive."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-from qsbearing.ranked_warning import RankedWarning, check_data
 
 LOST = 0.01
 """A bearing that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
@@ -63,41 +61,3 @@ def is_reduced(of: PreloadLoads) -> NDArray:
     """Where a preload is maintained, but for less than half."""
     with np.errstate(invalid="ignore"):
         return np.asarray((states(of) == PreloadState.MAINTAINED) & (share(of) < REDUCED))
-
-
-def lost(who: str, of: PreloadLoads, state: str) -> RankedWarning:
-    """Of one case.
-
-    Args:
-        who: what bearing.
-        state: in which the preload is given.
-    """
-    left = max(of.carried, 0.0)
-    return check_data(f"Preload lost: {who} carries {left:.4g} N of the {of.given:.4g} N {state}.", "sets#preload")
-
-
-def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -> RankedWarning:
-    """Likewise.
-
-    Args:
-        before, now: its axial stiffness, mounted and in operation [N/m].
-    """
-    went = "fell" if now < before else "rose"
-    return check_data(
-        f"Preload reduced: {who} carries {of.carried:.4g} N, {100.0 * float(share(of)):.2g} % of the {of.given:.4g} N "
-        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/um mounted to {1e-6 * now:.4g} N/um.",
-        "sets#preload",
-    )
-
-
-def excessive(who: str, of: PreloadLoads, unmounted: float, mounted: float) -> RankedWarning:
-    """Likewise.
-
-    Args:
-        unmounted, mounted: by the preload alone, at rest and cold, before fitting and after [N].
-    """
-    return check_data(
-        f"Preload excessive: {who} is pressed by {unmounted:.4g} N before fitting, {mounted:.4g} N mounted and "
-        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times what is given.",
-        "sets#preload",
-    )

@@ -40,10 +40,6 @@ class SolvedCases:
         self._threads = threads
         self._known: dict[tuple[int, int], NDArray] = {}
 
-    def with_results(self, results: NDArray) -> SolvedCases:
-        """The same cases as if they had ended with other results; nothing is read off them yet."""
-        return SolvedCases(self._maker, self._cases, results, self._positions, self._controls, self._threads)
-
     def stretches(self) -> Iterator[tuple[slice, NDArray]]:
         """(slice, case records) of all cases, some at a time."""
         self._keep()

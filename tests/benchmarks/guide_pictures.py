@@ -7,11 +7,14 @@ import io
 import json
 import re
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 import qsbearing as qs
 from fem_check import records_store
@@ -19,7 +22,8 @@ from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
 from fem_check.report.figures.sector import bearing_sector
 from qsbearing.pictures import overview
-from qsbearing.pictures.life import LifePanel, life_against
+from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
+from qsbearing.readings.rating_life import MILLION, Life
 from qsbearing.studies.cost import figures
 from tests.benchmarks.coordinate_drawing import coordinate_drawing
 from tests.guide.pages import run_page
@@ -30,6 +34,39 @@ GUIDE = Path(qs.__file__).parent / "guide"
 
 GROOVES = np.linspace(0.51, 0.54, 31)
 COUNTS = np.arange(12, 18)
+
+
+class LifePanel(NamedTuple):
+    """One panel: a life along one case axis."""
+
+    label: str
+    """What varies, with its unit."""
+    values: ArrayLike
+    """Its values, as many as the life's cases."""
+    life: Life
+    is_count: bool = False
+    """Whole numbers, between which there is nothing."""
+
+
+def life_against(panels: Sequence[LifePanel]) -> Figure:
+    """Reference life of the bearing and of each of its raceways, a panel for each thing that varies."""
+    figure = figure_of_size(4.5 * len(panels), 3.6)
+    all_axes = np.atleast_1d(figure.subplots(1, len(panels), sharey=True))
+    for axes, panel in zip(all_axes, panels, strict=True):
+        values = np.asarray(panel.values, float)
+        for name, lives in (("inner", panel.life.inner_life), ("outer", panel.life.outer_life)):
+            style = {key: STYLE[name][key] for key in ("color", "linestyle")}
+            marker = {key: STYLE[name][key] for key in ("marker", "markerfacecolor") if key in STYLE[name]}
+            dots = marker if panel.is_count else {}
+            axes.plot(values, lives / MILLION, linewidth=1.4, label=f"{name} raceway alone", **style, **dots)
+        both = panel.life.basic_reference_rating_life / MILLION
+        axes.plot(values, both, color=GREY, linewidth=2.0, marker="." if panel.is_count else None, label="bearing")
+        axes.set_xlabel(panel.label, fontsize=9)
+        axes.set_ylim(bottom=0.0)
+        plain(axes)
+    all_axes[0].set_ylabel("reference rating life, million revolutions", fontsize=9)
+    legend(figure, all_axes[0])
+    return figure
 
 
 def lives() -> list[LifePanel]:

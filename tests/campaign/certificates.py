@@ -208,7 +208,8 @@ def as_left(solution: qs.Solution) -> qs.Solution:
         del left.__dict__[name]  # what was read off the cases before
     left._results = solution._results.copy()
     left._results["status"] = 0
-    left._solved = solution._solved.with_results(left._results)
+    left._solved = copy.copy(solution._solved)
+    left._solved._results, left._solved._known = left._results, {}
     return left
 
 

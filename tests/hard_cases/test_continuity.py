@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
-from qsbearing.messages.bearing import warnings
+from qsbearing.messages import warnings
 from tests.hard_cases.generate import load_reference
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, PER_BALL, UPRIGHT, fewer, resting, turning
 

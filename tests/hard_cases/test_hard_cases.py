@@ -12,7 +12,7 @@ from mpmath import mp
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
-from qsbearing.messages.bearing import message, warnings
+from qsbearing.messages import message, warnings
 from tests.hard_cases import generate
 from tests.hard_cases.cases import CASES, CONVERGED, NO_EQUILIBRIUM
 from tests.hard_cases.generate import load_reference

@@ -16,7 +16,7 @@ from qsbearing.compiled import COMPILED, entry
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.kernel.ball_inertia import inertia
 from qsbearing.kernel.workspace import working_memory
-from qsbearing.messages.bearing import warnings
+from qsbearing.messages import warnings
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.threads import thread_count
 from tests.qsbearing.mechanics import ring_load

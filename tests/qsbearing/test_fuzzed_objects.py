@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.kernel.newton import STALLED
-from qsbearing.messages.bearing import message, warnings
+from qsbearing.messages import message, warnings
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import solver as solving
 

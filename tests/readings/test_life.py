@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 import qsbearing as qs
 from fem_check.book.published import bearing
-from qsbearing.pictures.life import LifePanel, life_against
 from qsbearing.readings.life_arguments import life_errors
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
@@ -251,16 +250,6 @@ def test_static_safety_two_ways() -> None:
     crushed = qs.readings.static_safety(solved(resting(B218, axial_load=9e5)))
     assert crushed.contact_safety < 1.0
     assert any("permanent dents" in sentence for sentence in crushed.warnings)
-
-
-def test_life_as_a_picture() -> None:
-    """Three curves a panel; a panel needs one case axis."""
-    found = qs.readings.life(solved(resting(B218, axial_load=np.linspace(5e3, 20e3, 7))))
-    figure = life_against([LifePanel("load, kN", np.linspace(5, 20, 7), found), LifePanel("n", range(7), found, True)])
-    assert [len(axes.lines) for axes in figure.axes] == [3, 3]
-    assert figure.axes[0].lines[2].get_ydata() == pytest.approx(found.basic_reference_rating_life / MREV)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="one case axis"):
-        life_against([LifePanel("load", [1.0, 2.0], found)])
 
 
 @pytest.mark.parametrize(("given", "hint"), [(95, "95 % is 0.95"), (99.95, "99.95 % is 0.9995"), (50.0, ""), (1.0, "")])

@@ -9,7 +9,8 @@ from fem_check.agreement import Row
 from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import STATIC_RADIAL, STATIC_THRUST, bearing
 from qsbearing import readings
-from qsbearing.readings import bearing_numbers, static_rating
+from qsbearing.contact.first_yield import STATIC_PRESSURE
+from qsbearing.readings import bearing_numbers
 
 SOURCE = "ISO 76:2006, table 1, pp. 5-6 of GOST 18854-2013"
 PRINT = 0.06
@@ -21,10 +22,7 @@ def factors(gamma: NDArray, inner_f: float, outer_f: float) -> NDArray:
     sides = ((bearing_numbers.INNER, inner_f), (bearing_numbers.OUTER, outer_f))
     modulus = bearing(9, 10.0, 50.0, 0.0).effective_modulus
     return np.minimum(
-        *(
-            bearing_numbers.load_at_pressure(static_rating.STATIC_PRESSURE, 1e-3, gamma, f, modulus, side)
-            for side, f in sides
-        )
+        *(bearing_numbers.load_at_pressure(STATIC_PRESSURE, 1e-3, gamma, f, modulus, side) for side, f in sides)
     )
 
 
