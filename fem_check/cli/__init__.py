@@ -14,7 +14,7 @@ from fem_check.cli.run import run_checks
 from fem_check.release.command import release
 
 
-@click.group()
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="qsbearing", prog_name="fem-check")
 def cli() -> None:
     """Three-dimensional finite-element checks of the contacts that qsbearing takes from Hertz."""

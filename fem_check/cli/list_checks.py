@@ -14,14 +14,20 @@ def list_checks() -> None:
     from fem_check.book.cases import ALL as CASES
     from fem_check.checks import ALL
 
-    table = Table(show_lines=False)
-    for heading in ("check", "kind", "question", "tolerance"):
-        table.add_column(heading, overflow="fold")
+    checks = _table("Checks (fem-check run)")
     for check in ALL.values():
-        table.add_row(check.name, str(check.kind), check.question, check.tolerance)
-    book = Table(title="fem-check book", show_lines=False)
-    for heading in ("case", "evidence", "title"):
-        book.add_column(heading, overflow="fold")
+        checks.add_row(check.name, f"{check.question}\n[dim]{check.kind}; tolerance: {check.tolerance}[/dim]")
+    book = _table("Published cases (fem-check book)")
     for case in CASES.values():
-        book.add_row(case.name, EVIDENCE[case.texts.evidence], case.texts.title)
-    Console().print(table, book)
+        book.add_row(case.name, f"{case.texts.title}\n[dim]{EVIDENCE[case.texts.evidence]}[/dim]")
+    Console(highlight=False).print(checks, "", book)
+
+
+def _table(title: str) -> Table:
+    """Names, whole at 80 columns, and what there is to say of each."""
+    table = Table(
+        title=title, title_justify="left", title_style="bold", box=None, show_header=False, padding=(0, 2, 0, 0)
+    )
+    table.add_column(no_wrap=True)
+    table.add_column()
+    return table

@@ -19,7 +19,12 @@ def call(*arguments: str):
 def test_list_names_every_check():
     result = call("list")
     assert result.exit_code == 0
-    assert all(name[:10] in result.output for name in ALL)
+    assert set(ALL) <= {line.split(" ")[0] for line in result.output.splitlines()}  # whole, at 80 columns
+
+
+def test_the_short_form_of_help():
+    assert call("-h").output == call("--help").output
+    assert call("run", "-h").exit_code == 0
 
 
 def test_run_keeps_and_prints_one_record(tmp_path):
