@@ -32,20 +32,22 @@ def draw_angles(axes: Axes, solution: Solution, place: Place, span: Span | None 
     azimuth, present = balls(solution, place)
     turned = np.degrees(azimuth) % 360.0
     order = np.argsort(turned)
-    # Once round and a little more: the last ball stands before the start, the first after the end.
-    order = np.concatenate([order[-1:], order, order[:1]])
-    along = turned[order] + np.concatenate([[-360.0], np.zeros(order.size - 2), [360.0]])
+    along = np.concatenate([[0.0], turned[order], [360.0]])
     axes.axhline(_free(solution, place), color=GREY, linewidth=0.9, linestyle=":", label="free contact angle")
     for side, contacts in raceways(solution):
         loaded = contacts.load[place][present] > 0.0
         angle = np.where(loaded, contacts.angle[place][present] / deg, np.nan)
-        axes.plot(along, angle[order], **line_style(side, azimuth.size))
+        # Once round: between the last ball and the first the line crosses the picture's two edges at one height.
+        last, first = turned[order[-1]] - 360.0, turned[order[0]]
+        edge = angle[order[0]] if first == 0.0 else np.interp(0.0, [last, first], angle[order[[-1, 0]]])
+        curve = np.concatenate([[edge], angle[order], [edge]])
+        axes.plot(along, curve, markevery=slice(1, -1), clip_on=False, **line_style(side, azimuth.size))
     low, high = span or angle_span(solution, place)
     margin = max(0.08 * (high - low), 1.0)
     bottom = low - 2.2 * margin
     axes.set_ylim(bottom, high + margin)
     mark_lost(axes, solution, place, bottom + 0.7 * margin)
-    axes.set_xlim(-8.0, 368.0)
+    axes.set_xlim(0.0, 360.0)
     axes.set_xticks(range(0, 361, 45))
     axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
     axes.set_ylabel("contact angle, deg", fontsize=9)
