@@ -32,7 +32,7 @@ def show_set(of: BearingSet, as_json: bool, tolerance: float) -> None:
     with solving():
         solution, rows = explain_set(of, tolerance)
         said = preload_summary(solution) if solution.converged else []
-    found = set_record(solution)
+    found = set_record(solution, [{}] * len(solution.rows))
     if as_json:
         of_set = {key: found[key] for key in ("status", "message", "arrangement", "warnings")}
         of_set |= {"preload": said, "tolerance": tolerance, "effects": [vars(row) for row in rows]}

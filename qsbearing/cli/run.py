@@ -18,6 +18,7 @@ from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
+    from qsbearing.io.readings_record import Readings
     from qsbearing.scene.scene import Scene
     from qsbearing.solution.solution import Solution
 
@@ -74,14 +75,19 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
         if is_spectrum:
             show_spectrum(solution, asked, as_json, targets, write)
             return
-        _show(solution, loaded, asked, as_json)
+        from qsbearing.io.readings_record import all_columns, taken
+
+        readings = taken(solution)
+        _show(solution, readings, loaded, asked, as_json)
         if not solution.converged:
             for target in targets.values():
                 note(f"{target} is not written: there is no solution to write")
             sys.exit(UNSOLVED)
         try:
             if csv_target is not None:
-                write["--csv"](_csv(solution))
+                from qsbearing.io.csv_table import csv_bytes
+
+                write["--csv"](csv_bytes(all_columns(solution, readings)))
             if plot_target is not None:
                 write["--plot"](drawn(solution, plot_target))
         except OSError as error:  # a disk that filled up meanwhile
@@ -126,30 +132,18 @@ def _check(accuracy: float) -> None:
         )
 
 
-def _show(solution: Solution, scene: Scene, asked: Scene, as_json: bool) -> None:
+def _show(solution: Solution, readings: Readings, scene: Scene, asked: Scene, as_json: bool) -> None:
     if as_json:
         from qsbearing.io.json_record import record
 
-        print_result(asked, record(solution))
+        print_result(asked, record(solution, readings))
         return
     from qsbearing.io.report import result
 
-    print_table(result(solution))
+    print_table(result(solution, readings))
     if solution.choice is not None:
         from rich.text import Text
 
         from qsbearing.messages.bearing import chosen
 
         print_table(Text("\n" + "\n".join(chosen(solution, scene))))
-
-
-def _csv(solution: Solution) -> bytes:
-    from qsbearing.columns import columns
-    from qsbearing.io.csv_table import csv_text
-
-    found = columns(solution)
-    if solution.scene.readings:
-        from qsbearing.readings import reading_columns, take_asked
-
-        found |= reading_columns(solution, take_asked(solution))
-    return csv_text({name: values.tolist() for name, values in found.items()}).encode("utf-8")

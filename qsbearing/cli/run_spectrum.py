@@ -18,24 +18,22 @@ def show_spectrum(
     solution: Solution, asked: Scene, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer]
 ) -> None:
     """Show a solved spectrum and write its balls; ends with the exit code where some point is not solved."""
+    from qsbearing.io.readings_record import all_columns, taken
     from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
 
+    readings = taken(solution)
     if as_json:
-        print_result(asked, spectrum_record(solution))
+        print_result(asked, spectrum_record(solution, readings))
     else:
-        print_table(spectrum_result(solution))
+        print_table(spectrum_result(solution, readings))
     if not solution.converged.all():
         for target in targets.values():
             note(f"{target} is not written: not all points are solved")
         sys.exit(UNSOLVED)
     if "--csv" in targets:
-        from qsbearing.columns import columns
-        from qsbearing.io.csv_table import csv_text
-        from qsbearing.readings import reading_columns, take_asked
+        from qsbearing.io.csv_table import csv_bytes
 
-        found = columns(solution) | reading_columns(solution, take_asked(solution))
-        text = csv_text({name: values.tolist() for name, values in found.items()})
         try:
-            write["--csv"](text.encode("utf-8"))
+            write["--csv"](csv_bytes(all_columns(solution, readings)))
         except OSError as error:  # a disk that filled up meanwhile
             refuse(f"cannot write: {error}")

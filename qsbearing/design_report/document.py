@@ -10,6 +10,7 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
+from qsbearing.io.readings_record import taken
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
@@ -27,8 +28,8 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     scene = solution.scene
     name = scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
-    taken = readings.taken(solution)
-    warnings = [*messages.warnings(solution), *readings.warnings_of(taken)]
+    found = taken(solution)
+    warnings = [*messages.warnings(solution), *readings.warnings_of(found)]
     return Document(
         name,
         "Design report",
@@ -36,12 +37,12 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             inputs.section(scene, source),
             effects.section(solution, asked, tolerance),
             _results(solution),
-            *([Section("Readings", readings.tables(taken))] if taken else []),
+            *([Section("Readings", readings.tables(found))] if found else []),
             curves.section(solution),
             evidence.section([solution]),
         ],
         "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        head(messages.message(solution), key_results(solution, taken), warnings, command),
+        head(messages.message(solution), key_results(solution, found), warnings, command),
     )
 
 

@@ -2,29 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block
-from qsbearing.solution.solution import Solution
+from qsbearing.io.readings_record import Readings
 
 
-def taken(solution: Solution) -> dict[str, Any]:
-    """The readings by their names; none where none is asked for."""
-    if not solution.scene.readings:
-        return {}
-    from qsbearing.readings.asked import take_asked
-
-    return dict(take_asked(solution))
-
-
-def warnings_of(readings: Mapping[str, Any]) -> list[str]:
+def warnings_of(readings: Readings) -> list[str]:
     """What there is to beware of in them."""
     return [each for reading in readings.values() for each in getattr(reading, "warnings", ())]
 
 
-def tables(readings: Mapping[str, Any]) -> list[Block]:
+def tables(readings: Readings) -> list[Block]:
     """Their tables, warnings below each."""
     if not readings:
         return []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 from qsbearing import messages
 from qsbearing.design_report import effects, evidence, readings, set_curves, set_inputs
@@ -12,6 +12,7 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
+from qsbearing.io.readings_record import Readings, taken
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.ranked_warning import said_of
@@ -28,12 +29,12 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         command: that makes this report.
     """
     of = solution.set
-    taken = [readings.taken(row) for row in solution.rows]
+    found = [taken(row) for row in solution.rows]
     changes = limits(of)
     warnings = solution.warnings() + [
         said_of(capital(row_name(of.rows[number], number)), each)
-        for number, found in enumerate(taken)
-        for each in readings.warnings_of(found)
+        for number, of_row in enumerate(found)
+        for each in readings.warnings_of(of_row)
     ]
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
@@ -41,18 +42,18 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         [
             set_inputs.section(of, source),
             effects.section_of_set(solution),
-            _results(solution, changes),
-            *(_row(solution, number, found) for number, found in enumerate(taken)),
+            _results(solution, found, changes),
+            *(_row(solution, number, of_row) for number, of_row in enumerate(found)),
             set_curves.section(of, changes),
             evidence.section(solution.rows, of),
         ],
         "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
         "by the quasi-static model of Jones and Harris.",
-        head(solution.message(), key_results_of_set(solution, taken), warnings, command),
+        head(solution.message(), key_results_of_set(solution, found), warnings, command),
     )
 
 
-def _results(solution: SetSolution, changes: Limits) -> Section:
+def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) -> Section:
     drawn: list[Block] = [
         picture(
             load_distribution(solution),
@@ -69,10 +70,10 @@ def _results(solution: SetSolution, changes: Limits) -> Section:
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
-    return Section("Results", [*from_rich(set_report.tables(solution)), *parts])
+    return Section("Results", [*from_rich(set_report.tables(solution, found)), *parts])
 
 
-def _row(solution: SetSolution, number: int, taken: dict[str, Any]) -> Section:
+def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     row = solution.rows[number]
     tables = from_rich(report.tables_of_balls(row))
     drawn = picture(
@@ -83,4 +84,4 @@ def _row(solution: SetSolution, number: int, taken: dict[str, Any]) -> Section:
     )
     said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))
-    return Section(title, [*tables, drawn, *readings.tables(taken), *said], f"row-{number + 1}")
+    return Section(title, [*tables, drawn, *readings.tables(found), *said], f"row-{number + 1}")

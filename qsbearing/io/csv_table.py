@@ -1,4 +1,4 @@
-"""Columns as CSV text."""
+"""Columns as CSV."""
 
 from __future__ import annotations
 
@@ -8,8 +8,15 @@ from enum import StrEnum
 from io import StringIO
 from typing import Any
 
+from numpy.typing import NDArray
+
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
 """With these a cell begins that spreadsheets evaluate."""
+
+
+def csv_bytes(columns: dict[str, NDArray]) -> bytes:
+    """Columns of numbers or words as a file holds them."""
+    return csv_text({name: values.tolist() for name, values in columns.items()}).encode("utf-8")
 
 
 def csv_text(columns: dict[str, Iterable[Any]]) -> str:

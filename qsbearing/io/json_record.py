@@ -10,16 +10,18 @@ from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
 from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
+from qsbearing.io.readings_record import Readings, readings_record
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, um, zero_celsius
 
 
-def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
+def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any]:
     """One case as the object that `run --json` prints.
 
     Args:
+        readings: what the scene asked to be read off.
         index: the case, along the solution's case axes; nothing for a single case.
 
     Returns:
@@ -49,19 +51,9 @@ def record(solution: Solution, index: Place = ()) -> dict[str, Any]:
         "stiffness_SI": matrix_rows(solution.stiffness[index]) if solved else None,
         "compliance_SI": matrix_rows(solution.compliance[index]) if solved else None,
         "balls": balls(solution, index) if solved else [],
-        "readings": _readings(solution, index) if solved else None,
+        "readings": readings_record(solution, readings, index) if solved else None,
         **_choice(solution, index),
     }
-
-
-def _readings(solution: Solution, index: Place) -> dict[str, Any] | None:
-    """What the scene asks to be read off; None where it asks for nothing."""
-    if not solution.scene.readings:
-        return None
-    from qsbearing.io.readings_record import readings_record  # a scene without readings does not load them
-    from qsbearing.readings.asked import take_asked
-
-    return readings_record(solution, take_asked(solution), index)
 
 
 def _choice(solution: Solution, index: Place) -> dict[str, Any]:

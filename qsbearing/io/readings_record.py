@@ -1,4 +1,4 @@
-"""Readings of a case as plain data in the field's units: the object `readings` of `run --json`."""
+"""The readings that a scene asks for, taken once for all that show them; and a case's as plain data and as columns."""
 
 from __future__ import annotations
 
@@ -7,22 +7,49 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.readings.shown import ball_values, case_values
+from qsbearing.columns import columns
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
 
+Readings = Mapping[str, Any]
+"""Results by the name of their reading."""
 
-def readings_record(solution: Solution, readings: Mapping[str, Any], index: Place = ()) -> dict[str, Any]:
+
+def taken(solution: Solution) -> Readings:
+    """What the scene asks to be read off; nothing where it asks for nothing, or its one case is not solved."""
+    if not solution.scene.readings or not (solution.shape or solution.converged):
+        return {}
+    from qsbearing.readings.asked import take_asked  # a scene without readings does not load them
+
+    return take_asked(solution)
+
+
+def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
+    """All of a solution and its readings as the columns of a table: one row per ball of every case."""
+    found = columns(solution)
+    if readings:
+        from qsbearing.readings.shown import reading_columns
+
+        found |= reading_columns(solution, readings)
+    return found
+
+
+def readings_record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any] | None:
     """One case's readings, each under its name: the bearing's numbers, then its balls', then what to beware of.
 
     None stands for what was not asked for, or has no number.
     """
+    if not readings:
+        return None
     balls = np.flatnonzero(np.isfinite(solution.azimuth[index]))
     return {name: _one(name, reading, solution, index, balls) for name, reading in readings.items()}
 
 
 def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) -> dict[str, Any]:
+    from qsbearing.readings.shown import ball_values, case_values
+
     out: dict[str, Any] = {}
     for key, values in case_values(name, reading):
         out[key] = None if values is None else _number(np.broadcast_to(values, solution.shape)[index])

@@ -15,6 +15,7 @@ from rich.text import Text
 
 from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.io.json_record import record
+from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.judgement import percent
 from qsbearing.scene.operation import CHANNELS
@@ -35,17 +36,16 @@ RING_NOISE = 1e-10
 _UNITS = (("um", "N", "N/um"), ("mrad", "Nm", "Nm/mrad"))
 
 
-def result(solution: Solution) -> Group:
-    """The report on a single case: heading, ring, balls, warnings."""
-    found = record(solution)
+def result(solution: Solution, readings: Readings) -> Group:
+    """The report on a single case: heading, ring, balls, what was read off, warnings."""
+    found = record(solution, {})
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
-        if solution.scene.readings:
+        if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
-            from qsbearing.readings.asked import take_asked
 
-            parts += readings_tables(take_asked(solution))
+            parts += readings_tables(readings)
     return Group(*parts, *warnings_below(found["warnings"]))
 
 
@@ -56,12 +56,12 @@ def warnings_below(warnings: Sequence[str]) -> list[RenderableType]:
 
 def tables(solution: Solution) -> Group:
     """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
-    return Group(*_tables(solution, record(solution)))
+    return Group(*_tables(solution, record(solution, {})))
 
 
 def tables_of_balls(solution: Solution) -> Group:
     """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion."""
-    found = record(solution)
+    found = record(solution, {})
     return Group(*_expansion(solution, found), *_of_balls(solution, found))
 
 

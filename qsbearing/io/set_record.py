@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.columns import DISPLACEMENT, LOAD, STIFFNESS, columns
+from qsbearing.columns import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.io.json_record import choices, matrix_rows, number, of_channels, record
+from qsbearing.io.readings_record import Readings, all_columns
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
 from qsbearing.units import mm, um
@@ -18,15 +20,18 @@ OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out",
 """What a row's own record would only repeat."""
 
 
-def set_record(solution: SetSolution) -> dict[str, Any]:
+def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
     """A single case of a set as the object that `run --json` prints.
+
+    Args:
+        readings: what each row was asked to be read off.
 
     Returns:
         None stands for a number that there is not: not called for, not solved, or not defined.
     """
     of, solved = solution.set, bool(solution.converged)
     scene = solution.rows[0].scene
-    rows = [_row(solution, i) for i in range(len(of.rows))]
+    rows = [_row(solution, i, found) for i, found in enumerate(readings)]
     return {
         "version": __version__,
         "status": str(solution.status),
@@ -57,8 +62,8 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
     return {} if solution.slide is None else {"slide_um": number(solution.slide / um)}
 
 
-def _row(solution: SetSolution, i: int) -> dict[str, Any]:
-    row, own = solution.set.rows[i], record(solution.rows[i])
+def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
+    row, own = solution.set.rows[i], record(solution.rows[i], readings)
     state = solution.preload_state
 
     def of_row(values: NDArray | None) -> float | None:
@@ -88,7 +93,7 @@ def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
     return number(system_life(known)) if len(known) == len(rows) else None
 
 
-def set_columns(solution: SetSolution) -> dict[str, NDArray]:
+def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:
     """One row per ball of every row of a single case, rows counting from 1; the shaft's values follow on each.
 
     Rows that differ in what they have leave cells empty.
@@ -102,7 +107,7 @@ def set_columns(solution: SetSolution) -> dict[str, NDArray]:
         )
         for i, (key, size) in enumerate(keys)
     }
-    parts = [_row_columns(solution, i, shaft) for i in range(len(solution.rows))]
+    parts = [_row_columns(solution, i, found, shaft) for i, found in enumerate(readings)]
     names = dict.fromkeys(name for part in parts for name in part)
     empty = [np.full(part["row"].size, np.nan) for part in parts]
     return {
@@ -111,12 +116,8 @@ def set_columns(solution: SetSolution) -> dict[str, NDArray]:
     }
 
 
-def _row_columns(solution: SetSolution, i: int, shaft: dict[str, Any]) -> dict[str, NDArray]:
-    row, own = solution.set.rows[i], columns(solution.rows[i])
-    if solution.rows[i].scene.readings:
-        from qsbearing.readings import reading_columns, take_asked  # a set without readings does not load them
-
-        own |= reading_columns(solution.rows[i], take_asked(solution.rows[i]))
+def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[str, Any]) -> dict[str, NDArray]:
+    row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
     of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size
     first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))

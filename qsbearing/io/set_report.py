@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from qsbearing.io.readings_record import Readings
 from qsbearing.io.report import (
     RING_NOISE,
     asked_for,
@@ -31,9 +33,9 @@ from qsbearing.sets.set_solution import SetSolution
 from qsbearing.units import rpm
 
 
-def set_result(solution: SetSolution) -> Group:
-    """The report on a single case of a set."""
-    found = set_record(solution)
+def set_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
+    """The report on a single case of a set; with what each row was asked to be read off."""
+    found = set_record(solution, readings)
     parts: list[RenderableType] = [heading(solution, found)]
     if found["status"] == "converged":
         parts += [Padding(table, (1, 0, 0, 0)) for table in [*_tables(solution, found), *_temperatures(found)]]
@@ -41,16 +43,18 @@ def set_result(solution: SetSolution) -> Group:
             table = contacts_table(distinct(row["balls"]), len(row["balls"]))
             table.title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
             parts.append(Padding(table, (1, 0, 0, 0)))
-            if solution.rows[number].scene.readings:
-                parts += _readings(solution, number)
+            if readings[number]:
+                from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
+
+                parts += readings_tables(readings[number])
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     return Group(*parts, *warnings_below(found["warnings"]))
 
 
-def tables(solution: SetSolution) -> Group:
+def tables(solution: SetSolution, readings: Sequence[Readings]) -> Group:
     """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
     in hours."""
-    found = set_record(solution)
+    found = set_record(solution, readings)
     return Group(*_tables(solution, found), *_system_life(found))
 
 
@@ -129,10 +133,3 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
         state = row["preload_state"] or ""
         preload.add_row(str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state)
     return [table, preload]
-
-
-def _readings(solution: SetSolution, number: int) -> list[RenderableType]:
-    from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
-    from qsbearing.readings.asked import take_asked
-
-    return readings_tables(take_asked(solution.rows[number]))

@@ -12,10 +12,10 @@ from rich.text import Text
 from qsbearing import __version__, messages
 from qsbearing.columns import LOAD
 from qsbearing.io.json_record import number, record
+from qsbearing.io.readings_record import Readings
 from qsbearing.io.report import asked_for, warnings_below
 from qsbearing.io.tables import plain_table
 from qsbearing.ranked_warning import RankedWarning, said_of
-from qsbearing.readings.asked import take_asked
 from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 
@@ -23,14 +23,14 @@ MILLION, HOUR = 1e6, 3600.0
 NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nNm", "moment z\nNm")
 
 
-def spectrum_record(solution: Solution) -> dict[str, Any]:
+def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
     """The points, each as a scene of its own, and what they do together.
 
     Returns:
         None stands for a number that there is not: the life together where a point is not solved.
     """
     solved = bool(np.all(solution.converged))
-    together = take_asked(solution)["spectrum"]
+    together = readings["spectrum"]
     shares = solution.scene.readings["spectrum"]["time_share"]
     return {
         "version": __version__,
@@ -41,15 +41,19 @@ def spectrum_record(solution: Solution) -> dict[str, Any]:
         "life_Mrev": number(together.life / MILLION),
         "duration_h": number(together.duration / HOUR),
         "points": [
-            {"share": float(share), "damage_share": number(together.damage_share[k]), **record(solution, (k,))}
+            {
+                "share": float(share),
+                "damage_share": number(together.damage_share[k]),
+                **record(solution, readings, (k,)),
+            }
             for k, share in enumerate(shares)
         ],
     }
 
 
-def spectrum_result(solution: Solution) -> Group:
+def spectrum_result(solution: Solution, readings: Readings) -> Group:
     """A row for each operating point, and the life of all together."""
-    found, life = spectrum_record(solution), take_asked(solution)["life"]
+    found, life = spectrum_record(solution, readings), readings["life"]
     head = Text.assemble((found["bearing"] or "Bearing", "bold"), f"  {len(found['points'])} operating points. ")
     head.append(f"{asked_for(found['points'][0])}\n{found['message']}")
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]

@@ -147,14 +147,14 @@ def test_the_result_says_which_balls_slip() -> None:
     scene = turning(10_000, effects=bounded(0.05), **COMBINED)
     solution, classical = solved(scene), solved(turning(10_000, **COMBINED))
     assert solution.slips.any() and not solution.slips.all()
-    assert [ball["slips"] for ball in record(solution)["balls"]] == list(solution.slips)
+    assert [ball["slips"] for ball in record(solution, {})["balls"]] == list(solution.slips)
     table = solution.to_dataframe()
     assert list(table["slips"]) == list(solution.slips)
     assert (table["friction_coefficient"] == 0.05).all()
     (sentence,) = [text for text in qs.warnings(solution) if "slip" in text]
     assert f"{solution.slips.sum()} balls" in sentence and "contacts carry 0.05" in sentence
     assert classical.slips is None
-    assert record(classical)["balls"][0]["slips"] is None
+    assert record(classical, {})["balls"][0]["slips"] is None
     assert "slips" not in classical.to_dataframe().columns
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.json_record import record
+from qsbearing.io.readings_record import taken
 from qsbearing.io.report import result
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.tables import text_of
@@ -53,6 +55,37 @@ def scene(**readings: Any) -> qs.Scene:
     return scene_of(BASE | {"readings": readings}, "test")
 
 
+def file_of(document: dict[str, Any]) -> str:
+    """As TOML; what is no table of its own is written inline."""
+
+    def value(of: Any) -> str:
+        if isinstance(of, dict):
+            return "{" + ", ".join(f"{key} = {value(each)}" for key, each in of.items()) + "}"
+        return json.dumps(of)
+
+    tables = (
+        f"[{name}]\n" + "".join(f"{key} = {value(each)}\n" for key, each in table.items())
+        for name, table in document.items()
+    )
+    return "\n".join(tables)
+
+
+def count_takes(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """How often each reading is taken, from now on."""
+    counts: Counter[str] = Counter()
+
+    def counted(name: str, take: Any) -> Any:
+        def counting(*arguments: Any) -> Any:
+            counts[name] += 1
+            return take(*arguments)
+
+        return counting
+
+    for name, each in asked.READINGS.items():
+        monkeypatch.setitem(asked.READINGS, name, each._replace(take=counted(name, each.take)))
+    return counts
+
+
 def faults(document: dict[str, Any]) -> dict[str, str]:
     """Key and text of every fault of a file."""
     with pytest.raises(qs.SceneError) as caught:
@@ -62,7 +95,8 @@ def faults(document: dict[str, Any]) -> dict[str, str]:
 
 def test_each_reading_of_a_file_is_the_function_s() -> None:
     solution = qs.solve(scene(**ALL))
-    found = json.loads(json.dumps(record(solution)["readings"], allow_nan=False))
+    once = taken(solution)
+    found = json.loads(json.dumps(record(solution, once)["readings"], allow_nan=False))
     assert set(found) == set(ALL) - {"lubricant"}
     oil = qs.readings.Lubricant.from_grade(68).at(70 + 273.15)
     kappa = qs.readings.viscosity_ratio(oil.kinematic_viscosity, 8000 * qs.rpm, 125.26e-3)  # type: ignore[arg-type]
@@ -81,7 +115,7 @@ def test_each_reading_of_a_file_is_the_function_s() -> None:
     inner = found["film"]["balls"][3]["inner"]
     parameter = inner["reduced_minimum_thickness_um"] / found["film"]["combined_roughness_um"]
     assert inner["film_parameter"] == pytest.approx(parameter)
-    text = " ".join(text_of(result(solution)).split())
+    text = " ".join(text_of(result(solution, once)).split())
     for words in ("minimum reduced by inlet heating", "combined roughness", "inlet heating differ by some 12 %"):
         assert words in text
     friction = qs.readings.friction(solution, 0.05, drag_coefficient=0.5, fluid_density=20.0)
@@ -109,10 +143,22 @@ def test_a_scene_that_asks_for_nothing_pays_nothing(monkeypatch: pytest.MonkeyPa
 
     monkeypatch.setattr(asked, "take_asked", never)
     solution = qs.solve(scene_of(BASE, "test"))
-    assert record(solution)["readings"] is None
-    text_of(result(solution))
+    assert taken(solution) == {}
+    assert record(solution, {})["readings"] is None
+    text_of(result(solution, {}))
     with pytest.raises(AssertionError):
-        record(qs.solve(scene(stress=True)))
+        taken(qs.solve(scene(stress=True)))
+
+
+@pytest.mark.parametrize("options", [["--json", "--csv", "my.csv", "--plot", "my.png"], ["--csv", "my.csv"], []])
+def test_each_reading_is_taken_once(options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many ways show it; those too that rest on another one."""
+    counts = count_takes(monkeypatch)
+    monkeypatch.chdir(tmp_path)
+    Path("my.toml").write_text(file_of(BASE | {"readings": ALL}), encoding="utf-8")
+    done = CliRunner().invoke(cli, ["run", "my.toml", *options])
+    assert done.exit_code == 0, done.output
+    assert counts == dict.fromkeys(OF_ONE_POINT, 1)
 
 
 def test_tables_and_columns(tmp_path: Path) -> None:
@@ -158,7 +204,9 @@ def test_columns_of_many_cases() -> None:
 
 def test_an_unsolved_case_has_no_readings() -> None:
     apart = BASE | {"operation": {"axial_load_N": -100}, "effects": {}, "readings": {"life": True}}
-    assert record(qs.solve(scene_of(apart, "test")))["readings"] is None
+    solution = qs.solve(scene_of(apart, "test"))
+    assert taken(solution) == {}
+    assert record(solution, {})["readings"] is None
 
 
 # ------------------------------------------------------------------------------------------------------------ bad input

@@ -246,11 +246,13 @@ def test_what_each_friction_model_contains_is_said_alike_everywhere() -> None:
     """Python, JSON and text: the words of one place; range and use, and whether the range holds."""
     solution = solved(scene_with_friction())
     found = qs.readings.take_asked(solution)
-    shown = " ".join(text_of(result(solution)).split())
+    shown = " ".join(text_of(result(solution, found)).split())
     names = {"friction": ["Contacts"], "friction_estimate": ["SKF", "Palmgren"]}
     for reading, models in names.items():
         assert [model.name for model in found[reading].models] == models
-        assert record(solution)["readings"][reading]["models"] == [model._asdict() for model in found[reading].models]
+        assert record(solution, found)["readings"][reading]["models"] == [
+            model._asdict() for model in found[reading].models
+        ]
         for model in found[reading].models:
             for words in model:
                 assert " ".join(words.split()) in shown
