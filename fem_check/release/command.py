@@ -3,45 +3,33 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 import click
 
 if TYPE_CHECKING:
-    from fem_check.release.journal import Journal
-    from fem_check.release.previous import Previous
-    from fem_check.release.steps import Step
+    from fem_check.release.gate import Verdict
 
-OUT = "release_results"
 FAILED, BAD_INPUT = 1, 2
+REASONS = 5
+"""Shown of each step in the table; all of them with `--json`."""
 
 
 @click.command("release")
 @click.option("--level", type=click.Choice(["quick", "release"]), default="release", show_default=True)
-@click.option("--out", default=OUT, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.option("--out", default="release_results", show_default=True, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--previous",
     metavar="DIR|TAG",
     help="Records to compare with: a folder or a tag; those in the repository unless named.",
 )
 @click.option("--resume", is_flag=True, help="Go on with an interrupted gate of the same commit and level.")
-@click.option("--again", "repeated", metavar="STEP", multiple=True, help="As --resume, but run this step again.")
-@click.option("--dry-run", is_flag=True, help="Say what would be done and how long it takes, and do nothing.")
 @click.option("--keep", is_flag=True, help="After a pass, make its records those in the repository.")
 @click.option("--json", "as_json", is_flag=True, help="The verdicts on stdout, and nothing else.")
-def release(
-    level: str,
-    out: Path,
-    previous: str | None,
-    resume: bool,
-    repeated: tuple[str, ...],
-    dry_run: bool,
-    keep: bool,
-    as_json: bool,
-) -> None:
+def release(level: str, out: Path, previous: str | None, resume: bool, keep: bool, as_json: bool) -> None:
     """Run everything that must hold before a release.
 
     Needs a checkout without uncommitted changes. Exit codes: 0 all hold, 1 something fails, 2 it cannot be run.
@@ -51,25 +39,29 @@ def release(
 
         from fem_check.agreement import Level
         from fem_check.records_store import RecordError
-        from fem_check.release import journal, keeping, tree
+        from fem_check.release import gate, steps, tree
         from fem_check.release import previous as previous_records
-        from fem_check.release.steps import Place, all_steps
     except ImportError as problem:
         _refuse(f"{problem}: the gate needs `pip install -e '.[dev]'`")
     try:
-        root = tree.root()
-        place = Place(root, Level(level), out.resolve(), tree.head(root))
-        keeping.check_out(place)
-        steps = all_steps(place.level)
-        unknown = set(repeated) - {step.name for step in steps}
-        if unknown:
-            _refuse(
-                f"--again: no step {', '.join(sorted(unknown))}; there are {', '.join(step.name for step in steps)}"
-            )
+        root, listed = tree.root(), steps.all_steps(Level(level))
+        tree.refuse_inside(root, out.resolve())
         with previous_records.opened(root, previous) as before:
-            place = replace(place, previous=before.folder)
-            kept = journal.resumed(place, steps, repeated) if resume or repeated else journal.Journal(place, {})
-            passes = session(steps, kept, before, dry_run=dry_run, keep=keep, as_json=as_json)
+            place = steps.Place(root, Level(level), out.resolve(), tree.head(root), before.folder)
+            found = gate.before_all(listed, place, before)
+            runs = all(each.passes for each in found)
+            if runs:
+                journal = gate.resumed(place, listed) if resume else {}
+                if not journal:
+                    shutil.rmtree(place.gate, ignore_errors=True)
+                gate.run(listed, place, journal, lambda said: click.echo(said, err=True))
+                found = gate.before_all(listed, place, before)
+                found += [gate.judged(step, place, journal, before) for step in listed]
+        passes = all(each.passes for each in found)
+        _show(found, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
+        if keep and passes:
+            written = gate.keep(listed, place)
+            click.echo(f"{len(written)} files are now those in {written[-1].parent}; commit them", err=True)
     except (tree.TreeError, RecordError) as problem:
         _refuse(str(problem))
     except OSError as problem:
@@ -79,46 +71,18 @@ def release(
     sys.exit(0 if passes else FAILED)
 
 
-def session(
-    steps: list[Step],
-    kept: Journal,
-    before: Previous,
-    *,
-    dry_run: bool = False,
-    keep: bool = False,
-    as_json: bool = False,
-) -> bool:
-    """Show the plan, run, judge, show; whether everything holds.
-
-    Nothing is run where the tree is dirty or the previous records are not as they were kept: it would be for nothing.
-    """
-    from fem_check.release import display, gate, keeping
-
-    console = display.console(as_json)
-    place = kept.place
-    seconds = {step.name: gate.expected(step, place, before) for step in steps}
-    console.print(display.plan(steps, seconds, set(kept.steps), before.label))
-    found = [gate.clean_tree(place), gate.previous_release(steps, place, before)]
-    runs = not dry_run and all(each.passes for each in found)
-    if runs:
-        if not kept.steps:
-            keeping.clear(place)
-        with display.progress(steps, seconds, as_json) as (begin, end):
-            for step, error in gate.run(steps, kept, begin):
-                end(step, error)
-        found = gate.verdicts(steps, kept, before)
-        as_text = json.dumps([each.as_dict() for each in found], indent=1) + "\n"
-        (place.gate / "verdicts.json").write_text(as_text, encoding="utf-8")
-    passes = all(each.passes for each in found)
+def _show(found: list[Verdict], as_json: bool, last: str) -> None:
+    """Step, verdict, why, and how to run it again; with `--json` the same as data."""
     if as_json:
         print(json.dumps([each.as_dict() for each in found]))
-    else:
-        console.print(display.final(found))
-        console.print(f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}", soft_wrap=True)
-    if keep and runs and passes:
-        written = keeping.keep(kept)
-        console.print(f"{len(written)} records are now those in {written[-1].parent}; commit them", soft_wrap=True)
-    return passes
+        return
+    for each in found:
+        click.echo(f"{'pass' if each.passes else 'FAIL'}  {each.step}: {each.said}  [{each.command}]")
+        for reason in each.reasons[:REASONS]:
+            click.echo(f"      {reason}")
+        if len(each.reasons) > REASONS:
+            click.echo(f"      and {len(each.reasons) - REASONS} more")
+    click.echo(last)
 
 
 def _refuse(message: str) -> NoReturn:

@@ -1,20 +1,23 @@
-"""The gate: runs the steps, keeps what they make, judges everything from what is kept."""
+"""The gate: runs the steps, enters them in a journal, judges everything from the records that are there."""
 
 from __future__ import annotations
 
+import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from fem_check.agreement import Progress
+from fem_check import records_store
 from fem_check.records_store import RecordError
 from fem_check.release import integrity, manifest, previous, tree
-from fem_check.release.journal import Journal, path_of
 from fem_check.release.previous import Previous
 from fem_check.release.steps import Place, Step
-from qsbearing.provenance import NOT_RECORDED
+from qsbearing import provenance
+
+Journal = dict[str, dict[str, Any]]
+"""Of each step that was run: its seconds, and the error with which it ended, or None."""
 
 
 @dataclass(frozen=True)
@@ -35,97 +38,90 @@ class Verdict:
         return not self.reasons
 
     def as_dict(self) -> dict[str, Any]:
-        """As it is kept and printed."""
+        """As it is printed."""
         return asdict(self) | {"passes": self.passes}
 
 
-def expected(step: Step, place: Place, before: Previous) -> float | None:
-    """Seconds that a step took in the previous release; None where that is not on record."""
-    journal = before.read(path_of(Path(), place.level).as_posix())
-    if journal and step.name in journal["steps"]:
-        return float(journal["steps"][step.name]["seconds"])
-    names = [name for pattern in step.records for name in before.names(pattern) or [pattern]]
-    records = [before.read(name, step.in_repository) or {} for name in names]
-    if not records or any("seconds" not in record for record in records):
-        return None
-    return sum(float(record["seconds"]) for record in records)
+def resumed(place: Place, steps: list[Step]) -> Journal:
+    """What an interrupted gate of the same commit has done, but for steps that ended with an error."""
+    try:
+        kept = json.loads((place.gate / "steps.json").read_text(encoding="utf-8"))
+        if (kept["commit"], kept["level"]) != (place.commit, place.level):
+            return {}
+        done = {step.name: kept["steps"][step.name] for step in steps if step.name in kept["steps"]}
+        return {name: entry for name, entry in done.items() if entry["error"] is None}
+    except (OSError, ValueError, KeyError, TypeError):  # none, cut off or damaged
+        return {}
 
 
-def run(steps: list[Step], journal: Journal, progress: Callable[[Step], Progress]) -> Iterator[tuple[Step, str | None]]:
-    """Run what the journal lacks; yields each step with the error it ended with, once it is entered."""
-    out = journal.place.out
+def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str], None]) -> None:
+    """Run what the journal lacks, and enter it there; `ended` is told how each step ended."""
     for step in steps:
-        if step.name in journal.steps:
+        if step.name in journal:
             continue
-        for name in manifest.sums(out, step.records):  # no earlier record shall pass for this one
-            (out / name).unlink()
+        for name in step.made(place.out):  # no earlier record shall pass for this one
+            (place.out / name).unlink()
         began, error = time.perf_counter(), None
         try:
-            step.run(journal.place, progress(step))
+            step.run(place)
         except Exception as problem:  # whatever it is: the step has failed, and the others are still to be run
             error = f"{type(problem).__name__}: {problem}"
-        journal.keep(step, time.perf_counter() - began, error)
-        yield step, error
+        journal[step.name] = {"seconds": round(time.perf_counter() - began, 1), "error": error}
+        made = provenance.of_run(f"fem-check release --level {place.level}", str(place.level))
+        content = {"commit": place.commit, "level": str(place.level), "provenance": made, "steps": journal}
+        place.gate.mkdir(parents=True, exist_ok=True)
+        records_store.replace(place.gate / "steps.json", (json.dumps(content, indent=1) + "\n").encode())
+        ended(f"{step.name}: {error or 'done'}")
 
 
-def verdicts(steps: list[Step], journal: Journal, before: Previous) -> list[Verdict]:
-    """All verdicts, from the records as they stand now."""
-    place = journal.place
-    found = [clean_tree(place), previous_release(steps, place, before)]
-    found += [judged(step, journal, before) for step in steps]
-    return [*found, Verdict("records", journal.problems(), "as their steps made them", "fem-check release")]
-
-
-def clean_tree(place: Place) -> Verdict:
-    """That the tree is its commit, and still the commit that the gate began with."""
-    reasons = [f"dirty tree: {name} is not committed" for name in tree.changes(place.root)]
+def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdict]:
+    """That the tree is the commit the gate began with; that the previous release's records are as they were kept, and
+    that each is made again. Without this there is no use in running anything."""
+    dirty = [f"dirty tree: {name} is not committed" for name in tree.changes(place.root)]
     now = tree.head(place.root)
     if now != place.commit:
-        reasons.append(f"commit {now[:12]} is checked out, the gate began with {place.commit[:12]}")
-    return Verdict("clean tree", reasons, f"commit {place.commit[:12]}", "git status")
-
-
-def previous_release(steps: list[Step], place: Place, before: Previous) -> Verdict:
-    """That the previous release's records are as they were kept, and that each is made again."""
-    reasons = list(before.problems)
-    made = {name for step in steps for pattern in step.records for name in (*before.names(pattern), pattern)}
+        dirty.append(f"commit {now[:12]} is checked out, the gate began with {place.commit[:12]}")
     kept = [*before.names(f"{place.level}/*.json"), *before.names("book/*.json")]
-    reasons += [f"{name} is on record, and no step makes it any more" for name in kept if name not in made]
-    origins = [(before.read(name) or {}).get("provenance") for name in kept]
-    commits = {str(made["commit"])[:12] for made in origins if made}
+    made = {name for step in steps for pattern in step.records for name in (*before.names(pattern), pattern)}
+    gone = [f"{name} is on record, and no step makes it any more" for name in kept if name not in made]
     said = f"{before.label}, as they were kept"
-    if commits:
-        said += f"; made from {', '.join(sorted(commits))}"
-    if None in origins:
-        said += f"; {origins.count(None)} of {len(kept)} do not say from what ({NOT_RECORDED}): values only"
-    return Verdict("previous release", reasons, said, "git log -- fem_check/records")
+    unknown = sum((before.read(name) or {}).get("provenance") is None for name in kept)
+    if unknown:
+        said += f"; {unknown} of {len(kept)} do not say from what ({provenance.NOT_RECORDED}): values only"
+    return [
+        Verdict("clean tree", dirty, f"commit {place.commit[:12]}", "git status"),
+        Verdict("previous release", before.problems + gone, said, "git log -- fem_check/records"),
+    ]
 
 
-def judged(step: Step, journal: Journal, before: Previous) -> Verdict:
+def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verdict:
     """A step's verdict, from its records, the previous release's, and the journal."""
-    place, done = journal.place, journal.steps.get(step.name)
-    if done is None:
-        return Verdict(step.name, ["it was not run"], command=step.command)
-    if done.error:
-        return Verdict(step.name, [done.error], command=step.command)
-    reasons, compared = [], 0
-    for name in sorted({*done.records, *(name for pattern in step.records for name in before.names(pattern))}):
-        if name not in done.records:
-            reasons.append(f"{name} of the previous release is not made any more")
-            continue
+    done = journal[step.name]
+    if done["error"]:
+        return Verdict(step.name, [done["error"]], command=step.command)
+    made = step.made(place.out)
+    gone = {name for pattern in step.records for name in before.names(pattern)} - set(made)
+    reasons = [f"{name} of the previous release is not made any more" for name in sorted(gone)]
+    if step.records and not made:
+        reasons.append(f"it left no record {' or '.join(step.records)}")
+    for name in made:
         try:
             record = previous.read(place.out / name)
             old = before.read(name, step.in_repository)
-            compared += old is not None
-            problems = integrity.of_provenance(record, place.commit) + step.wrong(record)
-            problems += step.moved(record, old) if old else []
+            found = integrity.of_provenance(record, place.commit) + step.wrong(record)
+            found += step.moved(record, old) if old else []
         except (RecordError, LookupError, TypeError, ValueError) as problem:
-            problems = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
-        reasons += [f"{name}: {each}" for each in problems]
-    if step.records and not done.records:
-        reasons.append(f"it left no record {' or '.join(step.records)}")
-    said = f"{done.seconds:.0f} s"
-    if step.records:
-        said += "; " if compared == len(done.records) else f"; {compared} of {len(done.records)} "
-        said += "compared with the previous release"
-    return Verdict(step.name, reasons, said, step.command)
+            found = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
+        reasons += [f"{name}: {each}" for each in found]
+    return Verdict(step.name, reasons, f"{done['seconds']:.0f} s", step.command)
+
+
+def keep(steps: list[Step], place: Place) -> list[Path]:
+    """Make a gate's records those of the repository, with their manifest; returns what was written, to be committed."""
+    names = [name for step in steps for name in step.made(place.out)]
+    written = []
+    for name in [*names, f"gate/{place.level}/steps.json"]:
+        written.append(place.root / previous.RECORDS / name)
+        written[-1].parent.mkdir(parents=True, exist_ok=True)
+        records_store.replace(written[-1], (place.out / name).read_bytes())
+    return [*written, manifest.write(place.root)]

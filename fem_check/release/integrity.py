@@ -17,9 +17,7 @@ def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
         return ["it does not say which commit it was made from: not recorded"]
     if made["commit"] != commit:
         return [f"it was made from commit {str(made['commit'])[:12]}, not {commit[:12]}: records of several commits"]
-    if made["dirty"]:
-        return [f"it was made from commit {commit[:12]} with changes that are not committed"]
-    return []
+    return [f"it was made from commit {commit[:12]} with changes that are not committed"] if made["dirty"] else []
 
 
 def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
@@ -28,13 +26,12 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
     Args:
         digits: to which the record's numbers are rounded; None where they are whole.
     """
-    wrong = []
+    wrong = [] if record["rows"] else ["it has no rows"]
     for entry in record["rows"]:
         row = Row(**{name: entry[name] for name in NAMES})
         name = f"{row.quantity!r} of {row.case!r}"
-        rounding = (
-            0.0 if digits is None else 10.0 ** (1 - digits) * (1.0 + abs(row.found) / (abs(row.reference) or 1.0))
-        )
+        size = 1.0 + abs(row.found) / (abs(row.reference) or 1.0)
+        rounding = 0.0 if digits is None else 10.0 ** (1 - digits) * size
         difference = abs(row.deviation_percent - entry["deviation_percent"])
         if not difference <= 100.0 * rounding or row.verdict != entry["verdict"]:
             wrong.append(
@@ -44,8 +41,6 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
         elif row.verdict == "fail":
             reach = f"{row.deviation_percent:+.3g} % ± {row.uncertainty_percent or 0.0:.2g}"
             wrong.append(f"{name} is out of tolerance: {reach}, tolerance {row.tolerance_percent} %")
-    if not record["rows"]:
-        wrong.append("it has no rows")
     if record["verdict"] != ("fail" if any(entry["verdict"] == "fail" for entry in record["rows"]) else "pass"):
         wrong.append(f"its verdict {record['verdict']} does not follow from its rows")
     return wrong

@@ -1,4 +1,4 @@
-"""The previous release's records: in a folder, at a tag, or those that came with the package."""
+"""The previous release's records: in a folder, at a tag, or those that are in the repository."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import json
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,7 +17,6 @@ from fem_check.records_store import RecordError
 from fem_check.release import manifest
 
 RECORDS = "fem_check/records"
-NO_MANIFEST = "there is no manifest of its records: nobody can tell whether a digit was changed"
 
 
 @dataclass(frozen=True)
@@ -26,26 +25,19 @@ class Previous:
 
     folder: Path
     """Laid out as the gate's own."""
-    repository: Path | None
-    """The source tree that the folder is part of, with further records; None where there is none."""
     label: str
     """What they are, for a sentence."""
-    problems: list[str]
-    """What was changed, deleted or added since its manifest was written."""
+    repository: Path | None = None
+    """The source tree that the folder is part of, with further records; None where there is none."""
+    problems: list[str] = field(default_factory=list)
+    """What was changed, deleted or added since the repository's manifest was written."""
 
     def read(self, name: str, in_repository: str | None = None) -> dict[str, Any] | None:
-        """A record by its path in the folder, or else by that in the repository; None where there is neither.
-
-        Raises:
-            RecordError: a file that is no record.
-        """
+        """A record by its path in the folder, or else by that in the repository; None where there is neither."""
         places = [self.folder / name]
         if in_repository is not None and self.repository is not None:
             places.append(self.repository / in_repository)
-        for path in places:
-            if path.is_file():
-                return read(path)
-        return None
+        return next((read(path) for path in places if path.is_file()), None)
 
     def names(self, pattern: str) -> list[str]:
         """Paths of records in the folder."""
@@ -70,32 +62,24 @@ def opened(root: Path, named: str | None) -> Iterator[Previous]:
 
     Args:
         root: of the checkout.
-        named: a folder that holds a checkout or what an earlier gate kept, a tag or a commit; None for the records in
+        named: a folder that holds a checkout or what an earlier gate made, a tag or a commit; None for the records in
             the checkout.
 
     Raises:
         RecordError: it is none of these.
     """
-    if named is None:
-        yield _of_repository(root, "the records in the repository")
-    elif Path(named).is_dir():
-        folder = Path(named)
-        if (folder / RECORDS).is_dir():
-            yield _of_repository(folder, str(folder))
-        else:
-            kept = manifest.read(folder / manifest.NAME)
-            found = [NO_MANIFEST] if kept is None else manifest.problems(kept, manifest.sums(folder, kept))
-            yield Previous(folder, None, str(folder), found)
-    else:
+    if named is not None and not Path(named).is_dir():
         with TemporaryDirectory() as place:
             _unpack(root, named, Path(place))
-            yield _of_repository(Path(place), f"the records at {named}")
+            yield _of(Path(place), f"the records at {named}")
+    else:
+        yield _of(root, "the records in the repository") if named is None else _of(Path(named), named)
 
 
-def _of_repository(root: Path, label: str) -> Previous:
-    kept = manifest.read(manifest.of_repository(root))
-    found = [NO_MANIFEST] if kept is None else manifest.problems(kept, manifest.sums(root, manifest.SHIPPED))
-    return Previous(root / RECORDS, root, label, found)
+def _of(folder: Path, label: str) -> Previous:
+    if (folder / RECORDS).is_dir():
+        return Previous(folder / RECORDS, label, folder, manifest.problems(folder))
+    return Previous(folder, label)
 
 
 def _unpack(root: Path, tag: str, place: Path) -> None:

@@ -7,28 +7,23 @@ from pathlib import Path
 
 from qsbearing import provenance
 
-NEEDED = ("tests/campaign/__main__.py", "tests/hard_cases/table.py", "tests/benchmarks/ratios.py")
-"""What the gate runs beside the package; only a checkout has it."""
-
 
 class TreeError(Exception):
-    """There is no source tree to test; the message says why."""
+    """There is no source tree to test, or it may not be written to; the message says why."""
 
 
 def root() -> Path:
     """The checkout that this package is part of.
 
     Raises:
-        TreeError: it is installed without one, or git cannot read it.
+        TreeError: it is installed without one: without the tests that the gate runs.
     """
     folder = Path(__file__).parents[2]
-    missing = [name for name in NEEDED if not (folder / name).is_file()]
-    if missing:
+    if not (folder / "tests" / "campaign" / "__main__.py").is_file():
         raise TreeError(
-            f"{folder} is no checkout of the source ({', '.join(missing)} missing): clone the repository, "
-            "`pip install -e '.[dev]'`, and run the gate there"
+            f"{folder} is no checkout of the source: clone the repository, `pip install -e '.[dev]'`, and run the gate "
+            "there"
         )
-    head(folder)
     return folder
 
 
@@ -49,3 +44,14 @@ def changes(folder: Path) -> list[str]:
     """Files that differ from the commit or are not in it, without those that .gitignore names."""
     found = provenance.git("status", "--porcelain", "-z", folder=folder).split("\0")
     return sorted(entry[3:] for entry in found if entry[2:3] == " ")
+
+
+def refuse_inside(folder: Path, out: Path) -> None:
+    """Refuse an output folder whose files would be changes of the tree.
+
+    Raises:
+        TreeError: it is one.
+    """
+    asked = ["git", "-C", str(folder), "check-ignore", "-q", str(out / "records")]
+    if out.is_relative_to(folder) and subprocess.run(asked, check=False).returncode:
+        raise TreeError(f"--out {out}: what the gate makes there would be changes of the tree; name another")

@@ -14,7 +14,7 @@ from click.testing import CliRunner, Result
 from fem_check.agreement import Level, Row
 from fem_check.checks import ALL
 from fem_check.cli import cli
-from fem_check.release import drift, gate, known, limits, manifest, steps, tree
+from fem_check.release import drift, gate, known, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
 from qsbearing import provenance
 from tests.campaign.envelope import ENVELOPES
@@ -35,7 +35,7 @@ def commit(folder: Path, message: str = "a change") -> None:
 
 def kept_in(folder: Path) -> None:
     """The manifest of the repository's records, as they stand."""
-    manifest.write(manifest.of_repository(folder), manifest.sums(folder, manifest.SHIPPED))
+    manifest.write(folder)
 
 
 @pytest.fixture(autouse=True)
@@ -106,29 +106,17 @@ def change(path: Path, **values: Any) -> None:
     path.write_text(json.dumps(record | {k: v for k, v in values.items() if k not in row}))
 
 
-def enter(out: Path, name: str) -> None:
-    """Make the gate's journal take a record as it stands for the one that was made."""
-    path = out / "gate" / "quick" / "steps.json"
-    journal = json.loads(path.read_text())
-    for step in journal["steps"].values():
-        if name in step["records"]:
-            step["records"][name] = manifest.of_file(out / name)
-    path.write_text(json.dumps(journal))
-
-
 # Passing --------------------------------------------------------------------------------------------------------------
 
 
 def test_a_gate_that_passes_has_records_of_its_commit(place):
     result = release(place / "out", "--resume", "--json")
     assert result.exit_code == 0, result.output
-    assert verdicts(result) == {name: [] for name in ("clean tree", "previous release", *CHECKS, "records")}
+    assert verdicts(result) == {name: [] for name in ("clean tree", "previous release", *CHECKS)}
     head = tree.head(place / "repository")
     for name in CHECKS:
         record = json.loads((place / "out" / "quick" / f"{name.split()[1]}.json").read_text())
         assert (record["provenance"]["commit"], record["provenance"]["dirty"]) == (head, False)
-    kept = json.loads((place / "out" / "gate" / "quick" / "verdicts.json").read_text())
-    assert kept == json.loads(result.stdout)
 
 
 def test_it_needs_every_check_and_all_the_rest():
@@ -137,18 +125,6 @@ def test_it_needs_every_check_and_all_the_rest():
         assert {f"check {name}" for name in ALL} < names
         assert {"hard cases", *(f"campaign {name}" for name in ENVELOPES), "benchmarks", "reports"} < names
         assert "validation book" in names
-
-
-def test_dry_run_says_what_and_how_long_and_does_nothing(place):
-    result = release(place / "new", "--dry-run")
-    assert result.exit_code == 0, result.output
-    record = json.loads((place / "repository" / RECORDS / "gate" / "quick" / "steps.json").read_text())
-    seconds = record["steps"]["check patch_test"]["seconds"]
-    (line,) = [line for line in result.stdout.splitlines() if line.strip().startswith("check patch_test")]
-    assert f"{seconds:.0f} s" in line and "fem-check run patch_test --level quick" in line
-    assert "nothing was run" in result.stdout
-    assert not (place / "new").exists()
-    assert "done, kept" in release(place / "out", "--dry-run", "--resume").stdout
 
 
 def test_the_records_of_a_pass_become_those_of_the_repository(place):
@@ -173,7 +149,7 @@ def test_a_dirty_tree_is_refused_before_anything_is_run(place):
 
 
 def test_a_commit_during_the_gate_is_seen(place, monkeypatch):
-    def run(where: Place, progress: Any) -> None:
+    def run(where: Place) -> None:
         (where.root / "late.py").write_text("")
         commit(where.root)
 
@@ -211,19 +187,11 @@ def test_without_a_manifest_the_previous_records_are_not_trusted(place):
     assert "no manifest" in verdicts(result)["previous release"][0]
 
 
-def test_a_digit_changed_in_a_record_just_made_is_named(place):
-    change(place / "out" / PATCH, found=1e-15)
-    result = release(place / "out", "--resume", "--json")
-    assert result.exit_code == 1
-    assert verdicts(result)["records"] == [f"{PATCH} was changed"]
-
-
-def test_a_digit_changed_with_its_sum_contradicts_the_rest_of_its_row(place):
+def test_a_digit_changed_in_a_record_just_made_contradicts_the_rest_of_its_row(place):
     path = place / "out" / PATCH
     record = json.loads(path.read_text())
     record["rows"][0]["found"] += 1e-12
     path.write_text(json.dumps(record))
-    enter(place / "out", PATCH)
     result = release(place / "out", "--resume", "--json")
     assert result.exit_code == 1
     assert "contradicts itself" in verdicts(result)["check patch_test"][0]
@@ -233,14 +201,9 @@ def test_a_record_deleted_after_it_was_made_is_named(place):
     (place / "out" / PATCH).unlink()
     result = release(place / "out", "--resume", "--json")
     assert result.exit_code == 1
-    assert verdicts(result)["records"] == [f"{PATCH} was deleted"]
-    assert "patch_test.json" in verdicts(result)["check patch_test"][0]
-
-
-def test_a_record_from_elsewhere_is_named(place):
-    shutil.copy(place / "out" / PATCH, place / "out" / "quick" / "body_size.json")
-    assert verdicts(release(place / "out", "--resume", "--json"))["records"] == [
-        "quick/body_size.json is not in the manifest"
+    assert verdicts(result)["check patch_test"] == [
+        f"{PATCH} of the previous release is not made any more",
+        f"it left no record {PATCH}",
     ]
 
 
@@ -257,7 +220,6 @@ def test_records_of_several_commits_are_named(place, changed, said):
     record = json.loads(path.read_text())
     record["provenance"] = record["provenance"] | changed if changed else None
     path.write_text(json.dumps(record))
-    enter(place / "out", PATCH)
     result = release(place / "out", "--resume", "--json")
     assert result.exit_code == 1
     assert len(verdicts(result)["check patch_test"]) == 1
@@ -266,7 +228,6 @@ def test_records_of_several_commits_are_named(place, changed, said):
 
 def test_a_row_out_of_tolerance_fails(place, monkeypatch):
     change(place / "out" / PATCH, found=1.0, verdict="fail")
-    enter(place / "out", PATCH)
     reasons = verdicts(release(place / "out", "--resume", "--json"))["check patch_test"]
     assert "is out of tolerance" in reasons[0]
 
@@ -289,7 +250,7 @@ def test_drift_within_the_tolerance_is_named(place):
     tolerance = row["tolerance_percent"]
     (reason,) = drifted(place, found=row["reference"] * (1.0 + 0.002 * tolerance))
     assert f"moved by {0.2 * tolerance:.2g} %" in reason
-    assert limits.OF_TOLERANCE.why in reason
+    assert f"(limit {drift.OF_TOLERANCE * tolerance:.2g} %)" in reason
 
 
 def test_a_tolerance_that_was_widened_is_named(place):
@@ -325,18 +286,18 @@ def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypat
     assert result.exit_code == 1
     found = verdicts(result)
     assert found["check patch_test"] == ["ZeroDivisionError: planted"]
-    assert found["check hertz_formula"] == found["records"] == []
+    assert found["check hertz_formula"] == []
 
 
 def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
     ran, stop = [], [True]
 
     def counted(step: Step) -> Step:
-        def run(where: Place, progress: Any) -> None:
+        def run(where: Place) -> None:
             ran.append(step.name)
             if stop and step.name == CHECKS[1]:
                 raise KeyboardInterrupt
-            step.run(where, progress)
+            step.run(where)
 
         return replace(step, run=run)
 
@@ -346,10 +307,6 @@ def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
     stop.clear()
     assert release(place / "new", "--resume").exit_code == 0
     assert ran == [*CHECKS, CHECKS[1]]
-    assert release(place / "new", "--again", CHECKS[0]).exit_code == 0
-    assert ran == [*CHECKS, CHECKS[1], CHECKS[0]]
-    del ran[3:]
-    assert "no step patch" in release(place / "new", "--again", "patch").stderr
     # Another commit: nothing of what was done counts for it.
     (place / "repository" / "later.py").write_text("")
     commit(place / "repository")
@@ -370,12 +327,10 @@ def test_a_process_that_fails_is_told_with_its_last_words(tmp_path):
 
 def test_another_folder_or_a_tag_can_be_the_previous_release(place):
     provenance.git("tag", "v1", folder=place / "repository")
-    for previous in (str(place / "out"), "v1"):
-        result = release(place / "new", "--json", "--previous", previous)
-        assert result.exit_code == 0, result.output
-    change(place / "out" / PATCH, found=1e-15)
-    result = release(place / "new", "--json", "--previous", str(place / "out"))
-    assert verdicts(result)["previous release"] == [f"{PATCH} was changed"]
+    change(place / "out" / PATCH, found=1.0)
+    for previous, moved in ((str(place / "out"), 1), ("v1", 0)):
+        found = verdicts(release(place / "new", "--json", "--previous", previous))
+        assert len(found["check patch_test"]) == moved
     result = release(place / "new", "--previous", "v2")
     assert result.exit_code == 2
     assert "neither a folder nor a tag" in result.stderr
@@ -411,9 +366,7 @@ def test_what_is_no_checkout_is_refused(tmp_path, monkeypatch):
 
 def test_the_manifest_is_that_of_the_records():
     """After a change of records: `python -m fem_check.release.manifest`."""
-    kept = manifest.read(manifest.of_repository(ROOT))
-    assert kept is not None
-    assert manifest.problems(kept, manifest.sums(ROOT, manifest.SHIPPED)) == []
+    assert manifest.problems(ROOT) == []
 
 
 # Drift of what is no check --------------------------------------------------------------------------------------------
@@ -443,7 +396,7 @@ def test_drift_of_a_campaign():
     assert drift.of_campaign(new, old) == []
     new["classes"]["not_converged"] += 1
     (reason,) = drift.of_campaign(new, old)
-    assert reason.startswith("not converged: 22 of 200000 scenes before, 63 now (limit 40")
+    assert reason.startswith("not converged: 22 of 200000 scenes before, 63 now (limit 40)")
     missed = old | {"not_converged": ["wild/1/0/1"] * 52}
     (reason,) = _step("campaign wild").wrong(missed)
     assert reason.startswith("the bar is missed") and "wild/1/0/1" in reason
@@ -485,10 +438,10 @@ def test_drift_on_another_mesh_is_limited_by_both_uncertainties():
     old = {"mesh": {"dofs": 1}, "rows": [row]}
     assert drift.of_check({"mesh": {"dofs": 2}, "rows": [moved]}, old) == []
     (reason,) = drift.of_check({"mesh": {"dofs": 1}, "rows": [moved]}, old)
-    assert limits.SAME_MESH.why in reason
+    assert reason.endswith(f"(limit {drift.SAME_MESH:.2g} %)")
     moved["found"], moved["deviation_percent"] = 1.00021, 0.021
     (reason,) = drift.of_check({"mesh": {"dofs": 2}, "rows": [moved]}, old)
-    assert limits.ANOTHER_MESH in reason
+    assert reason.endswith("the mesh is another one)")
     assert drift.of_check({"mesh": {"dofs": 1}, "rows": []}, old) == [
         "the row 'approach' of 'c' of the previous release is gone"
     ]
