@@ -19,6 +19,7 @@ from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.cost import cost
 from qsbearing.cli.explain import explain
 from qsbearing.cli.figures import figures
+from qsbearing.cli.find import find
 from qsbearing.cli.guide import guide
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
@@ -60,7 +61,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, plot, stiffness, figures, cost, init, catalogue, report, guide):
+for command in (run, explain, sweep, find, plot, stiffness, figures, cost, init, catalogue, report, guide):
     cli.add_command(command)
 
 

@@ -12,6 +12,7 @@ import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.picture_file import PICTURES, drawn, form_of
+from qsbearing.cli.run_points import run_points
 from qsbearing.cli.run_set import run_set
 from qsbearing.cli.run_spectrum import show_spectrum
 from qsbearing.cli.scene import load_scene_or_set, solve
@@ -47,7 +48,24 @@ if TYPE_CHECKING:
     help="Choose the effects: some are left out, whether SCENE names them or not, as long as all results stay within "
     "this relative error of the full model of the operating point. 1e-3, for instance.",
 )
-def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | None, accuracy: float | None) -> None:
+@click.option(
+    "--points",
+    metavar="TABLE",
+    help="Solve SCENE at each row of a table: .csv, .xlsx or .parquet; headings "
+    "are keys of the scene file, such as speed_rpm. One row in, one row out, a status each.",
+)
+@click.option(
+    "--out", metavar="TABLE", help="With --points: where the rows go with their results; .csv, .xlsx, .parquet."
+)
+def run(
+    scene: str,
+    as_json: bool,
+    csv_target: str | None,
+    plot_target: str | None,
+    accuracy: float | None,
+    points: str | None,
+    out: str | None,
+) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
     is a set of rows on one shaft: `qsbearing init --set` prints one. One with [[spectrum]] has operating points with
     shares of time, which make one life. A result, of --json (.json) or of `qsbearing sweep` (.nc), is solved again from
@@ -55,6 +73,10 @@ def run(scene: str, as_json: bool, csv_target: str | None, plot_target: str | No
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
+    if points is not None or out is not None:
+        others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--accuracy": accuracy}
+        run_points(scene, points, out, {name: given for name, given in others.items() if given not in (None, False)})
+        return
     with ExitStack() as stack:
         given = {"--csv": csv_target, "--plot": plot_target}
         targets = {option: target for option, target in given.items() if target is not None}

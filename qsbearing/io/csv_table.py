@@ -29,10 +29,11 @@ def csv_text(columns: dict[str, Iterable[Any]]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     for row in zip(*columns.values(), strict=True):
-        writer.writerow("" if value != value else _inert(value) for value in row)
+        writer.writerow("" if value != value else inert(value) for value in row)
     return text.getvalue()
 
 
-def _inert(value: Any) -> Any:
+def inert(value: Any) -> Any:
+    """A cell that no spreadsheet evaluates."""
     is_formula = isinstance(value, str) and value.startswith(FORMULA) and not isinstance(value, StrEnum)
     return f"'{value}" if is_formula else value

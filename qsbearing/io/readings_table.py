@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
+
+from pydantic import BaseModel
 
 from qsbearing.io.file_errors import FileErrorDetail, translate
 from qsbearing.io.table_checks import Errors, checked, si, table_model
@@ -11,9 +14,10 @@ from qsbearing.scene.keys import READING_CHOICES, READING_TABLES
 from qsbearing.scene.scene import Scene
 
 
-def _words(name: str) -> dict[str, Any]:
-    """Fields of a table that hold words; the reading itself knows which."""
-    return dict.fromkeys(READING_CHOICES.get(name, ()), (str | None, None))
+@cache  # to make one takes milliseconds, and a search reads a file's tables a thousand times
+def _model(name: str) -> type[BaseModel]:
+    """How a reading's table is built. What its words may be, the reading itself knows."""
+    return table_model(name, READING_TABLES[name], dict.fromkeys(READING_CHOICES.get(name, ()), (str | None, None)))
 
 
 def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[str, Any]]:
@@ -31,8 +35,7 @@ def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[s
             cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(READING_TABLES)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is no reading", cause=cause))
             continue
-        model = table_model(name, READING_TABLES[name], _words(name))
-        good, _ = checked(model, f"readings.{name}", {} if given is True else given, errors)
+        good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
         chosen = {choice: good[choice] for choice in READING_CHOICES.get(name, ()) if choice in good}
         asked[name] = si(READING_TABLES[name], good) | chosen
     if asked and len(errors) == before:  # what cannot be used would be missing as well

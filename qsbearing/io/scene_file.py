@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from copy import deepcopy
 from math import nan
 from pathlib import Path
 from typing import Any
@@ -76,7 +77,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
-        return {"bearing": {"name": entry.name}, **entry.example}, entry.name, ""
+        return {"bearing": {"name": entry.name}, **deepcopy(entry.example)}, entry.name, ""
     if path.suffix.lower() in result_file.ENDINGS:
         document, label = result_file.input_of(path, of_study)
         return document, str(source), label

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import tomllib
 from dataclasses import dataclass
+from functools import cache
 from importlib.resources import files
 from typing import Any
 
@@ -31,11 +32,12 @@ class Entry:
         return tuple(key for key, origin in self.provenance.items() if origin.startswith("assumed"))
 
 
-def entries() -> list[Entry]:
+@cache  # a study and a search look one up for each of their batches
+def entries() -> tuple[Entry, ...]:
     """All entries, in the order of their names."""
     folder = files("qsbearing.io.catalogue")
     texts = [file.read_text("utf-8") for file in folder.iterdir() if file.name.endswith(".toml")]
-    return sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower())
+    return tuple(sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower()))
 
 
 def find(name: str) -> Entry | None:

@@ -1,0 +1,1 @@
+"""From analysis to design: goals and limits, tables of operating points, bearings side by side."""

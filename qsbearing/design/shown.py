@@ -1,0 +1,116 @@
+"""What a search found, as tables, as plain data and as a picture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing import __version__
+from qsbearing.design.find import Found
+from qsbearing.design.wanted import Variable
+from qsbearing.io.scene_tables import input_tables
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from rich.console import Group
+
+GRID = 81
+"""Points along each axis of the picture."""
+
+
+def heading(found: Found) -> str:
+    """How the search ended, in a sentence."""
+    share = f"{100.0 * found.feasible_share:.3g} % of the ranges meet all that is asked for"
+    goals = " (goals within 1 %)" if any(each.sense == "=" for each in found.wanted.conditions) else ""
+    end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all that is asked for."
+    if not found.is_feasible:
+        return "No point is feasible. Shown is the nearest: the largest violation, as a part of its limit, is least."
+    if found.wanted.objective:
+        kind = "Largest" if found.wanted.is_maximised else "Least"
+        return f"{kind} {found.wanted.objective} found. {end}"
+    return f"All that is asked for is met. {end}"
+
+
+def tables(found: Found) -> Group:
+    """For the terminal."""
+    from rich.console import Group
+    from rich.text import Text
+
+    from qsbearing.io.tables import plain_table
+
+    variables = plain_table("Variables", ("key", "found", "from", "to", "unit"), left=(0, 4))
+    for key, value in found.values.items():
+        ends = found.ranges.get(key)
+        shown = ("", "") if ends is None else (f"{ends[0]:.5g}", f"{ends[1]:.5g}")
+        variables.add_row(key, f"{value:.6g}", *shown, _unit(found, key))
+    results = plain_table("Results", ("result", "found", "asked for", "unit"), left=(0, 2, 3))
+    for name, value in found.results.items():
+        asked = [f"{each.sense} {each.value:g}" for each in found.wanted.conditions if each.name == name]
+        if name == found.wanted.objective:
+            asked.append("largest" if found.wanted.is_maximised else "least")
+        results.add_row(name, f"{value:.6g}", ", ".join(asked), _unit(found, name))
+    lines = [heading(found), ""]
+    if found.ranges:
+        within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
+        change = f" and {within} stays within 1 %" if within else ""
+        lines.append(f"From, to: how far one may move, the others held, while every limit holds{change}.")
+    lines += [f"Binds: {each}" for each in found.binding]
+    lines += [f"Not met: {each}" for each in found.failed]
+    lines.append(f"{found.evaluations:,} points, {found.seconds:.2g} s")
+    return Group(Text(lines[0]), Text(), variables, Text(), results, Text(), Text("\n".join(lines[2:])))
+
+
+def record(found: Found) -> dict[str, Any]:
+    """What `find --json` prints: "input" is the scene found, which every command reads."""
+    return {
+        "version": __version__,
+        "input": input_tables(found.scene),
+        "status": "feasible" if found.is_feasible else "infeasible",
+        "message": heading(found),
+        "values": found.values,
+        "results": found.results,
+        "units": found.units,
+        "binding": list(found.binding),
+        "failed": list(found.failed),
+        "ranges": {key: list(ends) for key, ends in found.ranges.items()},
+        "feasible_share": found.feasible_share,
+        "evaluations": found.evaluations,
+        "seconds": found.seconds,
+    }
+
+
+def picture(found: Found) -> Figure:
+    """The feasible region over the first two variables that have a range, or over one; the others as found."""
+    from qsbearing.pictures.feasible_region import Along, Shown, draw_region
+
+    ranged = [each for each in found.wanted.variables if not each.values]
+    over = ranged[:2] or [found.wanted.variables[0]]
+    axes = [Along(each.key, found.units[each.key], _spread(each), found.values[each.key], each.is_log) for each in over]
+    grid = dict(zip((each.key for each in over), np.meshgrid(*(each.values for each in axes)), strict=True))
+    results = found.evaluate({key: np.asarray(value) for key, value in found.values.items()} | grid)
+    shown = [
+        Shown(
+            name, found.units[name], values,
+            [(each.sense, each.value) for each in found.wanted.conditions if each.name == name],
+        )
+        for name, values in results.items()
+    ]  # fmt: skip
+    held = [f"{key} = {value:.5g}" for key, value in found.values.items() if key not in grid]
+    best = "optimum" if found.wanted.objective else "point found"
+    name = best if found.is_feasible else "nearest point"
+    return draw_region(
+        axes[0], axes[1] if len(axes) > 1 else None, shown, found.wanted.objective, ", ".join(held), name
+    )
+
+
+def _spread(variable: Variable) -> Any:
+    return np.asarray(variable.values) if variable.values else variable.at(np.linspace(0.0, 1.0, GRID))
+
+
+def _has_goals(found: Found) -> bool:
+    return any(each.sense == "=" for each in found.wanted.conditions)
+
+
+def _unit(found: Found, name: str) -> str:
+    return "" if found.units[name] == "1" else found.units[name]

@@ -1,0 +1,173 @@
+"""Where goals and limits are met: over two variables as lines with their forbidden side, over one as curves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.pictures.study.contours import contour_lines
+from qsbearing.pictures.study.labels import with_unit, without_unit, words
+from qsbearing.pictures.style import GREY, ROW_LINES, figure_of_size, plain
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+OPTIMUM: dict[str, Any] = {"marker": "*", "markersize": 14, "color": "#e69f00", "markeredgecolor": "black"}
+FORBIDDEN = "0.80"
+
+
+@dataclass(frozen=True)
+class Along:
+    """A variable along an axis."""
+
+    key: str
+    unit: str
+    values: NDArray
+    best: float
+    """Its value at the optimum, or at the nearest point."""
+    is_log: bool = False
+
+    @property
+    def heading(self) -> str:
+        """Of the axis."""
+        return with_unit(without_unit(self.key, self.unit), self.unit)
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A result over the picture."""
+
+    name: str
+    unit: str
+    values: NDArray
+    """Over the grid (y, x), or along x; NaN where there is no solution."""
+    conditions: Sequence[tuple[str, float]] = ()
+    """Its goals (=) and limits (<=, >=)."""
+
+    @property
+    def forbidden(self) -> NDArray:
+        """Where one of its limits is not met."""
+        out = np.zeros(self.values.shape, bool)
+        for sense, level in self.conditions:
+            out |= (self.values > level) & (sense == "<=") | (self.values < level) & (sense == ">=")
+        return out
+
+
+def draw_region(x: Along, y: Along | None, shown: Sequence[Shown], objective: str, title: str, best: str) -> Figure:
+    """The feasible region.
+
+    Args:
+        y: None: a picture over one variable.
+        objective: the name of the result that is minimised or maximised; empty: none.
+        title: which numbers are held.
+        best: what the star is.
+    """
+    if y is None:
+        return _curves(x, shown, title, best)
+    figure = figure_of_size(7.2, 5.6)
+    axes = figure.subplots()
+    axes.set_title(title, fontsize=9, loc="left")
+    axes.set_facecolor("0.93")
+    _scales(axes, x, y)
+    known = np.isfinite([each.values for each in shown]).all(axis=0)
+    outside = np.any([each.forbidden for each in shown], axis=0)
+    if known.any():
+        axes.contourf(x.values, y.values, np.ma.masked_array(np.zeros(known.shape), ~known), [-1, 1], colors=["white"])
+    _lines(axes, x, y, shown)
+    for each in shown:
+        values = np.ma.masked_invalid(each.values)
+        if each.name == objective and values.count() and values.max() > values.min():
+            from matplotlib.ticker import MaxNLocator
+
+            levels = MaxNLocator(9).tick_values(values.min(), values.max())
+            contour_lines(axes, x.values, y.values, values, list(levels))
+            axes.plot([], [], color="black", linewidth=0.5, label=with_unit(words(each.name), each.unit))
+    axes.plot([x.best], [y.best], linestyle="none", label=best, clip_on=False, zorder=5, **OPTIMUM)
+    _patches(axes, bool(outside.any()), not known.all())
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=8, frameon=False)
+    return figure
+
+
+def _lines(axes: Axes, x: Along, y: Along, shown: Sequence[Shown]) -> None:
+    """Goals as plain lines, limits with ticks on the side that is forbidden."""
+    from matplotlib.patheffects import withTickedStroke
+
+    number = 0
+    for each in shown:
+        for sense, level in each.conditions:
+            colour, dashes = ROW_LINES[1:][number % (len(ROW_LINES) - 1)]
+            number += 1
+            above = (each.values - level) * (-1.0 if sense == ">=" else 1.0)
+            label = _said(each, sense, level)
+            if sense != "=" and (above > 0.0).any():
+                axes.contourf(x.values, y.values, np.ma.masked_invalid(above), [0.0, np.inf], colors=[FORBIDDEN])
+            least, most = np.nanmin(above, initial=np.inf), np.nanmax(above, initial=-np.inf)
+            if least < 0.0 < most:
+                lines = axes.contour(
+                    x.values, y.values, np.ma.masked_invalid(above), [0.0], colors=colour, linewidths=1.6,
+                    linestyles=[dashes],
+                )  # fmt: skip
+                if sense != "=":
+                    lines.set_path_effects([withTickedStroke(angle=135, length=0.7, spacing=7)])
+            else:
+                label += ": everywhere" if most <= 0.0 and sense != "=" else ": nowhere"
+            axes.plot([], [], color=colour, linewidth=1.6, linestyle=dashes, label=label)
+
+
+def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
+    """One panel for each result; where one of the limits is not met, all are shaded."""
+    figure = figure_of_size(6.6, 0.8 + 2.1 * len(shown))
+    panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
+    outside = np.any([each.forbidden for each in shown], axis=0)
+    steps = len(x.values) <= 30
+    for axes, each in zip(panels, shown, strict=True):
+        plain(axes)
+        axes.plot(x.values, each.values, "o-" if steps else "-", color="black", linewidth=1.2, markersize=3)
+        for sense, level in each.conditions:
+            axes.axhline(level, color=ROW_LINES[1][0], linestyle="-" if sense == "=" else "--", linewidth=1.2)
+            axes.annotate(
+                f"{sense} {level:g}".replace("<=", "≤").replace(">=", "≥"), (1.0, level), fontsize=8, ha="right",
+                va="bottom", xycoords=("axes fraction", "data"), color=ROW_LINES[1][0],
+            )  # fmt: skip
+        low, high = axes.get_ylim()
+        axes.fill_between(x.values, low, high, where=outside, color=FORBIDDEN, linewidth=0, step="mid", zorder=0)
+        axes.set_ylim(low, high)
+        axes.set_ylabel(with_unit(words(each.name), each.unit).replace(", ", ",\n"), fontsize=8)
+        there = np.isfinite(each.values)
+        if there.any():
+            height = np.interp(x.best, x.values[there], each.values[there])
+            axes.plot([x.best], [height], clip_on=False, zorder=5, **OPTIMUM)
+        if x.is_log:
+            axes.set_xscale("log")
+    panels[-1].set_xlabel(x.heading, fontsize=9)
+    said = f"star: {best}" + ("; grey: a limit is not met" if outside.any() else "")
+    figure.suptitle(f"{title}\n{said}" if title else said, fontsize=9, x=0.01, ha="left", parse_math=False)
+    return figure
+
+
+def _scales(axes: Axes, x: Along, y: Along) -> None:
+    for along, scale, label in ((x, axes.set_xscale, axes.set_xlabel), (y, axes.set_yscale, axes.set_ylabel)):
+        label(along.heading, fontsize=9)
+        if along.is_log:
+            scale("log")
+    axes.set_xlim(x.values[0], x.values[-1])
+    axes.set_ylim(y.values[0], y.values[-1])
+    axes.tick_params(labelsize=8)
+
+
+def _patches(axes: Axes, any_outside: bool, any_unsolved: bool) -> None:
+    if any_outside:
+        axes.fill_between([], [], color=FORBIDDEN, label="a limit is not met (ticks: that side)")
+    if any_unsolved:
+        axes.fill_between([], [], facecolor="0.93", edgecolor=GREY, linewidth=0.5, label="no solution")
+
+
+def _said(each: Shown, sense: str, level: float) -> str:
+    sign = {"<=": "≤", ">=": "≥"}.get(sense, sense)
+    return f"{words(each.name)} {sign} {level:g}" + ("" if each.unit == "1" else f" {each.unit}")
