@@ -21,7 +21,7 @@ from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.solution import preload_state
 from qsbearing.solution.case_index import Index, place_of
 from qsbearing.solution.preload_state import PreloadLoads
-from qsbearing.solution.ring_stiffness import SOFTEST
+from qsbearing.solution.ring_stiffness import inverse
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.status import STATUS_OF_CODE, Reason
 
@@ -307,11 +307,7 @@ class SetSolution:
         scale = np.ones(5)
         scale[3:] = 1.0 / LENGTH_OF_TILTS
         sizes = scale[free, None] * scale[free]
-        matrix = self.stiffness[..., free[:, None], free] * sizes
-        regular = np.isfinite(matrix).all(axis=(-1, -2))
-        regular &= np.linalg.cond(np.where(regular[..., None, None], matrix, np.eye(free.size))) < 1.0 / SOFTEST
-        inverse = np.linalg.inv(np.where(regular[..., None, None], matrix, np.eye(free.size))) * sizes
-        out[..., free[:, None], free] = np.where(regular[..., None, None], inverse, np.nan)
+        out[..., free[:, None], free] = inverse(self.stiffness[..., free[:, None], free] * sizes) * sizes
         return out
 
     @property

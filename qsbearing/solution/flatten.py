@@ -133,13 +133,8 @@ class CaseMaker:
     def _stretch(self, start: int, stop: int) -> dict[str, Any]:
         """All fields over these cases: plain numbers where they do not vary."""
         values = dict(self._values)
-        index: Any = None
+        index = np.unravel_index(np.arange(start, stop), self.shape) if self._arrays else None
         for name, array in self._arrays.items():
-            if array.shape == self.shape and array.flags.c_contiguous:
-                values[name] = array.reshape(-1)[start:stop]
-                continue
-            if index is None:
-                index = np.unravel_index(np.arange(start, stop), self.shape)
             values[name] = np.broadcast_to(array, self.shape)[index]
         return values
 

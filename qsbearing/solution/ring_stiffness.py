@@ -55,14 +55,20 @@ def compliance(solution: Solution) -> NDArray:
     """Inverse of the stiffness over the free channels (case, 5, 5), SI, of all flattened cases; else NaN."""
     out = np.full((solution._maker.count, 5, 5), np.nan)
     free = solution._free_channels
-    for part, cases in solution._solved.stretches():
+    for part, cases in solution._solved.stretches() if free.size else ():
         scaled, scale = scaled_tangents(solution, part, cases)
-        regular = np.isfinite(scaled).all((-1, -2))
-        regular[regular] = np.linalg.cond(scaled[regular]) < 1.0 / SOFTEST if free.size else False
-        numbers = np.flatnonzero(regular) + part.start
-        inverse = np.linalg.inv(scaled[regular]) * (scale[:, :, None] * scale[:, None, :])[regular]
-        out[np.ix_(numbers, free, free)] = inverse
+        out[part, free[:, None], free] = inverse(scaled) * (scale[:, :, None] * scale[:, None, :])
     return out
+
+
+def inverse(matrices: NDArray) -> NDArray:
+    """Of stiffnesses (..., n, n) of one unit each; NaN where nothing resists some direction, or a number is missing."""
+    listed = matrices.reshape(-1, *matrices.shape[-2:])
+    regular = np.isfinite(listed).all((-1, -2))
+    regular[regular] = np.linalg.cond(listed[regular]) < 1.0 / SOFTEST
+    out = np.full(listed.shape, np.nan)
+    out[regular] = np.linalg.inv(listed[regular])
+    return out.reshape(matrices.shape)
 
 
 def stiffness(scene: Scene, solution: Solution) -> NDArray:

@@ -24,7 +24,7 @@ from tests.campaign.summary import quantile, summarise
 
 compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
 
-COUNTS = {"wild": 3000, "realistic": 2000, "mounted": 500}
+COUNTS = {"wild": 1000, "realistic": 2000, "mounted": 500}
 FEW = GROUP if COMPILED else 4
 
 
