@@ -17,6 +17,8 @@ from qsbearing.kernel.ring import add_ball, channel_lever, inner_groove_centre, 
 REGULARISATION = 1e-14
 # Of a double.
 EPSILON = 2.0**-52
+# Over the stiffness of both contacts: the load of an approach of one rounding of a ball diameter.
+LEAST_LOAD = EPSILON * sqrt(EPSILON)
 
 
 @kernel
@@ -74,7 +76,7 @@ def assemble_balls(case: recarray, work: recarray, balls: ndarray) -> tuple[floa
 @kernel
 def least_load(case: recarray) -> float:
     """What a contact that only the rounding of an approach presses carries, about: what is below is no load."""
-    return EPSILON * sqrt(EPSILON) * case.series_stiffness
+    return LEAST_LOAD * case.series_stiffness
 
 
 @kernel

@@ -65,10 +65,10 @@ def assemble_rows(
     """Evaluate all rows where they are and leave the condensed system of the shaft: (residual, that beside own loads).
 
     The residual is the largest imbalance of a ball or of the shaft over the largest force: applied, inertial or of a
-    contact; infinite where something is not a number.
+    contact; zero where all of that is what rounding presses; infinite where something is not a number.
     """
     count = system.count
-    largest, worst, worst_own, total, softest = 0.0, 0.0, 0.0, 0.0, 0.0
+    largest, worst, worst_own, total, softest, least = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for a in range(count):
         load = shaft.load[system.channel[a]]
         system.imbalance[a] = system.right_side[a] = -load
@@ -79,9 +79,10 @@ def assemble_rows(
         case, work = cases[r, k], works[r]
         own_worst, own, own_total, inertial, contact = assemble_balls(case, work, balls[r])
         worst, worst_own, total = max(worst, own_worst * case.force), max(worst_own, own), total + own_total
-        largest = max(largest, max(inertial, contact, least_load(case)) * case.force)
+        largest, least = max(largest, max(inertial, contact) * case.force), max(least, least_load(case) * case.force)
         for a in range(count):
             add_row(case, work, matrices[r, k], system, a)
+    largest, is_unloaded = max(largest, least), largest <= least
     for r in range(cases.shape[0]):
         case, work = cases[r, k], works[r]
         work.largest_force = largest / case.force
@@ -94,7 +95,7 @@ def assemble_rows(
         total += system.imbalance[a]
     if not abs(total) < inf:
         return inf, inf
-    return worst / largest, worst_own
+    return 0.0 if is_unloaded and worst <= cases.shape[0] * least else worst / largest, worst_own
 
 
 @kernel

@@ -75,7 +75,10 @@ class Stretch:
         return scale
 
     def imbalance(self, which: NDArray, found: list[Found]) -> tuple[NDArray, NDArray]:
-        """(what the rows' loads exceed the applied by, free unknowns only and as forces; that over the largest)."""
+        """(what the rows' loads exceed the applied by, free unknowns only and as forces; that over the largest).
+
+        Nothing where all of them are what rounding of positions presses: a set without load that just touches.
+        """
         target = self.load[which] * self.load_factor[which, None]
         target[:, 5] = self.load[which, 5]
         total, largest = -target, np.abs(target / self.scale(which)).max(axis=1)
@@ -84,8 +87,8 @@ class Stretch:
             largest = np.maximum(largest, np.abs(own / self.scale(which)).max(axis=1))
             total = total + own
         total = np.where(self.held[which], 0.0, total / self.scale(which))
-        relative = np.abs(total).max(axis=1) / np.where(largest > 0.0, largest, 1.0)
-        return total, relative
+        least = np.max([row.least_load(which) for row in self.rows], axis=0)
+        return total, np.where(largest <= least, 0.0, np.abs(total).max(axis=1) / np.maximum(largest, least))
 
     def tangent(self, which: NDArray) -> NDArray:
         """dR/dq; shape (case, 6, 6), SI."""

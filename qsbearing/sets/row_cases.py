@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
+from qsbearing.kernel.assembly import LEAST_LOAD
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.results import stiffness_of_cases
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
@@ -87,6 +88,10 @@ class RowCases:
                 own = self.own[which][some]
                 found.put(some, _solved(cases[some], self.balls, own, tolerance, is_warm, found.part(some)))
         return found, found.results["status"] == CONVERGED
+
+    def least_load(self, which: NDArray) -> NDArray:
+        """What is less is no load, but rounding of positions; shape (case,) [N]."""
+        return np.asarray(LEAST_LOAD * self.cases["series_stiffness"][which] * self.cases["force"][which])
 
     def load(self, found: Found, which: NDArray) -> NDArray:
         """On the inner ring in the row's own frame; shape (case, 5) [N, N m]."""

@@ -456,7 +456,7 @@ def _friction_by_rounding(
 ) -> list[NDArray]:
     """(case, ball), of each contact: the friction that rounding of positions makes or takes.
 
-    It follows the speeds and the axis's radial part p, T = c p, so that a line that turns by e changes it by c e = T e/p
+    It follows the speeds and the radial part p of the axis, T = c p: a line that turns by e changes it by c e = T e/p
     at most. Lines may be known to all digits and p to none: near a line at zero, and under minimum dissipation wherever
     w sin(ai) and (1 - w) sin(ao) all but cancel, which is where balls go that have little else to carry a large moment.
     What rounding makes of the weight w is of that size too.

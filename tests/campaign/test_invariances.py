@@ -97,8 +97,7 @@ def test_another_equilibrium_is_noted_and_other_equations_are_wrong(monkeypatch:
 
 
 def test_one_of_several_equilibria_is_not_one_of_other_equations(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A scene of balls under minimum dissipation that has several: bearings of other sizes show it, though not the first
-    of them."""
+    """A scene of balls under minimum dissipation that has several: other sizes show it, the first of them does not."""
     [(_, group)] = groups_of("mounted", 1, 88735, 88736)
     at = GROUP * list(TWINS).index("warmed")
     tally = Tally()

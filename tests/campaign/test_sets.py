@@ -9,6 +9,8 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
+from tests.campaign.checks import MOST_IMBALANCE
+from tests.campaign.group import GROUP
 from tests.campaign.sets import draw_sets, wrong_of
 from tests.sets.arrangements import pair
 
@@ -28,6 +30,19 @@ def wrong_sets(seed: int, calls: int) -> list[str]:
 @compiled_only
 def test_random_sets_are_what_their_rows_say() -> None:
     assert wrong_sets(seed=2, calls=4) == []
+
+
+@compiled_only
+def test_hot_tandem_sets_without_load_are_solved() -> None:
+    """Rows that touch here and there: what rounding of positions presses, 1e-31 N, is no load that could be unequal."""
+    of = draw_sets(np.random.default_rng([7, 2]))
+    assert {row.sign for row in of.rows} == {1.0}
+    assert of.ring_effects
+    solution = qs.solve_set(replace(of, operation=qs.Operation(np.zeros(GROUP))))
+    assert solution.converged.all()
+    assert (solution.residual <= MOST_IMBALANCE).all()
+    for row in solution.rows:
+        assert np.nanmax(np.abs(row.inner.load)) < 1e-15
 
 
 @compiled_only
