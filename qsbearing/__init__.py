@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         BallDiameterDeviations,
         BallExpansion,
         CentrifugalForce,
+        ElasticRings,
         GyroscopicMoment,
         MomentShares,
         RingExpansion,
@@ -64,8 +65,8 @@ _HOMES = {
     "chooser.choose": ("solve",),
     "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
     "effects": (
-        "BallDiameterDeviations", "BallExpansion", "CentrifugalForce", "GyroscopicMoment", "MomentShares",
-        "RingExpansion", "RingState",
+        "BallDiameterDeviations", "BallExpansion", "CentrifugalForce", "ElasticRings", "GyroscopicMoment",
+        "MomentShares", "RingExpansion", "RingState",
     ),
     "effects.hertz_angle": ("HertzAngle",),
     "effects.orbit_radius": ("OrbitRadius",),
@@ -102,11 +103,11 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallDiameterDeviations", "BallExpansion", "BearingKind", "BearingSet",
-    "CentrifugalForce", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa",
-    "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload",
-    "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError",
-    "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "find", "kN", "kg", "kg_m3",
-    "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads",
+    "CentrifugalForce", "ElasticRings", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle",
+    "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact",
+    "Preload", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene",
+    "SceneError", "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "find", "kN",
+    "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads",
     "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table",
     "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]

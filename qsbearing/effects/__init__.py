@@ -18,6 +18,7 @@ from importlib import import_module
 
 from qsbearing.effects.ball_expansion import BallExpansion
 from qsbearing.effects.centrifugal_force import CentrifugalForce
+from qsbearing.effects.elastic_rings import ElasticRings
 from qsbearing.effects.entry import QUANTITIES, Entry
 from qsbearing.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
 from qsbearing.effects.operating_point import OperatingPoint
@@ -29,6 +30,7 @@ _FILES = (
     "tilt_lever",
     "ring_expansion",
     "ball_expansion",
+    "elastic_rings",
     "unequal_balls",
     "centrifugal_force",
     "gyroscopic_moment",
@@ -42,7 +44,7 @@ _FILES = (
 EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.effects.{name}").ENTRY for name in _FILES)
 
 BallEffect = CentrifugalForce | GyroscopicMoment
-RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations
+RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations | ElasticRings
 """The effects of this list that type checkers know."""
 
 
@@ -53,7 +55,7 @@ def types_in(slot: str) -> dict[str, type]:
 
 def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
     """Those of these ring effects that a bearing has at rest and cold too, before fitting."""
-    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations))
+    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations | ElasticRings))
 
 
 def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
@@ -69,6 +71,7 @@ __all__ = [
     "BallEffect",
     "BallExpansion",
     "CentrifugalForce",
+    "ElasticRings",
     "Entry",
     "GyroscopicMoment",
     "MomentShares",

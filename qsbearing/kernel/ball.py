@@ -129,6 +129,7 @@ def moving_ball(
     ha11, ha12 = hi11 + h1_i * ei1, hi12 + h1_i * ei2
     ha21, ha22 = hi21 + h2_i * ei1, hi22 + h2_i * ei2
     ma1, ma2 = fi * (ti_i * ei1 + ti_q * qi_slope * si), fi * (ti_i * ei2 + ti_q * qi_slope * ci)
+    fc_a, fc_x, fc_r = 0.0, 0.0, 0.0
     if by_approach != 0.0 or w_di != 0.0:
         fc_d, mg_d = fc_s * by_approach + fc_w * w_di, mg_s * by_approach + mg_w * w_di
         ti_d, to_d = ti_m * mg_d + ti_w * w_di, to_m * mg_d + to_w * w_di
@@ -137,6 +138,7 @@ def moving_ball(
         ra11, ra12, ra21, ra22 = ra11 + r1_d * si, ra12 + r1_d * ci, ra21 + r2_d * si, ra22 + r2_d * ci
         ha11, ha12, ha21, ha22 = ha11 + h1_d * si, ha12 + h1_d * ci, ha21 + h2_d * si, ha22 + h2_d * ci
         ma1, ma2 = ma1 + fi * ti_d * si, ma2 + fi * ti_d * ci
+        fc_a = fc_d
     rx11, rx12 = -ra11 - ho11 + r1_o * eo1 - work.regularisation, -ra12 - ho12 + r1_o * eo2
     rx21, rx22 = -ra21 - ho21 + r2_o * eo1, -ra22 - ho22 + r2_o * eo2 - work.regularisation
     hx11, hx12 = -ha11 + h1_o * eo1, -ha12 + h1_o * eo2
@@ -149,6 +151,7 @@ def moving_ball(
         rx11, rx12, rx21, rx22 = rx11 + r1_d * so, rx12 + r1_d * co, rx21 + r2_d * so, rx22 + r2_d * co
         hx11, hx12, hx21, hx22 = hx11 + h1_d * so, hx12 + h1_d * co, hx21 + h2_d * so, hx22 + h2_d * co
         mx1, mx2 = mx1 + fi * ti_d * so, mx2 + fi * ti_d * co
+        fc_x = fc_w * w_do
     if case.displaced_orbit:  # by the radius, which X2 changes
         dq = -axis_by_g(ball, weight) * 0.5 * diameter / (radius * radius)
         fc_d, mg_d = directional(case, work, (s_seen, c_seen, so, co), axis, diameter, radius, 0.0, dq, 1.0)
@@ -157,6 +160,7 @@ def moving_ball(
         h1_d, h2_d = -ti_d * ci, ti_d * si
         rx12, rx22 = rx12 + h1_d + to_d * co, rx22 + h2_d - to_d * so + fc_d
         hx12, hx22, mx2 = hx12 + h1_d, hx22 + h2_d, mx2 + fi * ti_d
+        fc_r = fc_d
 
     # Where rounding leaves no stiffness across its line (an approach below that of a position), the ball keeps still.
     determinant = rx11 * rx22 - rx12 * rx21
@@ -180,6 +184,13 @@ def moving_ball(
     ball.stiffness[1, 1] = ha22 - hx21 * y12 - hx22 * y22
     ball.stiffness[2, 0] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21
     ball.stiffness[2, 1] = lever * k12 + ma2 - mx1 * y12 - mx2 * y22
+    if case.elastic_rings:  # Qo cos ao + To sin ao = h2 + Fc, since the ball's own step leaves r2 = 0
+        fa1, fa2 = fc_i * ei1 + fc_a * si, fc_i * ei2 + fc_a * ci
+        fx1, fx2 = fc_o * eo1 + fc_x * so - fa1, fc_o * eo2 + fc_x * co + fc_r - fa2
+        ball.outer_force = qo * co + to * so
+        ball.outer_condensed = c2 + fc + fa1 * closure1 + fa2 * closure2 - fx1 * y1 - fx2 * y2
+        ball.outer_stiffness_1 = ball.stiffness[1, 0] + fa1 - fx1 * y11 - fx2 * y21
+        ball.outer_stiffness_2 = ball.stiffness[1, 1] + fa2 - fx1 * y12 - fx2 * y22
     ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
     ball.follows_inertia = qi <= INERTIA_DOMINATES * fc
     ball.outer_inverse, ball.inner_inverse = inverse_o, inverse_i
@@ -211,6 +222,9 @@ def resting_ball(case: recarray, ball: recarray, a1: float, a2: float) -> tuple[
     ball.stiffness[2, 0], ball.stiffness[2, 1] = lever * k11, lever * k12
     for row in range(3):
         ball.condensed[row] = ball.force[row] + ball.stiffness[row, 0] * closure1 + ball.stiffness[row, 1] * closure2
+    if case.elastic_rings:
+        ball.outer_force, ball.outer_condensed = ball.force[1], ball.condensed[1]
+        ball.outer_stiffness_1, ball.outer_stiffness_2 = k21, k22
     ball.inner_inverse = inverse
     ball.closure1, ball.closure2 = closure1, closure2
     ball.follows_inertia = load == 0.0

@@ -25,6 +25,7 @@ CASE = record(
     ("sin_free", np.float64),
     ("cos_free", np.float64),
     ("unequal_balls", np.bool_),  # each has a diameter of its own
+    ("elastic_rings", np.bool_),  # grooves part under the balls' loads
     ("interference", np.float64),  # how much less room, radially, the grooves leave than the balls need
     ("tilt_lever", np.float64),
     ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
@@ -55,8 +56,10 @@ OWN_BALL = record(
     ("diameter", np.float64),
     ("inner_stiffness", np.float64),  # as those of the case, for a ball of this diameter
     ("outer_stiffness", np.float64),
+    ("outer_compliance", np.float64),  # of elastic rings, for the harmonic of the ball's number
+    ("inner_compliance", np.float64),
 )
-"""One ball of a case with unequal balls."""
+"""One ball of a case with unequal balls; one harmonic of a case with elastic rings."""
 
 RESULT = record(
     ("displacement", np.float64, (5,)),  # of the ring; at first the start, where one is given

@@ -26,6 +26,7 @@ from qsbearing.kernel.assembly import applied_load, assemble, close_loops, set_a
 from qsbearing.kernel.initial_guess import GUESS_TOLERANCE, guess_from_rest, guess_ring_at_rest
 from qsbearing.kernel.newton import newton
 from qsbearing.kernel.newton_step import is_far, propose_step, take_step
+from qsbearing.kernel.ring_bending import reset_gives
 from qsbearing.kernel.snapshots import CONTINUATION, restore, save
 
 # Loads that press balls by this many diameters are heavy: 4 kN a ball for B218, half of its static rating.
@@ -69,6 +70,7 @@ def follow(case: recarray, work: recarray, balls: ndarray, heaviest: float) -> f
         work.load_factor = heaviest
     at_rest = work.at_rest
     if at_rest:
+        reset_gives(work, balls)
         guess_ring_at_rest(case, work)
         set_at_rest(case, work, balls)
     else:

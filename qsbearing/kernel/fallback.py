@@ -37,6 +37,7 @@ from qsbearing.kernel.continuation import follow, heaviest_factor, pseudo_transi
 from qsbearing.kernel.initial_guess import guess_from_rest, guess_ring_at_rest, split_contacts
 from qsbearing.kernel.newton import newton
 from qsbearing.kernel.newton_step import is_far
+from qsbearing.kernel.ring_bending import reset_gives
 from qsbearing.kernel.snapshots import ADMISSIBLE, BOUNDED, CONTINUATION, INADMISSIBLE, restore, restore_all, save
 from qsbearing.kernel.solve_case import (
     CONTRADICTED,
@@ -68,6 +69,7 @@ def solve_rest(case: recarray, work: recarray, balls: ndarray, tolerance: float)
         work.load_factor = 1.0
         converged = newton(case, work, balls, tolerance)
     if not converged:
+        reset_gives(work, balls)
         guess_ring_at_rest(case, work)
         pseudo_transient(case, work, balls)
         converged = not is_far(work) and newton(case, work, balls, tolerance)

@@ -24,6 +24,7 @@ from qsbearing.kernel.loop_closure import set_inner_line, set_outer_line
 from qsbearing.kernel.newton import newton_at_rest
 from qsbearing.kernel.raceway_stiffness import groove_stiffness, series_stiffness
 from qsbearing.kernel.ring import channel_lever, inner_groove_centre
+from qsbearing.kernel.ring_bending import reset_gives
 from qsbearing.kernel.unloaded_ball import place_unloaded
 
 # Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest
@@ -142,6 +143,7 @@ def guess_closed_form(case: recarray, work: recarray, balls: ndarray) -> None:
     Under thrust every ball starts in the equilibrium of thrust at speed, whatever else moves its inner groove: Newton
     closes the loop. Otherwise balls start as they would lie at rest.
     """
+    reset_gives(work, balls)
     if not is_thrust_like(case):
         guess_ring_at_rest(case, work)
         set_at_rest(case, work, balls)
@@ -183,6 +185,7 @@ def is_load_ahead(case: recarray, work: recarray) -> bool:
 @kernel
 def guess_from_rest(case: recarray, work: recarray, balls: ndarray) -> None:
     """Put balls at speed where they lie at rest under the loads that act, to GUESS_TOLERANCE."""
+    reset_gives(work, balls)
     guess_ring_at_rest(case, work)
     newton_at_rest(case, work, balls, GUESS_TOLERANCE)
     split_contacts(case, work, balls)

@@ -37,3 +37,26 @@ def solve_in_place(matrix: ndarray, right_side: ndarray, size: int) -> bool:
             value -= matrix[row, k] * right_side[k]
         right_side[row] = value / matrix[row, row]
     return True
+
+
+@kernel
+def eliminate(system: ndarray, size: int, columns: int) -> bool:
+    """The same for several right sides, which stand after the matrix in its rows, up to this column."""
+    for column in range(size):
+        pivot = column
+        for row in range(column + 1, size):
+            if abs(system[row, column]) > abs(system[pivot, column]):
+                pivot = row
+        if not abs(system[pivot, column]) > 0.0:
+            return False
+        inverse = 1.0 / system[pivot, column]
+        for k in range(column, columns):
+            system[column, k], system[pivot, k] = system[pivot, k], system[column, k]
+        for k in range(column + 1, columns):
+            system[column, k] *= inverse
+        for row in range(size):
+            factor = system[row, column]
+            if row != column and factor != 0.0:
+                for k in range(column + 1, columns):
+                    system[row, k] -= factor * system[column, k]
+    return True

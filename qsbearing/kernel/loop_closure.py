@@ -116,11 +116,14 @@ def close_loop(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
 
 @kernel
 def store_position(case: recarray, ball: recarray, position: ndarray) -> None:
-    """Write a ball's position: its outer angle less the free one, and its approaches, outer and inner."""
+    """Write a ball's position: its outer angle less the free one, its approaches, outer and inner; with elastic rings
+    their give."""
     s, c = case.sin_free, case.cos_free
     so, co = ball.outer_sine, ball.outer_cosine
     position[0] = atan2(so * c - co * s, co * c + so * s)
     position[1], position[2] = ball.outer_approach, ball.inner_approach
+    if case.elastic_rings:
+        position[3] = ball.give
 
 
 @kernel
@@ -130,6 +133,8 @@ def load_position(case: recarray, ball: recarray, position: ndarray) -> None:
     turn_s, turn_c = sin(position[0]), cos(position[0])
     set_outer_line(ball, s * turn_c + c * turn_s, c * turn_c - s * turn_s, position[1])
     set_inner_line(ball, 0.0, 0.0, position[2])
+    if case.elastic_rings:
+        ball.give = position[3]
 
 
 @kernel

@@ -20,6 +20,7 @@ from qsbearing.kernel.loop_closure import (
     whole_length,
 )
 from qsbearing.kernel.ring import inner_groove_centre, inner_groove_step
+from qsbearing.kernel.ring_bending import propose_gives
 from qsbearing.kernel.unloaded_ball import place_unloaded
 
 # The step limits: choices, borne out by campaigns of random scenes. They shape the way to an equilibrium, not the
@@ -59,9 +60,13 @@ def propose_step(case: recarray, work: recarray, balls: ndarray) -> float:
 def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
     """The steps of all contact lines with the ring's; returns as `propose_step` does."""
     farthest, turn = 0.0, 0.0
+    if case.elastic_rings:
+        propose_gives(work, balls)
     for n in range(work.ball_count):
         ball = balls[n]
         da1, da2 = inner_groove_step(case, work.step, ball.cosine, ball.sine)
+        if case.elastic_rings:
+            da2 -= ball.give_step
         farthest = max(farthest, abs(da1), abs(da2))
         ball.inner_step1, ball.inner_step2 = ball.closure1 + da1, ball.closure2 + da2
         outer = 0.0
@@ -158,6 +163,8 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
         work.displacement[i] += fraction * work.step[i]
     for n in range(work.ball_count):
         ball = balls[n]
+        if case.elastic_rings:
+            ball.give += fraction * ball.give_step
         a1, a2 = inner_groove_centre(case, work.displacement, ball)
         own = fraction
         if ball.follows_inertia and ball.turn > LARGEST_TURN:

@@ -25,6 +25,7 @@ from qsbearing.kernel.raceway_stiffness import (
     set_spin_constants,
 )
 from qsbearing.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
+from qsbearing.kernel.ring_bending import choose_modes, eliminate_gives, set_compliances
 
 # Quantities of a contact, at either raceway, and of a ball.
 ANGLE, SINE, COSINE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(9)
@@ -47,6 +48,8 @@ def set_full_scale(case: recarray, work: recarray, balls: ndarray, own: ndarray)
     set_diameters(case, case.ball_count, balls, own)
     set_spin_constants(case, case.ball_count, balls)
     work.regularisation = LEAST_STIFFNESS * case.series_stiffness
+    if case.elastic_rings:
+        set_compliances(case, work, own)
 
 
 # Quantities that take more than the others: they are worked out only where one of them is asked for.
@@ -267,6 +270,9 @@ def stiffness_of_cases(
             a1, a2 = inner_groove_centre(case, results[k].displacement, ball)
             evaluate_ball(case, work, ball, a1, a2)
             add_ball(work, ball)
+        if case.elastic_rings:
+            choose_modes(case, work, True, True)
+            eliminate_gives(case, work, balls)
         for p in range(5):
             for q in range(5):
                 size = case.force

@@ -26,6 +26,7 @@ def save(work: recarray, balls: ndarray, name: int) -> None:
         lines = ball.snapshot[name]
         lines[0], lines[1], lines[2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
         lines[3], lines[4], lines[5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+        ball.give_snapshot[name] = ball.give
         ball.snapshot_control[name] = ball.control
 
 
@@ -40,6 +41,7 @@ def restore(work: recarray, balls: ndarray, name: int) -> None:
         lines = ball.snapshot[name]
         ball.outer_sine, ball.outer_cosine, ball.outer_approach = lines[0], lines[1], lines[2]
         ball.inner_sine, ball.inner_cosine, ball.inner_approach = lines[3], lines[4], lines[5]
+        ball.give = ball.give_snapshot[name]
         ball.control = ball.snapshot_control[name]
 
 

@@ -38,6 +38,7 @@ from qsbearing.kernel.loop_closure import load_position, set_inner_line, set_out
 from qsbearing.kernel.newton import newton, newton_at_rest
 from qsbearing.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.kernel.ring import add_force, find_distinct_balls, inner_groove_centre, set_azimuths
+from qsbearing.kernel.ring_bending import set_compliances
 from qsbearing.kernel.snapshots import ADMISSIBLE, CONTROLS, restore_all, save
 
 UNFINISHED = 3
@@ -74,6 +75,8 @@ def prepare(
     set_azimuths(case, work, balls)
     find_distinct_balls(case, work, balls)
     set_diameters(case, work.ball_count, balls, own)
+    if case.elastic_rings:
+        set_compliances(case, work, own)
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
     work.regularisation = REGULARISATION * case.series_stiffness
     set_spin_constants(case, work.ball_count, balls)
@@ -87,6 +90,7 @@ def prepare(
         ball = balls[n]
         set_outer_line(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
         set_inner_line(ball, case.sin_free, case.cos_free, 0.0)
+        ball.give = 0.0
         if is_warm:
             load_position(case, ball, position[ball.number])
             if case.control == PER_BALL and is_moving(case):
@@ -238,7 +242,7 @@ def deliver_positions(
     for j in range(position.shape[0]):
         ball = balls[balls[j].index]
         is_there = j < case.ball_count
-        for i in range(3):
+        for i in range(position.shape[1]):
             position[j, i] = 0.0
         if is_there:
             store_position(case, ball, position[j])

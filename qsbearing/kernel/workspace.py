@@ -15,6 +15,12 @@ from numpy.typing import NDArray
 from qsbearing.kernel.case import record
 from qsbearing.kernel.snapshots import SNAPSHOTS
 
+MOST_WAVES = 12
+"""Waves round a ring that balls are told apart by, as many as half their number; of more balls the shorter waves, which
+make 1e-3 of the give under a ball, are left out."""
+RING_MODES = 2 * MOST_WAVES + 1
+"""Modes of so many waves: cosines and sines, and uniform growth."""
+
 BALL = record(
     # By a ball's number in the bearing:
     ("azimuth_cosine", np.float64),
@@ -65,6 +71,15 @@ BALL = record(
     ("y12", np.float64),
     ("y21", np.float64),
     ("y22", np.float64),
+    # Elastic rings: by how much their grooves part at it, radially, and the step of that; its radial force on the outer
+    # ring, likewise condensed, and the stiffness of that.
+    ("give", np.float64),
+    ("give_step", np.float64),
+    ("outer_force", np.float64),
+    ("outer_condensed", np.float64),
+    ("outer_stiffness_1", np.float64),
+    ("outer_stiffness_2", np.float64),
+    ("give_snapshot", np.float64, (SNAPSHOTS,)),
 )
 
 WORKSPACE = record(
@@ -96,6 +111,16 @@ WORKSPACE = record(
     ("residual", np.float64),  # of the last solve
     ("azimuth_count", np.float64),  # the balls' azimuths stand for this many, the first at
     ("azimuth_first", np.float64),
+    # Elastic rings (`kernel.ring_bending`):
+    ("outer_compliance", np.float64, (MOST_WAVES + 1,)),  # by waves
+    ("inner_compliance", np.float64, (MOST_WAVES + 1,)),
+    ("mode_count", np.int64),
+    ("wave", np.int64, (RING_MODES,)),  # of each mode
+    ("is_sine", np.uint8, (RING_MODES,)),
+    ("value", np.float64, (RING_MODES,)),  # of each mode at a ball
+    ("amplitude", np.float64, (RING_MODES,)),
+    ("by_mode", np.float64, (5, RING_MODES)),  # the channels' loads
+    ("modes", np.float64, (RING_MODES, RING_MODES + 7)),
 )
 
 

@@ -20,7 +20,7 @@ def shapes_of(named: Iterable[tuple[str, Any]]) -> Shapes:
     shapes: Shapes = {}
     for path, holder in named:
         for name, value in getattr(holder, "__dict__", {}).items():
-            if value is None or isinstance(value, float | int | str):
+            if value is None or isinstance(value, float | int | str | tuple):
                 continue  # at once, for most values are plain numbers
             if isinstance(value, Material):
                 shapes |= shapes_of([(f"{path}.{name}", value)])

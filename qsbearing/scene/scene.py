@@ -16,6 +16,7 @@ from qsbearing.effects import (
     BallDiameterDeviations,
     BallEffect,
     CentrifugalForce,
+    ElasticRings,
     GyroscopicMoment,
     RingEffect,
     RingExpansion,
@@ -164,6 +165,11 @@ class Scene:
     def ring_expansion(self) -> RingExpansion | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
+
+    @property
+    def elastic_rings(self) -> ElasticRings | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, ElasticRings)), None)
 
     @property
     def ball_diameter_deviations(self) -> BallDiameterDeviations | None:

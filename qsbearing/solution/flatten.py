@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import prod
 from typing import Any
 
@@ -10,12 +11,14 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
+from qsbearing.effects.elastic_rings import ElasticRings, Grooves, folded
 from qsbearing.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import CONTROL_CODES
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.kernel.case import CASE, OWN_BALL
+from qsbearing.kernel.workspace import MOST_WAVES
 from qsbearing.material import Material
 from qsbearing.scene.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.scene.operation import CHANNELS
@@ -66,7 +69,7 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
     for effect in scene.ring_effects:
         if effect is scene.ball_diameter_deviations:
             continue  # by ball, which is no case axis
-        numbers = {name: value for name, value in vars(effect).items() if not isinstance(value, Material)}
+        numbers = {name: value for name, value in vars(effect).items() if not isinstance(value, Material | str | tuple)}
         values |= {f"{effect.name}.{name}": value for name, value in numbers.items()}
     del values["kind"], values["name"]
     for body in ("ball", "ring"):
@@ -113,6 +116,7 @@ class CaseMaker:
             self._values["axial_datum_shift"] = scene.axial_datum_shift
         deviations = scene.ball_diameter_deviations
         self._deviations = None if deviations is None else deviations.array
+        self._rings = scene.elastic_rings
         self._arrays = _varying(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""
@@ -142,6 +146,11 @@ class CaseMaker:
     def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
         return np.array([i for i, each in enumerate(CHANNELS) if self._values[each.displacement] is None], int)
+
+    @property
+    def position_size(self) -> int:
+        """How many numbers the kernel keeps of a ball's position: with elastic rings, their give at it besides."""
+        return 3 if self._rings is None else 4
 
     def axial_datum_shift(self) -> NDArray | float:
         """By how much further the ring touches than at rest and cold [m], of each flattened case; see `Scene`."""
@@ -206,6 +215,7 @@ class CaseMaker:
         cases["shares"] = 0 if gyroscopic is None else SHARES_CODES[gyroscopic.moment_shares]
         cases["form"] = FORM_CODES[scene.hertz_form]
         cases["unequal_balls"] = self.has_unequal_balls(start, stop)
+        cases["elastic_rings"] = self._rings is not None
         cases["length"] = diameter
         cases["force"] = force
         cases["speed"] = speed
@@ -226,16 +236,40 @@ class CaseMaker:
     def own_balls(self, cases: NDArray, start: int = 0) -> NDArray:
         """Records (case, ball) of the balls of these case records, the first of which is this flattened case.
 
-        Empty but for its first axis where the scene names no unequal balls.
+        Empty but for its first axis where the scene names neither unequal balls nor elastic rings.
         """
-        own = np.empty((cases.size, 0 if self._deviations is None else self.ball_axis), OWN_BALL)
+        is_empty = self._deviations is None and self._rings is None
+        own = np.empty((cases.size, 0 if is_empty else self.ball_axis), OWN_BALL)
+        stop = start + cases.size
+        if self._rings is not None:
+            self._fill_compliances(cases, own, self._rings, self._stretch(start, stop))
         if self._deviations is not None:
-            stop = start + cases.size
             nominal = np.asarray(self._stretch(start, stop)["cold_ball_diameter"], float)
             # Balls that have grown by heat differ by as much more: the ratio to the bearing's diameter stays.
             own["diameter"] = 1.0 + self._deviations_of(start, stop) / nominal[..., None]
             _own_stiffness(FORM_CODES[self.scene.hertz_form], cases, own)
         return own
+
+    def _fill_compliances(self, cases: NDArray, own: NDArray, rings: ElasticRings, v: dict[str, Any]) -> None:
+        """Compliances of elastic rings, by waves, where the records of as many balls stand."""
+        inner = groove_centre_radius(
+            v["pitch_diameter"], v["inner_groove_radius"], v["ball_diameter"], np.cos(v["free_contact_angle"]),
+            v["radial_interference"],
+        )  # fmt: skip
+        distance = v["inner_groove_radius"] + v["outer_groove_radius"] - v["ball_diameter"]
+        outer = inner - distance * np.cos(v["free_contact_angle"]) - v["radial_interference"]
+        bottoms = inner - v["inner_groove_radius"], outer + v["outer_groove_radius"]
+        grooves = Grooves(*bottoms, v["ring_elastic_modulus"], v["ring_poisson_ratio"])
+        given = {name: v[f"{rings.name}.{name}"] for name in rings.numbers}
+        waves = min(MOST_WAVES + 1, self.ball_axis)
+        for side, give in zip(("inner", "outer"), replace(rings, **given).gives(grooves), strict=True):
+            own[f"{side}_compliance"] = 0.0
+            if give is not None:
+                by_harmonic = np.broadcast_to(
+                    give.by_load.reshape(len(give.by_load), -1), (len(give.by_load), cases.size)
+                )
+                by_wave = folded(by_harmonic * cases["force"] / cases["length"], cases["ball_count"], waves)
+                own[f"{side}_compliance"][:, :waves] = by_wave
 
     def _fill_stiffness(self, cases: NDArray, pitch: Any, inner_f: Any, outer_f: Any, cos_free: Any) -> None:
         cosine = 1.0 if self.scene.hertz_angle is HertzAngle.ZERO else cos_free

@@ -87,7 +87,7 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
     """Results, ball positions and controls to fill, holding the start where there is one."""
     count, balls = maker.count, maker.ball_axis
     results = np.empty(count, RESULT)
-    positions, controls = np.empty((count, balls, 3)), np.zeros((count, balls), np.int8)
+    positions, controls = np.empty((count, balls, maker.position_size)), np.zeros((count, balls), np.int8)
     if start is None:
         return results, positions, controls
     if not isinstance(start, Solution):
@@ -97,7 +97,9 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
             f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
             f"{balls}: a start must match, or be a single case with as many balls"
         )
-    results[:], positions[:], controls[:] = start._results, start._positions, start._controls
+    results[:], controls[:] = start._results, start._controls
+    both = min(positions.shape[-1], start._positions.shape[-1])
+    positions[..., both:], positions[..., :both] = 0.0, start._positions[..., :both]
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
     failed = results["status"] != CONVERGED
     results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0

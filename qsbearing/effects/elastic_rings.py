@@ -1,0 +1,271 @@
+"""Rings that give way under their balls: they grow evenly and bend, each alone, in a housing or on a shaft.
+
+Source        Timoshenko & Goodier (ring_compliance.py has the formulas); found missing by finite elements of a bearing
+              sector whose outside diameter is free: displacement up to a third larger, contact angles 1.5 degrees
+Equation      under the radial loads of the balls on its groove a ring moves by the sum of c_n F cos n(psi - psi_j),
+              n = 0 and 2, 3, ...; the grooves part by as much at each ball. Amplitudes are unknowns of the solver
+              (kernel/ring_bending.py)
+Assumes       small deflections of rings of rectangular section between groove bottom and seat; the load as a line over
+              the ring's width; a seat that keeps touching all round. The part n = 1 of the load is carried by the mount
+              as it comes: a ring that stands on a spot bends otherwise
+When not      a seat with clearance, which must close first; ribbed or split housings (give compliances by harmonic,
+              from finite elements); twisting of the section under Q sin(alpha), 0.2 to 0.7 % of displacement
+Parameters    of each ring its width, its diameter away from the groove and what holds it: rigid (it does not give way),
+              free, a housing or shaft of some diameter; or compliances by harmonic in place of all of them
+Indicator     the turn of the contact angle by the largest give, over the contact angle; without parameters that of a
+              free outer ring of usual section
+Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housing="free")
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
+from qsbearing.effects.elastic_ring_errors import parameter_errors, section_errors
+from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.ring_compliance import (
+    MOST_HARMONICS,
+    Annulus,
+    Give,
+    by_load,
+    inner_ring_give,
+    needed,
+    outer_ring_give,
+)
+from qsbearing.validation import ErrorDetail, choose, raise_if_any
+
+if TYPE_CHECKING:
+    from qsbearing.scene.bearing import BallBearing
+    from qsbearing.scene.operation import Operation
+
+
+class Seat(StrEnum):
+    """What holds a ring, where that is no body of some diameter."""
+
+    RIGID = "rigid"
+    """The ring does not give way."""
+    FREE = "free"
+    """Nothing does."""
+    SOLID = "solid"
+    """A solid shaft."""
+
+
+USUAL_SECTION = (0.28, 1.35)
+"""Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
+
+
+class Grooves(NamedTuple):
+    """What of a bearing its rings' give depends on, over cases."""
+
+    inner_bottom: Any
+    """Radius [m]."""
+    outer_bottom: Any
+    modulus: Any
+    """Of the rings [Pa]."""
+    poisson_ratio: Any
+
+
+def grooves_of(bearing: BallBearing) -> Grooves:
+    """Of this bearing."""
+    ring = bearing.ring_material
+    inner = bearing.inner_groove_centre_radius - np.asarray(bearing.inner_groove_radius, float)
+    outer = bearing.outer_groove_centre_radius + np.asarray(bearing.outer_groove_radius, float)
+    return Grooves(inner, outer, ring.elastic_modulus, ring.poisson_ratio)
+
+
+class RingGive(NamedTuple):
+    """How one ring gives way, by harmonics along the first axis."""
+
+    by_load: NDArray
+    """c_n: of the groove, away from the balls, under one radial load [m/N]."""
+    seat: NDArray | None
+    """Pressure at the seat by one radial load, per harmonic [Pa/N]; None where no seat is described."""
+
+
+@dataclass(frozen=True)
+class ElasticRings:
+    """Ask for rings that give way. SI units; any number but the compliances may be an array.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    outside_diameter: ArrayLike | None = None
+    """Of the outer ring [m]."""
+    outer_width: ArrayLike | None = None
+    """Of the outer ring, axially [m]."""
+    housing: Seat | str | None = None
+    """What holds the outer ring: rigid or free; None with a housing's outside diameter."""
+    housing_outside_diameter: ArrayLike | None = None
+    """[m]"""
+    housing_elastic_modulus: ArrayLike | None = None
+    """[Pa]; None, as for the rest of the material: as the rings."""
+    housing_poisson_ratio: ArrayLike | None = None
+    outer_compliance: tuple[float, ...] | None = None
+    """In place of all of that: c_0, c_1, c_2, ... [m/N]; c_1 is that of the mount, 0 where it is rigid."""
+    bore_diameter: ArrayLike | None = None
+    """Of the inner ring [m]."""
+    inner_width: ArrayLike | None = None
+    """[m]"""
+    shaft: Seat | str | None = None
+    """What the inner ring sits on: rigid, free or solid; None with a shaft's bore."""
+    shaft_bore_diameter: ArrayLike | None = None
+    """[m]"""
+    shaft_elastic_modulus: ArrayLike | None = None
+    shaft_poisson_ratio: ArrayLike | None = None
+    inner_compliance: tuple[float, ...] | None = None
+    """Likewise, of the inner ring."""
+    name: ClassVar[str] = "elastic_rings"
+
+    def __post_init__(self) -> None:
+        errors: list[ErrorDetail] = []
+        for field in ("housing", "shaft"):
+            if getattr(self, field) is not None:
+                word, wrong = choose(f"{self.name}.{field}", getattr(self, field), Seat)
+                object.__setattr__(self, field, word)
+                errors += wrong
+        for field in ("outer_compliance", "inner_compliance"):
+            given = getattr(self, field)
+            if given is not None and np.ndim(given) == 1:
+                object.__setattr__(self, field, tuple(np.asarray(given).tolist()))
+        raise_if_any(errors or parameter_errors(self))
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """Those that may span cases, by name; None where not given."""
+        return {name: value for name, value in vars(self).items() if not isinstance(value, str | tuple)}
+
+    def errors(self, bearing: BallBearing) -> list[ErrorDetail]:
+        """What does not suit this bearing: diameters that are no rings around its grooves."""
+        return section_errors(self, *grooves_of(bearing)[:2])
+
+    def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
+        """The bearing as it is: before it is loaded nothing gives way."""
+        return bearing
+
+    def gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
+        """Of the inner and the outer ring; None for one that does not give way."""
+        return self._inner(grooves), self._outer(grooves)
+
+    def _outer(self, at: Grooves) -> RingGive | None:
+        if self.outer_compliance is not None:
+            return _tabled(self.outer_compliance)
+        if self.outer_width is None or self.housing == Seat.RIGID:
+            return None
+        outside = _half(self.outside_diameter)
+        housing = None
+        if self.housing_outside_diameter is not None:
+            material = _material(self.housing_elastic_modulus, self.housing_poisson_ratio, at)
+            housing = Annulus(outside, _half(self.housing_outside_diameter), *material)
+        give = outer_ring_give(Annulus(at.outer_bottom, outside, at.modulus, at.poisson_ratio), housing)
+        return _given(give, at.outer_bottom, self.outer_width, at.modulus, housing is not None)
+
+    def _inner(self, at: Grooves) -> RingGive | None:
+        if self.inner_compliance is not None:
+            return _tabled(self.inner_compliance)
+        if self.inner_width is None or self.shaft == Seat.RIGID:
+            return None
+        bore, shaft = _half(self.bore_diameter), None
+        if self.shaft != Seat.FREE:
+            material = _material(self.shaft_elastic_modulus, self.shaft_poisson_ratio, at)
+            hollow = 0.0 if self.shaft == Seat.SOLID else _half(self.shaft_bore_diameter)
+            shaft = Annulus(hollow, bore, *material)
+        give = inner_ring_give(Annulus(bore, at.inner_bottom, at.modulus, at.poisson_ratio), shaft)
+        return _given(give, at.inner_bottom, self.inner_width, at.modulus, shaft is not None)
+
+
+def _half(diameter: Any) -> NDArray:
+    return 0.5 * np.asarray(diameter, float)
+
+
+def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:
+    return (
+        at.modulus if modulus is None else modulus,
+        at.poisson_ratio if poisson_ratio is None else poisson_ratio,
+    )
+
+
+def _given(give: Give, radius: Any, width: Any, modulus: Any, is_seated: bool) -> RingGive:
+    which = needed(give.groove, radius, modulus)
+    return RingGive(
+        by_load(np.where(which, give.groove, 0.0), radius, width),
+        by_load(np.where(which, give.seat, 0.0), radius, width) if is_seated else None,
+    )
+
+
+def _tabled(compliance: tuple[float, ...]) -> RingGive:
+    by_harmonic = np.zeros(MOST_HARMONICS + 1)
+    by_harmonic[: len(compliance)] = compliance
+    return RingGive(by_harmonic, None)
+
+
+def folded(by_harmonic: NDArray, ball_count: NDArray, waves: int) -> NDArray:
+    """c as balls at equal distances feel it, (case, wave): the sum over all n that are a wave but for multiples of Z.
+
+    Args:
+        by_harmonic: (harmonic, case); ball_count: (case).
+        waves: how many are kept, from 0 on; of balls more than twice as many, the shorter ones are left out.
+    """
+    out = np.zeros((ball_count.size, waves))
+    case = np.arange(ball_count.size)
+    for n, c in enumerate(by_harmonic):
+        rest = n % ball_count
+        wave = np.minimum(rest, ball_count - rest)
+        kept = wave < waves
+        out[case[kept], wave[kept]] += c[kept]
+    return out
+
+
+def gives_at_balls(
+    gives: tuple[RingGive | None, RingGive | None], azimuth: NDArray, inner: NDArray, outer: NDArray
+) -> NDArray:
+    """By how much the grooves part at each ball under radial loads (*cases, ball) on both rings [m]."""
+    apart = np.nan_to_num(azimuth[..., :, None] - azimuth[..., None, :])
+    total = np.zeros(azimuth.shape)
+    for give, load in zip(gives, (inner, outer), strict=True):
+        for n in range(0 if give is None else MOST_HARMONICS + 1):
+            assert give is not None
+            moved = np.einsum("...ji,...i->...j", np.cos(n * apart), np.nan_to_num(load))
+            total = total + np.asarray(give.by_load[n])[..., None] * moved
+    return total
+
+
+def _largest_give(point: OperatingPoint) -> NDArray:
+    """Of the scene's rings, or of a free outer ring of usual section, under the loads as they are."""
+    bearing, solution = point.bearing, point.solution
+    found = [one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings)]
+    if found:
+        asked = found[0]
+    else:
+        thickness, width = (part * np.asarray(bearing.ball_diameter, float) for part in USUAL_SECTION)
+        outside = 2.0 * (grooves_of(bearing).outer_bottom + thickness)
+        asked = ElasticRings(outside_diameter=outside, outer_width=width, housing=Seat.FREE)
+    radial = [np.asarray(each.load * each.cosine) for each in (solution.inner, solution.outer)]
+    gives = gives_at_balls(asked.gives(grooves_of(bearing)), np.asarray(solution.azimuth), *radial)
+    return np.asarray(np.abs(gives).max(axis=-1))
+
+
+def _errors(point: OperatingPoint) -> Errors:
+    return geometry_errors(point, GeometryChange(-_largest_give(point), 0.0))
+
+
+def _indicator(point: OperatingPoint) -> NDArray:
+    return np.asarray(_errors(point)["contact_angle"])
+
+
+ENTRY = Entry(
+    "elastic_rings",
+    "the give of the rings",
+    effect("ring_effects", ElasticRings),
+    indicator=_indicator,
+    errors=_errors,
+    needs="[effects.elastic_rings] with the rings' widths and diameters and what holds them",
+    without_parameters="for a free outer ring of usual section; a stiff housing leaves a tenth of that",
+)
