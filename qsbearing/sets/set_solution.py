@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from qsbearing import preload_state
 from qsbearing.case_index import Index, place_of
-from qsbearing.columns import DISPLACEMENT, LOAD
 from qsbearing.effects import RingEffect, as_fitted, as_made
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.preload_state import PreloadLoads
 from qsbearing.ranked_warning import RankedWarning
+from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.ring_stiffness import SOFTEST
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets import set_messages
