@@ -1,4 +1,4 @@
-"""Keys and units of the results, and all of a solution as the columns of a table: one row per ball of every case."""
+"""All of a solution as the columns of a table: one row per ball of every case."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown
 from qsbearing.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -19,63 +20,10 @@ from qsbearing.scene.keys import (
 )
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
-from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
+from qsbearing.units import deg
 
 if TYPE_CHECKING:
     from qsbearing.solution.solution import Solution
-
-DISPLACEMENT = (
-    ("axial_um", um),
-    ("radial_y_um", um),
-    ("radial_z_um", um),
-    ("tilt_y_mrad", mrad),
-    ("tilt_z_mrad", mrad),
-)
-LOAD = (("axial_N", 1.0), ("radial_y_N", 1.0), ("radial_z_N", 1.0), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0))
-STIFFNESS = (
-    ("axial_N_per_um", 1.0 / um),
-    ("radial_y_N_per_um", 1.0 / um),
-    ("radial_z_N_per_um", 1.0 / um),
-    ("tilt_y_Nm_per_mrad", 1.0 / mrad),
-    ("tilt_z_Nm_per_mrad", 1.0 / mrad),
-)
-"""Keys of the five channels, and the size of each key's unit in SI."""
-
-CONTACT = (
-    ("load_N", "load", 1.0),
-    ("angle_deg", "angle", deg),
-    ("approach_um", "approach", um),
-    ("semi_major_axis_mm", "semi_major_axis", mm),
-    ("semi_minor_axis_mm", "semi_minor_axis", mm),
-    ("max_pressure_MPa", "max_pressure", MPa),
-    ("required_friction", "required_friction", 1.0),
-)
-BALL = (
-    ("centrifugal_force_N", "centrifugal_force", 1.0),
-    ("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm),
-    ("orbital_speed_rpm", "orbital_speed", rpm),
-    ("rotation_speed_rpm", "rotation_speed", rpm),
-    ("ball_diameter_deviation_um", "ball_diameter_deviation", um),
-)
-"""Keys, names of the arrays of a solution, and the size of each key's unit in SI."""
-
-GEOMETRY = (
-    ("ball_diameter_mm", "ball_diameter", mm),
-    ("pitch_diameter_mm", "pitch_diameter", mm),
-    ("inner_groove_radius_mm", "inner_groove_radius", mm),
-    ("outer_groove_radius_mm", "outer_groove_radius", mm),
-    ("free_contact_angle_deg", "free_contact_angle", deg),
-    ("diametral_clearance_um", "diametral_clearance", um),
-)
-"""Of the bearing that ring effects have changed."""
-RING_STATE = (
-    ("groove_growth_um", "groove_growth", um),
-    ("seat_pressure_MPa", "seat_pressure", MPa),
-    ("seat_gap_um", "seat_gap", um),
-    ("bore_hoop_stress_MPa", "bore_hoop_stress", MPa),
-    ("equivalent_stress_MPa", "equivalent_stress", MPa),
-)
-"""Keys, names of a `RingState`, and the size of each key's unit in SI."""
 
 
 def columns(solution: Solution) -> dict[str, NDArray]:
@@ -93,14 +41,14 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     out: dict[str, NDArray] = {f"case_{axis}": number for axis, number in enumerate(rows[:-1])}
     out |= {"ball": rows[-1], "azimuth_deg": solution.azimuth[exists] / deg}
     for side in ("inner", "outer"):
-        for key, name, size in CONTACT:
-            values = getattr(getattr(solution, side), name)
+        for shown in CONTACT:
+            values = shown.of(getattr(solution, side))
             if values is not None:
-                out[f"{side}_{key}"] = values[exists] / size
-    for key, name, size in BALL:
-        values = getattr(solution, name)
+                out[f"{side}_{shown.key}"] = values[exists]
+    for shown in BALL:
+        values = shown.of(solution)
         if values is not None:
-            out[key] = values[exists] / size
+            out[shown.key] = values[exists]
     if solution.raceway_control is not None:
         out["raceway_control"] = solution.raceway_control[exists]
     if solution.slips is not None:
@@ -129,14 +77,10 @@ def _expansion(solution: Solution) -> dict[str, Any]:
     """The operating geometry and the state of the rings; nothing without ring effects."""
     if not solution.scene.is_reshaped:
         return {}
-    bearing = solution.scene.operating_bearing
-    out = {f"operating_{key}": np.asarray(getattr(bearing, name)) / size for key, name, size in GEOMETRY}
-    for side in ("inner", "outer"):
-        state = getattr(solution, f"{side}_ring")
-        for key, name, size in RING_STATE:
-            if state is not None and getattr(state, name) is not None:
-                out[f"{side}_ring_{key}"] = getattr(state, name) / size
-    return out
+    holders: list[tuple[str, tuple[Shown, ...], Any]] = [("operating_", GEOMETRY, solution.scene.operating_bearing)]
+    holders += [(f"{side}_ring_", RING_STATE, getattr(solution, f"{side}_ring")) for side in ("inner", "outer")]
+    found = {f"{prefix}{shown.key}": shown.of(holder) for prefix, table, holder in holders for shown in table}
+    return {name: values for name, values in found.items() if values is not None}
 
 
 def scene_numbers(scene: Scene) -> dict[str, Any]:

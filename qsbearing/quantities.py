@@ -1,20 +1,31 @@
 """The results of a solution by name: what each is, its unit in files and pictures, and how it is read off.
 
-A name and its unit joined are the column's name in a table: `inner_load` in N is `inner_load_N`.
+The column's name in a table has the unit behind it: `inner_load` in N is `inner_load_N`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, scene_numbers
-from qsbearing.scene.keys import READING_TABLES
+from qsbearing.columns import scene_numbers
+from qsbearing.result_keys import (
+    BALL,
+    CONTACT,
+    DISPLACEMENT,
+    GEOMETRY,
+    LOAD,
+    RING_STATE,
+    STIFFNESS,
+    Shown,
+    split,
+)
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
@@ -22,13 +33,6 @@ if TYPE_CHECKING:
 
     from qsbearing.solution.solution import Solution
 
-_WORDS = {
-    "N_per_um": "N/um",
-    "Nm_per_mrad": "N m/mrad",
-    "Nm": "N m",
-    "Nmm": "N mm",
-    "": "1",
-}
 STIFFNESSES = ("locked", "effective")
 
 
@@ -39,63 +43,32 @@ class Quantity:
     name: str
     unit: str
     """In files and pictures; "1" where it has none."""
+    column: str
+    """Its name in a table, with the unit."""
     is_per_ball: bool
     read: Callable[[Solution], NDArray | None]
     """Shape (*cases) or (*cases, ball), in `unit`; None where the scene does not call for it."""
 
-    @property
-    def column(self) -> str:
-        """Its name in a table, with the unit."""
-        known = {shown: ending for ending, shown in _WORDS.items()}
-        ending = known.get(self.unit, self.unit)
-        return f"{self.name}_{ending}" if ending else self.name
 
-
-def _per_ball(name: str, key: str, own: str, size: float, side: str = "") -> Quantity:
-    def read(solution: Solution) -> NDArray | None:
-        values = getattr(getattr(solution, side) if side else solution, own)
-        return None if values is None else values / size
-
-    return Quantity(name, _unit(key, own), True, read)
+def _quantity(prefix: str, key: str, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
+    name, unit = split(key)
+    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read)
 
 
 def _of_channel(kind: str, number: int, key: str, size: float) -> Quantity:
-    stem, unit = _split(key)
-
-    def read(solution: Solution) -> NDArray:
-        return np.asarray(getattr(solution, kind)[..., number] / size)
-
-    return Quantity(f"ring_{kind}_{stem}", unit, False, read)
+    return _quantity(f"ring_{kind}_", key, False, lambda solution: getattr(solution, kind)[..., number] / size)
 
 
-def _of_geometry(key: str, own: str, size: float) -> Quantity:
+def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:
     def read(solution: Solution) -> NDArray | None:
-        if not solution.scene.is_reshaped:
-            return None
-        return np.broadcast_to(getattr(solution.scene.operating_bearing, own) / size, solution.shape)
+        values = shown.of(holder(solution))
+        return None if values is None else np.broadcast_to(values, solution.shape)
 
-    return Quantity(f"operating_{own}", _unit(key, own), False, read)
-
-
-def _of_ring(side: str, key: str, own: str, size: float) -> Quantity:
-    def read(solution: Solution) -> NDArray | None:
-        values = getattr(getattr(solution, f"{side}_ring"), own, None)
-        return None if values is None else np.broadcast_to(values / size, solution.shape)
-
-    return Quantity(f"{side}_ring_{own}", _unit(key, own), False, read)
+    return _quantity(prefix, shown.key, False, read)
 
 
-def _unit(key: str, name: str) -> str:
-    ending = key.removeprefix(name).lstrip("_")
-    return _WORDS.get(ending, ending)
-
-
-def _split(key: str) -> tuple[str, str]:
-    """`tilt_y_Nm_per_mrad` is tilt_y in N m/mrad."""
-    for ending in ("N_per_um", "Nm_per_mrad", "um", "mrad", "Nm", "N"):
-        if key.endswith(f"_{ending}"):
-            return key.removesuffix(f"_{ending}"), _WORDS.get(ending, ending)
-    raise ValueError(key)
+def _reshaped(solution: Solution) -> Any:
+    return solution.scene.operating_bearing if solution.scene.is_reshaped else None
 
 
 def _unloaded(solution: Solution) -> NDArray:
@@ -132,43 +105,27 @@ def _control(solution: Solution) -> NDArray | None:
 
 
 def _all() -> dict[str, Quantity]:
+    sides = "inner", "outer"
     found = [
-        _per_ball(f"{side}_{own}", key, own, size, side) for side in ("inner", "outer") for key, own, size in CONTACT
+        _quantity(f"{side}_", shown.key, True, lambda solution, side=side, of=shown.of: of(getattr(solution, side)))  # type: ignore[misc]
+        for side in sides
+        for shown in CONTACT
     ]
-    found += [_per_ball(own, key, own, size) for key, own, size in BALL]
-    found.append(Quantity("inner_raceway_controls", "1", True, _control))
+    found += [_quantity("", shown.key, True, shown.of) for shown in BALL]
+    found.append(Quantity("inner_raceway_controls", "1", "inner_raceway_controls", True, _control))
     kinds = ("displacement", DISPLACEMENT), ("load", LOAD), *((f"{kind}_stiffness", STIFFNESS) for kind in STIFFNESSES)
     for kind, channels in kinds:
         found += [_of_channel(kind, number, key, size) for number, (key, size) in enumerate(channels)]
-    found += [_of_geometry(key, own, size) for key, own, size in GEOMETRY]
-    found += [_of_ring(side, key, own, size) for side in ("inner", "outer") for key, own, size in RING_STATE]
-    found.append(Quantity("balls_off_inner", "balls", False, _unloaded))
-    found.append(Quantity("least_loaded_azimuth", "deg", False, _least_loaded))
-    found.append(Quantity("azimuth", "deg", True, lambda solution: solution.azimuth / deg))
+    found += [_of_case("operating_", shown, _reshaped) for shown in GEOMETRY]
+    found += [_of_case(f"{side}_ring_", shown, attrgetter(f"{side}_ring")) for side in sides for shown in RING_STATE]
+    found.append(Quantity("balls_off_inner", "balls", "balls_off_inner_balls", False, _unloaded))
+    found.append(_quantity("", "least_loaded_azimuth_deg", False, _least_loaded))
+    found.append(_quantity("", "azimuth_deg", True, lambda solution: solution.azimuth / deg))
     return {each.name: each for each in found}
 
 
 ALL = _all()
 """Every result that is read off a solution, by its name."""
-
-
-def by_short_name(name: str, known: Iterable[str]) -> str | None:
-    """The result of a reading whose name leaves out the reading: `basic_reference_rating_life` is that of `life`.
-
-    Args:
-        known: full names, such as `life_basic_reference_rating_life` and `outer_film_film_parameter`.
-
-    Returns:
-        None where there is none, or more than one.
-    """
-    found = {
-        each
-        for each in known
-        for reading in READING_TABLES
-        for side in ("", "inner_", "outer_")
-        if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
-    }
-    return found.pop() if len(found) == 1 else None
 
 
 def dataset(solution: Solution) -> xarray.Dataset:

@@ -26,7 +26,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     """
     from qsbearing.documents.guide import topics
 
-    pages = topics()
+    pages = topics(lists=LISTS)
     text = ""
     if topic is not None:
         page, _, section = topic.partition("#")
@@ -48,6 +48,16 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
         _list(pages)
 
 
+def _readings() -> str:
+    """Rows of the guide's table of readings, in the words of each."""
+    from qsbearing.readings.asked import READINGS
+
+    return "".join(f"| `{name}` | {each.gives} | {each.by} |\n" for name, each in READINGS.items())
+
+
+LISTS = {"readings": _readings}
+
+
 def _list(pages: dict[str, Page]) -> None:
     from qsbearing.io.tables import plain_table
 
@@ -65,7 +75,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     from qsbearing.documents.html import html
 
     path = (folder(target) if target is not None else _own_folder()) / "guide.html"
-    write({path: lambda found: html(found).encode()}, lambda: document(__version__))
+    write({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))
     print_wrote([path])
     if is_opened:
         click.launch(path.resolve().as_uri() + (f"#{topic}" if topic else ""))

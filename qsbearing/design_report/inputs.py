@@ -13,6 +13,7 @@ from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Ta
 from qsbearing.effects import RingExpansion
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.scene_file import load_scene
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BallBearing
@@ -24,7 +25,6 @@ from qsbearing.scene.keys import (
     NUMBERS,
     OPERATION,
     PRELOAD,
-    READING_TABLES,
     Key,
 )
 from qsbearing.scene.scene import CHOICES, Scene
@@ -169,7 +169,8 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
         found.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):
-                known = None if isinstance(value, str) else _key(READING_TABLES.get(name, ()), key)
+                keys = reading_tables()[name].keys if name in reading_tables() else ()
+                known = None if isinstance(value, str) else _key(keys, key)
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
                 unit = known.unit if known else "" if isinstance(value, str) else "SI"
                 found.append((f"{name}.{known.name if known else key}", text, unit, ""))

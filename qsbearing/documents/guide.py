@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from qsbearing.documents.markdown import Links, sections
@@ -13,6 +14,8 @@ FOLDER = Path(__file__).parents[1] / "guide"
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
 
+Lists = Mapping[str, Callable[[], str]]
+
 
 @dataclass(frozen=True)
 class Page:
@@ -21,11 +24,16 @@ class Page:
     topic: str
     title: str
     path: Path
+    lists: Lists = field(default_factory=dict)
 
     @property
     def text(self) -> str:
-        """Its Markdown, without what only tells the tools where a table was made."""
-        return re.sub(r"<!--.*?-->\n?", "", self.path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        """Its Markdown with its lists, without what only tells the tools where a table was made."""
+        text = self.path.read_text(encoding="utf-8")
+        for name, lines in self.lists.items():
+            mark = f"<!-- list: {name} -->\n"
+            text = text.replace(mark, lines()) if mark in text else text
+        return re.sub(r"<!--.*?-->\n?", "", text, flags=re.DOTALL)
 
     def part(self, section: str) -> str:
         """One of its sections, by the name that links give it; empty where there is none."""
@@ -33,12 +41,16 @@ class Page:
         return next((each for each in parts if anchor_of(each.partition("\n")[0]) == section), "")
 
 
-def topics(folder: Path = FOLDER) -> dict[str, Page]:
-    """The pages by topic, in the order of reading."""
+def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]:
+    """The pages by topic, in the order of reading.
+
+    Args:
+        lists: what makes the lines of a list that the code knows, by the name in its mark `<!-- list: name -->`.
+    """
     found = {}
     for path in sorted(folder.glob("*.md")):
         title = next((line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("# ")), "")
-        found[path.stem] = Page(path.stem, title.strip() or path.stem, path)
+        found[path.stem] = Page(path.stem, title.strip() or path.stem, path, lists or {})
     if FIRST in found:
         named = [FIRST, *re.findall(r"\]\((\w+)\.md", found[FIRST].text)]
         order = {topic: place for place, topic in reversed(list(enumerate(named)))}
@@ -46,9 +58,9 @@ def topics(folder: Path = FOLDER) -> dict[str, Page]:
     return found
 
 
-def document(version: str, folder: Path = FOLDER) -> Document:
+def document(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> Document:
     """All pages as one document."""
-    pages = topics(folder)
+    pages = topics(folder, lists)
     found: list[Section] = []
     for page in pages.values():
         found += sections(page.text, folder, _links(page, pages), page.topic)

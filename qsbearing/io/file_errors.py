@@ -8,7 +8,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from qsbearing.scene.keys import Key, find, path_in_file, with_file_keys
+from qsbearing.io.file_keys import find, path_in_file, with_file_keys
+from qsbearing.scene.keys import Key
 from qsbearing.validation import ErrorDetail, SceneError, printable, shown, unit_mistake
 
 MOST_SHOWN = 50
@@ -76,7 +77,7 @@ def translate(error: ErrorDetail) -> FileErrorDetail:
     if allowed is not None:
         allowed = (key.in_file(allowed[0]), key.in_file(allowed[1]))
     value = key.in_file(value) if is_number else value
-    problem, cause = with_file_keys(error.problem), with_file_keys(cause)
+    problem, cause = (with_file_keys(sentence, error.field) for sentence in (error.problem, cause))
     return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause, where=error.where)
 
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS
 from qsbearing.io.readings_record import Readings, readings_record
+from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
@@ -135,13 +135,14 @@ def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
         return None if array is None else number(array[index][ball] / size)
 
     def contact(side: str, ball: int) -> dict[str, float | None]:
-        return {key: value(getattr(getattr(solution, side), name), ball, size) for key, name, size in CONTACT}
+        holder = getattr(solution, side)
+        return {shown.key: value(getattr(holder, shown.path), ball, shown.size) for shown in CONTACT}
 
     control, slips = solution.raceway_control, solution.slips
     return [
         {"azimuth_deg": value(solution.azimuth, ball, deg), "inner": contact("inner", ball)}
         | {"outer": contact("outer", ball)}
-        | {key: value(getattr(solution, name), ball, size) for key, name, size in BALL}
+        | {shown.key: value(getattr(solution, shown.path), ball, shown.size) for shown in BALL}
         | {"raceway_control": None if control is None else str(control[index][ball])}
         | {"slips": None if slips is None else bool(slips[index][ball])}
         for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
@@ -153,14 +154,11 @@ def number(value: Any) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def _numbers(
-    keys: tuple[tuple[str, str, float], ...], holder: Any, shape: tuple[int, ...], index: Place
-) -> dict[str, float | None]:
+def _numbers(numbers: tuple[Shown, ...], holder: Any, shape: tuple[int, ...], index: Place) -> dict[str, float | None]:
     """Some fields of one case, which may hold one number for all."""
-    found = {key: (getattr(holder, name), size) for key, name, size in keys}
+    found = {shown.key: shown.of(holder) for shown in numbers}
     return {
-        key: None if values is None else number(np.broadcast_to(values, shape)[index] / size)
-        for key, (values, size) in found.items()
+        key: None if values is None else number(np.broadcast_to(values, shape)[index]) for key, values in found.items()
     }
 
 

@@ -30,7 +30,7 @@ def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
     """All of a solution and its readings as the columns of a table: one row per ball of every case."""
     found = columns(solution)
     if readings:
-        from qsbearing.readings.shown import reading_columns
+        from qsbearing.readings.asked import reading_columns
 
         found |= reading_columns(solution, readings)
     return found
@@ -48,16 +48,17 @@ def readings_record(solution: Solution, readings: Readings, index: Place = ()) -
 
 
 def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) -> dict[str, Any]:
-    from qsbearing.readings.shown import ball_values, case_values
+    from qsbearing.readings.asked import READINGS
 
     out: dict[str, Any] = {}
-    for key, values in case_values(name, reading):
-        out[key] = None if values is None else _number(np.broadcast_to(values, solution.shape)[index])
     rows: list[dict[str, Any]] = [{} for _ in balls]
-    for side, key, values in ball_values(name, reading):
+    for side, shown, is_per_ball, values in READINGS[name].values(reading):
+        if not is_per_ball:
+            out[shown.key] = None if values is None else _number(np.broadcast_to(values, solution.shape)[index])
+            continue
         for row, ball in zip(rows, balls, strict=True):
             holder = row.setdefault(side, {}) if side else row
-            holder[key] = None if values is None else _number(values[index][ball])
+            holder[shown.key] = None if values is None else _number(values[index][ball])
     if any(rows):
         out["balls"] = rows
     if hasattr(reading, "models"):

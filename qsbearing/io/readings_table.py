@@ -8,16 +8,17 @@ from typing import Any
 from pydantic import BaseModel
 
 from qsbearing.io.file_errors import FileErrorDetail, translate
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.table_checks import Errors, checked, si, table_model
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import READING_CHOICES, READING_TABLES
 from qsbearing.scene.scene import Scene
 
 
 @cache  # to make one takes milliseconds, and a search reads a file's tables a thousand times
 def _model(name: str) -> type[BaseModel]:
     """How a reading's table is built. What its words may be, the reading itself knows."""
-    return table_model(name, READING_TABLES[name], dict.fromkeys(READING_CHOICES.get(name, ()), (str | None, None)))
+    known = reading_tables()[name]
+    return table_model(name, known.keys, dict.fromkeys(known.choices, (str | None, None)))
 
 
 def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[str, Any]]:
@@ -29,15 +30,16 @@ def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[s
         return {}
     before = len(errors)
     asked: dict[str, dict[str, Any]] = {}
+    known = reading_tables() if table else {}
     for name, given in table.items():
-        if name not in READING_TABLES:
-            meant = near(str(name).lower(), READING_TABLES, 0.5)
-            cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(READING_TABLES)}"
+        if name not in known:
+            meant = near(str(name).lower(), known, 0.5)
+            cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is no reading", cause=cause))
             continue
+        keys, choices = known[name].keys, known[name].choices
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
-        chosen = {choice: good[choice] for choice in READING_CHOICES.get(name, ()) if choice in good}
-        asked[name] = si(READING_TABLES[name], good) | chosen
+        asked[name] = si(keys, good) | {choice: good[choice] for choice in choices if choice in good}
     if asked and len(errors) == before:  # what cannot be used would be missing as well
         from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
 

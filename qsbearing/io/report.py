@@ -7,17 +7,16 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.columns import GEOMETRY, STIFFNESS
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.judgement import percent
+from qsbearing.result_keys import GEOMETRY, STIFFNESS, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
 from qsbearing.solution.solution import Solution
@@ -194,10 +193,9 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
     tables = []
     if operating is not None:
         table = plain_table("Geometry before it is loaded", ("", "at rest, cold", "in operation", ""), left=(0, 3))
-        for key, name, size in GEOMETRY:
-            words, _, unit = key.rpartition("_")
-            cold = float(np.asarray(getattr(solution.scene.bearing, name))) / size
-            table.add_row(words.replace("_", " "), f"{cold:.8g}", f"{operating[key]:.8g}", unit)
+        for shown in GEOMETRY:
+            cold = float(shown.of(solution.scene.bearing))
+            table.add_row(shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", split(shown.key)[1])
         tables.append(table)
     if rings is not None:
         heading = (

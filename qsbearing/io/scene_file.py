@@ -12,6 +12,7 @@ from qsbearing.io import catalogue, result_file
 from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.read_toml import read_text, read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.spectrum_table import scene_of_spectrum
@@ -28,7 +29,6 @@ from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     OPERATION,
     PRELOAD,
-    READING_SECTIONS,
     SECTIONS,
     SET_SECTIONS,
 )
@@ -145,7 +145,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             meant = near(name.lower(), SECTIONS, 0.5)
             if name in EFFECT_SECTIONS:
                 meant = f"effects.{name}"
-            if name in READING_SECTIONS:
+            if name in reading_tables():
                 meant = f"readings.{name}"
             known = "A scene has [bearing], [operation], [effects] and [readings]"
             cause = f"Did you mean [{meant}]?" if meant else known

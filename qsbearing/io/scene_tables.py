@@ -13,6 +13,7 @@ from qsbearing.effects import BallDiameterDeviations, BallExpansion, GyroscopicM
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED, is_in_radians, label_of
 from qsbearing.io.effects_table import AUTO
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.scene.keys import (
@@ -24,8 +25,6 @@ from qsbearing.scene.keys import (
     MATERIALS,
     OPERATION,
     PRELOAD,
-    READING_CHOICES,
-    READING_TABLES,
     ROW,
     SEAT_MATERIALS,
     SHAFT,
@@ -149,10 +148,11 @@ def _readings(asked: Mapping[str, Mapping[str, Any]]) -> Tables:
     for name, given in asked.items():
         if name == "spectrum":
             continue  # its points are the file's operation
-        words = {choice: str(given[choice]) for choice in READING_CHOICES.get(name, ()) if choice in given}
-        for field in set(given) - set(words) - {key.field for key in READING_TABLES[name]}:
+        own = reading_tables()[name]
+        words = {choice: str(given[choice]) for choice in own.choices if choice in given}
+        for field in set(given) - set(words) - {key.field for key in own.keys}:
             raise _without_key(f"readings.{name}.{field}", "only Python gives it")
-        tables[name] = words | _numbers(READING_TABLES[name], given)
+        tables[name] = words | _numbers(own.keys, given)
     return tables
 
 

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.columns import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.io.json_record import choices, matrix_rows, number, of_channels, record
 from qsbearing.io.readings_record import Readings, all_columns
+from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
 from qsbearing.units import mm, um

@@ -10,12 +10,12 @@ from rich.padding import Padding
 from rich.text import Text
 
 from qsbearing import __version__, messages
-from qsbearing.columns import LOAD
 from qsbearing.io.json_record import number, record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.report import asked_for, warnings_below
 from qsbearing.io.tables import plain_table
 from qsbearing.ranked_warning import RankedWarning, said_of
+from qsbearing.result_keys import LOAD
 from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 

@@ -12,10 +12,11 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidato
 
 from qsbearing.effects import MomentShares
 from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail
+from qsbearing.io.file_keys import find
 from qsbearing.io.unknown_key import Suggestion, near, suggest
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BearingKind
-from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key, find
+from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.scene.scene import CHOICES
 from qsbearing.validation import ErrorDetail, SceneError
 

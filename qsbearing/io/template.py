@@ -7,6 +7,7 @@ from string import Template
 from typing import Any
 
 from qsbearing.io.catalogue import Entry
+from qsbearing.io.file_keys import reading_tables
 
 
 def scene_template(entry: Entry, by_name: bool) -> str:
@@ -20,7 +21,9 @@ def scene_template(entry: Entry, by_name: bool) -> str:
     values = {**({"name": entry.name} if by_name else {}), **entry.bearing}
     values |= entry.example["operation"] | entry.example["effects"]
     template = Template(files("qsbearing.io").joinpath("template.toml").read_text("utf-8"))
-    text = template.substitute(name=entry.name, description=entry.description, file=f"{entry.name.lower()}.toml")
+    text = template.substitute(
+        name=entry.name, description=entry.description, file=f"{entry.name.lower()}.toml", readings=_readings()
+    )
     lines = []
     for line in text.splitlines():
         key, _, rest = line.removeprefix("# ").partition(" = ")
@@ -31,6 +34,18 @@ def scene_template(entry: Entry, by_name: bool) -> str:
         elif line.startswith("# ") or not key.isidentifier():
             lines.append(line)
     return "\n".join(lines) + "\n"
+
+
+def _readings() -> str:
+    """Every table of a reading, as comments; first those that need no numbers."""
+    tables = reading_tables()
+    lines = [f"# {name} = true" for name, table in tables.items() if not table.example]
+    for name, table in tables.items():
+        if table.example:
+            heading = f"# [readings.{name}]"
+            lines += ["", f"{heading:<37}# {table.note}" if table.note else heading]
+            lines += [f"# {line}" for line in table.example.splitlines()]
+    return "\n".join(lines)
 
 
 def set_template(entry: Entry) -> str:

@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import difflib
+from functools import cache
 from typing import Any, NamedTuple
 
-from qsbearing.scene.keys import (
-    EFFECT_SECTIONS,
-    MATERIAL_KEYS,
-    NUMBERS,
-    READING_SECTIONS,
-    SECTIONS,
-    SET_NUMBERS,
-    SET_SECTIONS,
-    SPECTRUM,
-)
+from qsbearing.io.file_keys import numbers, reading_tables, sections
+from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, SET_NUMBERS, SET_SECTIONS, SPECTRUM, Key
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
-_TABLES = {**SECTIONS, **EFFECT_SECTIONS, **READING_SECTIONS, "material": MATERIAL_KEYS, **SET_SECTIONS}
-_TABLES["spectrum"] = tuple(key.name for key in SPECTRUM)
-_NUMBERS = NUMBERS | SET_NUMBERS | {"spectrum": SPECTRUM}
+
+@cache
+def _tables() -> dict[str, tuple[str, ...]]:
+    found = {**sections(), **EFFECT_SECTIONS}
+    within = {name: found.pop(name) for name in reading_tables()}
+    return found | within | {"material": MATERIAL_KEYS, **SET_SECTIONS, "spectrum": tuple(key.name for key in SPECTRUM)}
+
+
+def _keys(section: str) -> tuple[Key, ...]:
+    return (numbers() | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
 
 
 class Suggestion(NamedTuple):
@@ -44,22 +44,22 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         section: bearing, operation, effects, the table of an effect, or material; empty for a key outside all tables.
         value: what the file gives under that key.
     """
-    for table, keys in _TABLES.items():
+    for table, keys in _tables().items():
         if table != section and name in keys:
             return Suggestion(f"It belongs under {_title(table)}")
     converted = _in_known_unit(name, section, value)
     if converted is not None:
         return converted
     # Without its unit a name resembles its key less than it should.
-    stems = {key.field: key.name for key in _NUMBERS.get(section, ())}
-    meant = near(name, _TABLES.get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
+    stems = {key.field: key.name for key in _keys(section)}
+    meant = near(name, _tables().get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
     if meant:
         return Suggestion(f"Did you mean {meant}?", meant)
-    everywhere = {key: table for table, keys in _TABLES.items() for key in keys}
+    everywhere = {key: table for table, keys in _tables().items() for key in keys}
     elsewhere = near(name, everywhere, 0.7)
     if elsewhere:
         return Suggestion(f"Did you mean {elsewhere}, under {_title(everywhere[elsewhere])}?")
-    known = f"Known here: {', '.join(_TABLES[section])}" if section else ""
+    known = f"Known here: {', '.join(_tables()[section])}" if section else ""
     return Suggestion(known or "A scene has [bearing], [operation] and [effects]")
 
 
@@ -68,13 +68,13 @@ def _title(table: str) -> str:
         return "a material's table"
     if table in ("rows", "spectrum"):
         return f"[[{table}]]"
-    outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in READING_SECTIONS else ""
+    outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in reading_tables() else ""
     return f"[{outer}{table}]"
 
 
 def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:
     """`axial_load_kN = 8` is `axial_load_N = 8000`."""
-    for key in _NUMBERS.get(section, ()):
+    for key in _keys(section):
         ending = name.removeprefix(f"{key.field}_")
         if key.quantity is None or ending == name:
             continue

@@ -6,7 +6,7 @@ that its source states; what was not asked for is None, and what has no number i
 
 from __future__ import annotations
 
-from qsbearing.readings.asked import take_asked
+from qsbearing.readings.asked import reading_columns, take_asked
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
@@ -35,7 +35,6 @@ from qsbearing.readings.pass_frequencies import Frequencies, FrequencySet, frequ
 from qsbearing.readings.pivot_points import PivotPoints, RacewayPivots, pivot_points
 from qsbearing.readings.rating_life import Life, life
 from qsbearing.readings.shoulder_overrun import Overrun, RacewayOverrun, overrun
-from qsbearing.readings.shown import reading_columns
 from qsbearing.readings.static_rating import (
     FatigueLimit,
     StaticSafety,
@@ -46,58 +45,16 @@ from qsbearing.readings.static_rating import (
 )
 from qsbearing.readings.subsurface_stress import RacewayStress, Stress, stress
 
+# fmt: off
 __all__ = [
-    "BallMotion",
-    "Capacity",
-    "Cleanliness",
-    "FatigueLimit",
-    "Film",
-    "Frequencies",
-    "FrequencySet",
-    "Friction",
-    "FrictionEstimate",
-    "FrictionEstimates",
-    "FrictionModel",
-    "Life",
-    "Lubricant",
-    "OilState",
-    "Overrun",
-    "PivotPoints",
-    "RacewayFilm",
-    "RacewayFriction",
-    "RacewayMotion",
-    "RacewayOverrun",
-    "RacewayPivots",
-    "RacewayStress",
-    "Rating",
-    "Series",
-    "SpectrumLife",
-    "StaticSafety",
-    "Stress",
-    "axial_load_rating",
-    "axial_static_load_rating",
-    "contamination_factor",
-    "dynamic_load_rating",
-    "element_load_ratings",
-    "equivalent_load",
-    "fatigue_load_limit",
-    "film",
-    "frequencies",
-    "friction",
-    "friction_estimates",
-    "kinematics",
-    "life",
-    "life_modification_factor",
-    "overrun",
-    "palmgren_torque",
-    "pivot_points",
-    "reading_columns",
-    "reliability_factor",
-    "skf_torque",
-    "spectrum_life",
-    "static_load_rating",
-    "static_safety",
-    "stress",
-    "take_asked",
-    "viscosity_ratio",
+    "BallMotion", "Capacity", "Cleanliness", "FatigueLimit", "Film", "Frequencies", "FrequencySet", "Friction",
+    "FrictionEstimate", "FrictionEstimates", "FrictionModel", "Life", "Lubricant", "OilState", "Overrun",
+    "PivotPoints", "RacewayFilm", "RacewayFriction", "RacewayMotion", "RacewayOverrun", "RacewayPivots",
+    "RacewayStress", "Rating", "Series", "SpectrumLife", "StaticSafety", "Stress", "axial_load_rating",
+    "axial_static_load_rating", "contamination_factor", "dynamic_load_rating", "element_load_ratings",
+    "equivalent_load", "fatigue_load_limit", "film", "frequencies", "friction", "friction_estimates", "kinematics",
+    "life", "life_modification_factor", "overrun", "palmgren_torque", "pivot_points", "reading_columns",
+    "reliability_factor", "skf_torque", "spectrum_life", "static_load_rating", "static_safety", "stress",
+    "take_asked", "viscosity_ratio",
 ]
+# fmt: on

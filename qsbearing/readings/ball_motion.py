@@ -31,10 +31,13 @@ from numpy.typing import NDArray
 from qsbearing.compiled import entry, kernel
 from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.result_keys import Shown
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
+from qsbearing.units import MPa, rpm
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
 """Arrays of the balls that their motion in the contacts follows from."""
@@ -188,3 +191,20 @@ def _fill(
             out[3, k, j] = abs(spin / roll)
             out[4, k, j] = sliding
             out[5, k, j] = 0.5 * max_pressure[k, j] * sliding
+
+
+ENTRY = Reading(
+    name="kinematics",
+    gives="entrainment, rolling, spin, spin-to-roll, sliding speed and p·v of spin in every contact",
+    by="Jones",
+    take=simply(kinematics),
+    needs=NEEDS,
+    of_contact=(
+        Shown("entrainment_speed_m_s", "entrainment_speed"),
+        Shown("rolling_speed_rpm", "rolling_speed", rpm),
+        Shown("spin_speed_rpm", "spin_speed", rpm),
+        Shown("spin_to_roll", "spin_to_roll"),
+        Shown("spin_sliding_speed_m_s", "spin_sliding_speed"),
+        Shown("spin_pressure_speed_MPa_m_s", "spin_pressure_speed", MPa, "p v of spin"),
+    ),
+)

@@ -6,7 +6,7 @@ Each part is computed only if its coefficient is given. What is in it, and what 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from math import pi
 from typing import Any
 
@@ -31,12 +31,17 @@ from qsbearing.readings.ellipse_sliding import (
     sliding_table,
     tabulated_sliding_speed,
 )
+from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.keys import Key
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
-from qsbearing.validation import DENSITY, RATIO, ErrorDetail, raise_if_any, within
+from qsbearing.units import Nmm, kg_m3
+from qsbearing.validation import DENSITY, RATIO, ErrorDetail, within
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 """Arrays of contacts and balls that are read off the solution."""
@@ -76,14 +81,32 @@ class Friction:
     """What it contains, its range, and its use."""
 
 
-def friction(
-    solution: Solution,
-    friction_coefficient: ArrayLike,
-    *,
-    hysteresis_loss: ArrayLike | None = None,
-    drag_coefficient: ArrayLike | None = None,
-    fluid_density: ArrayLike | None = None,
-) -> Friction:
+@dataclass(frozen=True)
+class FrictionArguments:
+    """What `friction` takes."""
+
+    friction_coefficient: ArrayLike
+    _: KW_ONLY
+    hysteresis_loss: ArrayLike | None = None
+    drag_coefficient: ArrayLike | None = None
+    fluid_density: ArrayLike | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Everything out of range, and what drag needs besides."""
+        errors = within("friction_coefficient", self.friction_coefficient, RATIO, 0.0, 1.0)
+        if self.hysteresis_loss is not None:
+            errors += within("hysteresis_loss", self.hysteresis_loss, RATIO, 0.0, 1.0)
+        return errors + both_or_neither(
+            {
+                "drag_coefficient": (self.drag_coefficient, RATIO, 0.0, 10.0),
+                "fluid_density": (self.fluid_density, DENSITY, 0.0, 2e3),
+            },
+            "Drag needs both; leave both out for none",
+        )
+
+
+@with_arguments(FrictionArguments)
+def friction(solution: Solution, given: FrictionArguments) -> Friction:
     """Friction of every case with raceway control's motion.
 
         hysteresis  loss (3/16) Q b |roll|                    K. L. Johnson, Contact Mechanics, 9.3
@@ -98,57 +121,23 @@ def friction(
     Raises:
         SceneError: coefficients out of range; every error, at once.
     """
-    arguments = {
-        "friction_coefficient": friction_coefficient,
-        "hysteresis_loss": hysteresis_loss,
-        "drag_coefficient": drag_coefficient,
-        "fluid_density": fluid_density,
-    }
-    raise_if_any(friction_errors(**arguments))
     solution.read_at_once(*NEEDS)
     inner, outer = (
-        _raceway(solution, contacts, side, friction_coefficient, hysteresis_loss)
+        _raceway(solution, contacts, side, given.friction_coefficient, given.hysteresis_loss)
         for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
     )
     drag_power = None
     total = (inner.power + outer.power).sum(axis=-1)
-    if drag_coefficient is not None and fluid_density is not None:
-        drag_power = _drag(solution, np.asarray(drag_coefficient), np.asarray(fluid_density))
+    if given.drag_coefficient is not None and given.fluid_density is not None:
+        drag_power = _drag(solution, np.asarray(given.drag_coefficient), np.asarray(given.fluid_density))
         total = total + np.nansum(drag_power, axis=-1)
     total = np.where(np.asarray(solution.converged), total, np.nan)
     of_inner, of_outer = ring_speeds(solution)
     speed = np.abs(of_inner - of_outer)[..., 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, total / speed, np.nan)
-    return Friction(
-        inner,
-        outer,
-        drag_power,
-        total,
-        torque,
-        control_remarks(solution) + remarks(_found(solution, friction_coefficient), total.shape),
-    )
-
-
-def friction_errors(
-    *,
-    friction_coefficient: ArrayLike | None = None,
-    hysteresis_loss: ArrayLike | None = None,
-    drag_coefficient: ArrayLike | None = None,
-    fluid_density: ArrayLike | None = None,
-) -> list[ErrorDetail]:
-    """Every error of the arguments of `friction`."""
-    errors = within("friction_coefficient", friction_coefficient, RATIO, 0.0, 1.0)
-    if hysteresis_loss is not None:
-        errors += within("hysteresis_loss", hysteresis_loss, RATIO, 0.0, 1.0)
-    drag = {"drag_coefficient": drag_coefficient, "fluid_density": fluid_density}
-    for name, value in drag.items():
-        if value is not None:
-            most = 10.0 if name == "drag_coefficient" else 2e3
-            errors += within(name, value, RATIO if name == "drag_coefficient" else DENSITY, 0.0, most)
-        elif any(each is not None for each in drag.values()):
-            errors.append(ErrorDetail(name, "missing", cause="Drag needs both; leave both out for none"))
-    return errors
+    found = control_remarks(solution) + remarks(_found(solution, given.friction_coefficient), total.shape)
+    return Friction(inner, outer, drag_power, total, torque, found)
 
 
 def _raceway(
@@ -209,3 +198,32 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, str]]:
             more = f"the gyroscopic moment asks more friction of an {name} contact than the coefficient given"
             found.append((slips, wrong_model(f"{more}: that ball slips, which is not counted", "limits#hypotheses")))
     return found
+
+
+ENTRY = Reading(
+    name="friction",
+    gives="spin and differential sliding integrated over every ellipse; hysteresis, drag; torque, heat",
+    by="Heathcote, Jones, Johnson",
+    take=simply(friction),
+    record=FrictionArguments,
+    table=Table(
+        keys=(
+            Key("friction_coefficient", "friction_coefficient"),
+            Key("hysteresis_loss", "hysteresis_loss"),
+            Key("drag_coefficient", "drag_coefficient"),
+            Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
+        ),
+        example="friction_coefficient = 0.05\n",
+    ),
+    needs=NEEDS,
+    of_case=(
+        Shown("power_W", "power", 1.0, "power, of the contacts only"),
+        Shown("torque_Nmm", "torque", Nmm, "torque, of the contacts only"),
+    ),
+    of_contact=(
+        Shown("sliding_power_W", "sliding_power"),
+        Shown("spin_moment_Nmm", "spin_moment", Nmm),
+        Shown("hysteresis_power_W", "hysteresis_power"),
+    ),
+    of_ball=(Shown("drag_power_W", "drag_power"),),
+)

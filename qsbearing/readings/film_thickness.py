@@ -26,7 +26,7 @@ thinner still: no source with constants was found.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from math import exp, log, nan
 from typing import Any
 
@@ -37,13 +37,17 @@ from qsbearing.compiled import entry, kernel
 from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
 from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.keys import Key
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
-from qsbearing.units import mm, rpm
-from qsbearing.validation import LENGTH, ErrorDetail, Quantity, raise_if_any, within
+from qsbearing.units import mm, rpm, um
+from qsbearing.validation import LENGTH, ErrorDetail, Quantity, within
 
 MIXED = 1.0
 """Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""
@@ -95,13 +99,38 @@ class Film:
     warnings: Remarks
 
 
-def film(
-    solution: Solution,
-    oil: OilState,
-    *,
-    ball_roughness: ArrayLike | None = None,
-    raceway_roughness: ArrayLike | None = None,
-) -> Film:
+@dataclass(frozen=True)
+class FilmArguments:
+    """What `film` takes."""
+
+    oil: OilState
+    _: KW_ONLY
+    ball_roughness: ArrayLike | None = None
+    raceway_roughness: ArrayLike | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Everything out of range, and one roughness without the other."""
+        errors = within("oil.dynamic_viscosity", self.oil.dynamic_viscosity, Quantity("Pa s"), 1e-4, 1e3)
+        errors += within("oil.pressure_viscosity", self.oil.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
+        cause = "The film parameter needs both; leave both out for the thickness alone"
+        return errors + both_or_neither(
+            {
+                "ball_roughness": (self.ball_roughness, LENGTH, 1e-10, 1e-4),
+                "raceway_roughness": (self.raceway_roughness, LENGTH, 1e-10, 1e-4),
+            },
+            cause,
+        )
+
+    @property
+    def combined_roughness(self) -> Any:
+        """Root mean square of both [m]; None without them."""
+        if self.ball_roughness is None or self.raceway_roughness is None:
+            return None
+        return np.hypot(np.asarray(self.ball_roughness, float), np.asarray(self.raceway_roughness, float))
+
+
+@with_arguments(FilmArguments)
+def film(solution: Solution, given: FilmArguments) -> Film:
     """Film thickness in every contact of every case.
 
     Args:
@@ -111,10 +140,7 @@ def film(
     Raises:
         SceneError: every number that is out of range, at once.
     """
-    raise_if_any(film_errors(oil, ball_roughness=ball_roughness, raceway_roughness=raceway_roughness))
-    rough = None
-    if ball_roughness is not None and raceway_roughness is not None:
-        rough = np.hypot(np.asarray(ball_roughness, float), np.asarray(raceway_roughness, float))
+    oil, rough = given.oil, given.combined_roughness
     solution.read_at_once(*NEEDS)
     inner, outer = (
         _raceway(solution, contacts, oil, side, rough)
@@ -122,22 +148,6 @@ def film(
     )
     factor = None if oil.kinematic_viscosity is None else _inlet_shear_heating(solution, oil.kinematic_viscosity)
     return Film(inner, outer, factor, rough, remarks(_found(oil, inner, outer, factor), solution.shape))
-
-
-def film_errors(
-    oil: OilState, *, ball_roughness: ArrayLike | None = None, raceway_roughness: ArrayLike | None = None
-) -> list[ErrorDetail]:
-    """Every error of the arguments of `film`."""
-    errors = within("oil.dynamic_viscosity", oil.dynamic_viscosity, Quantity("Pa s"), 1e-4, 1e3)
-    errors += within("oil.pressure_viscosity", oil.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
-    both = {"ball_roughness": ball_roughness, "raceway_roughness": raceway_roughness}
-    for name, value in both.items():
-        if value is not None:
-            errors += within(name, value, LENGTH, 1e-10, 1e-4)
-        elif any(other is not None for other in both.values()):
-            cause = "The film parameter needs both; leave both out for the thickness alone"
-            errors.append(ErrorDetail(name, "missing", cause=cause))
-    return errors
 
 
 @kernel
@@ -263,3 +273,37 @@ def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArra
             touched = f"a film parameter is below 1: much of that {name} contact is touched by asperities"
             found.append((thin, good_to_know(touched, CHOICES)))
     return found
+
+
+ENTRY = Reading(
+    name="film",
+    gives="central and minimum thickness with each ball's own entrainment speed; film parameter",
+    by="Hamrock & Dowson; ASTM D341, D2270",
+    take=simply(film),
+    record=FilmArguments,
+    needs_oil=True,
+    table=Table(
+        keys=(
+            Key("ball_roughness_um", "ball_roughness", "um", um, LENGTH),
+            Key("raceway_roughness_um", "raceway_roughness", "um", um, LENGTH),
+        ),
+        example="""\
+ball_roughness_um = 0.02
+raceway_roughness_um = 0.1
+""",
+    ),
+    needs=NEEDS,
+    of_case=(
+        Shown("inlet_shear_heating", "inlet_shear_heating", 1.0, "inlet shear heating by SKF"),
+        Shown("combined_roughness_um", "combined_roughness", um),
+    ),
+    of_contact=(
+        Shown("central_thickness_um", "central_thickness", um, "central thickness, isothermal"),
+        Shown("minimum_thickness_um", "minimum_thickness", um, "minimum thickness, isothermal"),
+        Shown("reduced_minimum_thickness_um", "reduced_minimum_thickness", um, "the minimum reduced by inlet heating"),
+        Shown("film_parameter", "film_parameter", 1.0, "film parameter, of the reduced minimum"),
+        Shown("thermal_reduction", "thermal_reduction", 1.0, "film reduction by inlet heating"),
+    ),
+    scope="Film: isothermal but for the reduced minimum, of which the film parameter is; published factors of the "
+    f"reduction by inlet heating differ by some {100 * FACTOR_SPREAD:.0f} %.",
+)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,13 +18,17 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
+from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
-from qsbearing.scene.bearing import BearingKind
+from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing, BearingKind
+from qsbearing.scene.keys import Key
 from qsbearing.solution.solution import Solution
-from qsbearing.units import Nmm, deg, mm, rpm
+from qsbearing.units import N, Nmm, deg, mm, rpm
 from qsbearing.validation import (
     FORCE,
     LENGTH,
@@ -105,67 +109,59 @@ class FrictionEstimates:
         return self.skf.warnings
 
 
-def friction_estimates(
-    solution: Solution,
-    *,
-    bore_diameter: float,
-    outside_diameter: float,
-    kinematic_viscosity: ArrayLike,
-    series: Series | None = None,
-    static_load_rating: float | None = None,
-    lubrication_factor: float | None = None,
-    speed_rating: float | None = None,
-) -> FrictionEstimates:
-    """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
-    bearing = {
-        "bore_diameter": bore_diameter,
-        "outside_diameter": outside_diameter,
-        "kinematic_viscosity": kinematic_viscosity,
-    }
-    of_skf = {"series": series, "static_load_rating": static_load_rating, "speed_rating": speed_rating}
-    skf, palmgren = skf_torque(solution, **bearing, **of_skf), None  # type: ignore[arg-type]
-    if static_load_rating is not None and lubrication_factor is not None:
-        rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
-        palmgren = palmgren_torque(solution, **bearing, **rest)  # type: ignore[arg-type]
-    speed = _loads(solution)[2] * rpm
-    over_rating = None if speed_rating is None else speed / speed_rating
-    return FrictionEstimates(skf, palmgren, speed * 0.5 * (bore_diameter + outside_diameter), over_rating)
+@dataclass(frozen=True, kw_only=True)
+class EstimateArguments:
+    """What `friction_estimates` takes: those of `skf_torque` and `palmgren_torque`."""
 
+    bore_diameter: float
+    outside_diameter: float
+    kinematic_viscosity: ArrayLike
+    series: Series | None = None
+    static_load_rating: float | None = None
+    lubrication_factor: float | None = None
+    speed_rating: float | None = None
 
-def estimate_errors(
-    is_deep_groove: bool,
-    *,
-    bore_diameter: float | None = None,
-    outside_diameter: float | None = None,
-    kinematic_viscosity: ArrayLike = 1e-5,
-    series: Series | None = None,
-    static_load_rating: float | None = None,
-    lubrication_factor: float | None = None,
-    speed_rating: float | None = None,
-) -> list[ErrorDetail]:
-    """Every error of the arguments of the estimates; a deep-groove bearing needs its series and C0."""
-    errors = within("bore_diameter", bore_diameter, LENGTH, 1e-4, 10.0) + within(
-        "outside_diameter", outside_diameter, LENGTH, 1e-4, 20.0
-    )
-    if not errors and bore_diameter is not None and outside_diameter is not None:
-        outside, bore = np.broadcast_arrays(outside_diameter, bore_diameter)
-        too_small = np.asarray(outside <= bore)
-        if too_small.any():
-            (wrong,) = first(too_small, outside)
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Everything out of range; a deep-groove bearing needs its series and C0."""
+        is_deep_groove = bearing is not None and bearing.kind is BearingKind.DEEP_GROOVE
+        outside, bore = self.outside_diameter, self.bore_diameter
+        errors = within("bore_diameter", bore, LENGTH, 1e-4, 10.0)
+        errors += within("outside_diameter", outside, LENGTH, 1e-4, 20.0)
+        if not errors and (too_small := np.asarray(outside) <= np.asarray(bore)).any():
+            (wrong,) = first(too_small, np.asarray(outside))
             problem = "is no larger than the bore"
             errors.append(ErrorDetail("outside_diameter", problem, wrong, LENGTH, where=too_small))
-    errors += within("kinematic_viscosity", kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
-    if is_deep_groove or series is not None:
-        errors += choose("series", series, Series)[1]
-    if is_deep_groove or static_load_rating is not None:
-        errors += within("static_load_rating", static_load_rating, FORCE, 1.0, 1e9)
-    if lubrication_factor is not None:
-        errors += within("lubrication_factor", lubrication_factor, RATIO, 0.1, 20.0)
-        if static_load_rating is None:
-            errors.append(ErrorDetail("static_load_rating", "missing: Palmgren's estimate needs it"))
-    if speed_rating is not None:
-        errors += within("speed_rating", speed_rating, SPEED, 1e-3, 1e6)
-    return errors
+        errors += within("kinematic_viscosity", self.kinematic_viscosity, Quantity("m^2/s"), 1e-7, 1.0)
+        if is_deep_groove or self.series is not None:
+            errors += choose("series", self.series, Series)[1]
+        if is_deep_groove or self.static_load_rating is not None:
+            errors += within("static_load_rating", self.static_load_rating, FORCE, 1.0, 1e9)
+        if self.lubrication_factor is not None:
+            errors += within("lubrication_factor", self.lubrication_factor, RATIO, 0.1, 20.0)
+            if self.static_load_rating is None:
+                errors.append(ErrorDetail("static_load_rating", "missing: Palmgren's estimate needs it"))
+        if self.speed_rating is not None:
+            errors += within("speed_rating", self.speed_rating, SPEED, 1e-3, 1e6)
+        return errors
+
+
+def _arguments(oil: OilState, bore_diameter: Any, outside_diameter: Any, **given: Any) -> EstimateArguments:
+    given |= {"bore_diameter": bore_diameter, "outside_diameter": outside_diameter}
+    return EstimateArguments(kinematic_viscosity=oil.kinematic_viscosity, **given)  # type: ignore[arg-type]
+
+
+@with_arguments(EstimateArguments)
+def friction_estimates(solution: Solution, given: EstimateArguments) -> FrictionEstimates:
+    """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
+    whole = {name: getattr(given, name) for name in ("bore_diameter", "outside_diameter", "kinematic_viscosity")}
+    rating, palmgren = given.static_load_rating, None
+    skf = skf_torque(solution, **whole, series=given.series, static_load_rating=rating, speed_rating=given.speed_rating)
+    if rating is not None and given.lubrication_factor is not None:
+        factor = given.lubrication_factor
+        palmgren = palmgren_torque(solution, **whole, static_load_rating=rating, lubrication_factor=factor)
+    speed = _loads(solution)[2] * rpm
+    over_rating = None if given.speed_rating is None else speed / given.speed_rating
+    return FrictionEstimates(skf, palmgren, speed * 0.5 * (given.bore_diameter + given.outside_diameter), over_rating)
 
 
 def skf_torque(
@@ -196,13 +192,15 @@ def skf_torque(
     """
     bearing = solution.scene.bearing
     deep = bearing.kind is BearingKind.DEEP_GROOVE
-    size = {
-        "bore_diameter": bore_diameter,
-        "outside_diameter": outside_diameter,
-        "kinematic_viscosity": kinematic_viscosity,
-    }
-    rating = {"series": series, "static_load_rating": static_load_rating, "speed_rating": speed_rating}
-    raise_if_any(estimate_errors(deep, **size, **rating))  # type: ignore[arg-type]
+    given = EstimateArguments(
+        bore_diameter=bore_diameter,
+        outside_diameter=outside_diameter,
+        kinematic_viscosity=kinematic_viscosity,
+        series=series,
+        static_load_rating=static_load_rating,
+        speed_rating=speed_rating,
+    )
+    raise_if_any(given.errors(bearing))
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore_diameter + outside_diameter) / mm
     nu = np.asarray(kinematic_viscosity, float) / mm**2
@@ -286,13 +284,14 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
-    size = {
-        "bore_diameter": bore_diameter,
-        "outside_diameter": outside_diameter,
-        "kinematic_viscosity": kinematic_viscosity,
-    }
-    rest = {"static_load_rating": static_load_rating, "lubrication_factor": lubrication_factor}
-    raise_if_any(estimate_errors(False, **size, **rest))  # type: ignore[arg-type]
+    given = EstimateArguments(
+        bore_diameter=bore_diameter,
+        outside_diameter=outside_diameter,
+        kinematic_viscosity=kinematic_viscosity,
+        static_load_rating=static_load_rating,
+        lubrication_factor=lubrication_factor,
+    )
+    raise_if_any(given.errors(None))
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore_diameter + outside_diameter) / mm
     product = np.asarray(kinematic_viscosity, float) / mm**2 * n
@@ -318,3 +317,39 @@ def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
 def _estimate(solution: Solution, torque: NDArray, model: FrictionModel, warnings: Remarks = ()) -> FrictionEstimate:
     """From N mm."""
     return FrictionEstimate(torque * Nmm, torque * Nmm * _loads(solution)[2] * rpm, model, warnings)
+
+
+ENTRY = Reading(
+    name="friction_estimate",
+    gives="what catalogues would estimate; in Python `skf_torque`, `palmgren_torque`",
+    by="SKF; Palmgren, Schaeffler",
+    take=simply(friction_estimates),
+    record=_arguments,
+    needs_oil=True,
+    table=Table(
+        keys=(
+            Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
+            Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+            Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
+            Key("lubrication_factor", "lubrication_factor"),
+            Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED),
+        ),
+        choices=("series",),
+        example="""\
+bore_diameter_mm = 90
+outside_diameter_mm = 160
+static_load_rating_N = 85000
+lubrication_factor = 2
+speed_rating_rpm = 6000            # as the catalogue prints it: SKF's model holds below it
+""",
+        note="SKF's, and with C0 and Palmgren's f0 his; series = \"62\" and C0 for deep groove",
+    ),
+    of_case=(
+        Shown("speed_factor_mm_rpm", "speed_factor", mm * rpm, "speed factor n dm"),
+        Shown("speed_over_rating", "speed_over_rating"),
+        Shown("skf_torque_Nmm", "skf.torque", Nmm, "torque by SKF"),
+        Shown("skf_power_W", "skf.power", 1.0, "power by SKF"),
+        Shown("palmgren_torque_Nmm", "palmgren.torque", Nmm, "torque by Palmgren"),
+        Shown("palmgren_power_W", "palmgren.power", 1.0, "power by Palmgren"),
+    ),
+)

@@ -12,7 +12,10 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.readings.rating_life import Life
+from qsbearing.readings.entry import Reading
+from qsbearing.readings.rating_life import HOUR, MILLION, NEEDS, Life, life
+from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing
 from qsbearing.validation import RATIO, ErrorDetail, raise_if_any, within
 
 WHOLE = 1e-6
@@ -50,7 +53,7 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
     shares = np.atleast_1d(np.asarray(time_share, float))
     each = life.reference_rating_life
     points = each.shape[axis] if each.ndim else 0
-    raise_if_any(spectrum_errors(points, time_share=time_share))
+    raise_if_any(_share_errors(points, time_share))
     shape = [1] * each.ndim
     shape[axis] = points
     turns = shares.reshape(shape) * np.abs(life.speed) / (2.0 * pi)
@@ -62,7 +65,7 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
     return SpectrumLife(duration * turns.sum(axis=axis), duration, part)
 
 
-def spectrum_errors(points: int | None, *, time_share: ArrayLike | None = None) -> list[ErrorDetail]:
+def _share_errors(points: int | None, time_share: ArrayLike) -> list[ErrorDetail]:
     """Every error of the shares of so many operating points; None: not known how many."""
     errors = within("time_share", time_share, RATIO, 0.0, 1.0)
     if errors:
@@ -73,3 +76,30 @@ def spectrum_errors(points: int | None, *, time_share: ArrayLike | None = None) 
     elif abs(shares.sum() - 1.0) > WHOLE:
         errors.append(ErrorDetail("time_share", f"adds up to {shares.sum():.6g}, not to 1", cause="Shares of the time"))
     return errors
+
+
+@dataclass(frozen=True)
+class SpectrumArguments:
+    """What a spectrum takes."""
+
+    time_share: ArrayLike
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Of the shares."""
+        return _share_errors(None, self.time_share)
+
+
+ENTRY = Reading(
+    name="spectrum",
+    gives="life and damage of operating points with shares of time; in Python `spectrum_life`",
+    by="Palmgren",
+    take=lambda solution, given, taken: spectrum_life(taken.get("life") or life(solution), given.time_share),
+    record=SpectrumArguments,
+    table=None,
+    needs=NEEDS,
+    of_case=(
+        Shown("life_Mrev", "life", MILLION),
+        Shown("duration_h", "duration", HOUR),
+        Shown("damage_share", "damage_share"),
+    ),
+)

@@ -7,15 +7,18 @@ Tribology*, print it (pressure-viscosity coefficient of mineral oils).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from math import log10
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.units import mm
-from qsbearing.validation import RATIO, ErrorDetail, Quantity, raise_if_any, within
+from qsbearing.readings.entry import Table
+from qsbearing.scene.keys import Key, celsius
+from qsbearing.units import GPa, kg_m3, mm
+from qsbearing.validation import DENSITY, RATIO, ErrorDetail, Quantity, SceneError, raise_if_any, within
 
 FREEZING = 273.15
 DENSITY_SLOPE = 0.7
@@ -210,3 +213,63 @@ def _reference_oils(hot: float) -> tuple[float, float]:
     """L and H, viscosities at 40 C of the oils of index 0 and 100 that are as viscous at 100 C [mm^2/s]."""
     row = _INDEX[max(int(np.searchsorted(_INDEX[:, 0], hot, side="right")) - 1, 0)]
     return float(np.polyval(row[1:4], hot)), float(np.polyval(row[4:7], hot))
+
+
+TABLE = Table(
+    keys=(
+        Key("iso_viscosity_grade", "iso_viscosity_grade"),
+        Key("viscosity_index", "viscosity_index"),
+        Key("viscosity_at_40C_mm2_s", "viscosity_at_40", "mm2/s", mm**2),
+        Key("viscosity_at_100C_mm2_s", "viscosity_at_100", "mm2/s", mm**2),
+        celsius("oil_temperature"),
+        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY),
+        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa),
+    ),
+    example="""\
+iso_viscosity_grade = 68           # or viscosity_at_40C_mm2_s and viscosity_at_100C_mm2_s
+oil_temperature_C = 70
+""",
+    note="for film, and for the viscosity ratio of life",
+)
+"""The oil of a scene file."""
+
+
+def oil_of(numbers: Mapping[str, Any]) -> tuple[OilState | None, list[ErrorDetail]]:
+    """An oil at its temperature by the numbers of a scene file (SI), or what is wrong with them."""
+    given = dict(numbers)
+    temperature = given.pop("oil_temperature", None)
+    fields = {"density": given.pop("oil_density", 870.0), "pressure_viscosity": given.pop("pressure_viscosity", None)}
+    grade, index = given.pop("iso_viscosity_grade", None), given.pop("viscosity_index", None)
+    cold, hot = given.pop("viscosity_at_40", None), given.pop("viscosity_at_100", None)
+    errors: list[ErrorDetail] = []
+    if temperature is None:
+        errors.append(ErrorDetail("oil_temperature", "missing"))
+    by_points = cold is not None and hot is not None
+    if (grade is None) == (cold is None and hot is None) or (grade is None and not by_points):
+        cause = "Give iso_viscosity_grade, or viscosity_at_40 and viscosity_at_100"
+        errors.append(ErrorDetail("iso_viscosity_grade", "does not make one oil", cause=cause))
+    elif index is not None and grade is None:
+        cause = "Leave it out: two viscosities make the index"
+        errors.append(ErrorDetail("viscosity_index", "is given beside two viscosities", cause=cause))
+    if errors:
+        return None, errors
+    try:
+        if grade is not None:
+            oil = Lubricant.from_grade(grade, 95.0 if index is None else index, **fields)
+        else:
+            points = (FREEZING + 40.0, FREEZING + 100.0), (cold, hot)
+            oil = Lubricant(*points, **fields)
+        return oil.at(temperature), []
+    except SceneError as error:
+        return None, [replace(each, field=_KEY.get(each.field, each.field)) for each in error.errors]
+
+
+_KEY = {
+    "grade": "iso_viscosity_grade",
+    "density": "oil_density",
+    "temperature": "oil_temperature",
+    "viscosities[0]": "viscosity_at_40",
+    "viscosities[1]": "viscosity_at_100",
+    "viscosities": "viscosity_at_100",
+}
+"""What an oil's fields are called there."""

@@ -28,7 +28,9 @@ from qsbearing.readings.ball_motion import (
     ring_speeds,
 )
 from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled_cases, of_balls
+from qsbearing.result_keys import Shown
 from qsbearing.solution.solution import Solution
 
 NEEDS = ("load", "sine", "cosine"), AXIS
@@ -107,3 +109,19 @@ def _add_orbits(
         mean = orbits / number
         out[0, k], out[1, k] = mean, turns / number
         out[2, k] = (fastest - slowest) / abs(mean) if mean != 0.0 else nan
+
+
+_NAMES = ("cage", "ball_pass_inner", "ball_pass_outer", "ball_spin")
+_NOMINAL = "at the nominal contact angle"
+ENTRY = Reading(
+    name="frequencies",
+    gives="cage, ball pass, ball spin from the solved angles, and the textbook's",
+    by="no slip",
+    take=simply(frequencies),
+    needs=NEEDS,
+    of_case=(
+        *(Shown(f"{name}_Hz", f"solved.{name}") for name in _NAMES),
+        *(Shown(f"nominal_{n}_Hz", f"nominal.{n}", 1.0, f"{n.replace('_', ' ')}, {_NOMINAL}") for n in _NAMES),
+        Shown("orbit_spread", "orbit_spread", 1.0, "range of the balls' orbital speeds over their mean"),
+    ),
+)

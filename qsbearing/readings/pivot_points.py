@@ -19,12 +19,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.readings.ball_motion import RacewayMotion, control_remarks, kinematics
+from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
+from qsbearing.readings.entry import Reading
 from qsbearing.readings.remarks import Remarks
+from qsbearing.result_keys import Shown
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
+from qsbearing.units import mm
 
 FINE = 18
 """Halvings of the interval of c, for the table."""
@@ -58,11 +61,12 @@ class PivotPoints:
 
 def pivot_points(solution: Solution) -> PivotPoints:
     """Where nothing slides, in every contact."""
-    motion = kinematics(solution)
-    inner, outer = (
-        _raceway(solution, contacts, moving, side)
-        for side, contacts, moving in ((INNER, solution.inner, motion.inner), (OUTER, solution.outer, motion.outer))
-    )
+    return _of_motion(solution, kinematics(solution))
+
+
+def _of_motion(solution: Solution, motion: BallMotion) -> PivotPoints:
+    inner = _raceway(solution, solution.inner, motion.inner, INNER)
+    outer = _raceway(solution, solution.outer, motion.outer, OUTER)
     return PivotPoints(inner, outer, control_remarks(solution))
 
 
@@ -105,3 +109,17 @@ def _table() -> Any:
     share, logarithm = np.linspace(0.0, LARGEST_SHARE, PLACES[0]), np.linspace(np.log(SLENDEREST), 0.0, PLACES[1])
     s, ratio = share[:, None], np.exp(logarithm)
     return RectBivariateSpline(share, logarithm, mean_sliding_speed(1.0 - s, s, ratio, halvings=FINE)[1], s=0)
+
+
+ENTRY = Reading(
+    name="pivot_points",
+    gives="where on each ellipse nothing slides",
+    by="Heathcote, Jones",
+    take=lambda solution, given, taken: _of_motion(solution, taken.get("kinematics") or kinematics(solution)),
+    needs=NEEDS,
+    of_contact=(
+        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre"),
+        Shown("far_pivot_mm", "far", mm, "other pivot point"),
+    ),
+    scope="Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
+)

@@ -19,7 +19,6 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
     OUTER_GROOVE_COVERED,
-    RATING_FACTOR,
     THRUST_GROOVE_COVERED,
     Capacity,
     Rating,
@@ -27,8 +26,9 @@ from qsbearing.readings.dynamic_rating import (
     element_load_ratings,
 )
 from qsbearing.readings.dynamic_rating import dynamic_load_rating as rating_of_geometry
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.equivalent_load import equivalent_load
-from qsbearing.readings.life_arguments import life_errors
+from qsbearing.readings.life_arguments import LifeArguments
 from qsbearing.readings.life_factors import (
     GREATEST_RATIO,
     LARGEST,
@@ -40,11 +40,13 @@ from qsbearing.readings.passes import filled_cases, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
+from qsbearing.result_keys import Shown
+from qsbearing.scene.keys import Key
 from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa
-from qsbearing.validation import raise_if_any
+from qsbearing.units import MPa, N
+from qsbearing.validation import FORCE
 
-MILLION = 1e6
+MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
 """Exponents of the mean over a raceway's contacts: a ring that turns past the load meets all of them at every point;
 one that stands tires where it is loaded most."""
@@ -111,19 +113,8 @@ class Life:
             return turns * 2.0 * pi / np.abs(self.speed)
 
 
-def life(
-    solution: Solution,
-    *,
-    dynamic_load_rating: ArrayLike | None = None,
-    rating: Rating = Rating.LUNDBERG_PALMGREN,
-    rating_factor: float = RATING_FACTOR,
-    capacity: Capacity = Capacity.ISO_16281,
-    reliability: ArrayLike = 0.9,
-    viscosity_ratio: ArrayLike | None = None,
-    contamination_factor: ArrayLike | None = None,
-    fatigue_load_limit: ArrayLike | None = None,
-    fatigue_limit_by: FatigueLimit = FatigueLimit.HERTZ,
-) -> Life:
+@with_arguments(LifeArguments)
+def life(solution: Solution, given: LifeArguments) -> Life:
     """Rating lives of every case.
 
         Qei = (mean over all Z balls of Qi^p)^(1/p), p = 3 for a turning ring, 10/3 for one that stands; Qee likewise
@@ -141,32 +132,22 @@ def life(
         contamination_factor: eC, both or neither: then the modified life is computed.
         fatigue_load_limit: Cu [N] as a catalogue prints it; None: from the geometry.
         fatigue_limit_by: how it follows from the geometry.
+        cleanliness: of the lubricant, by its class, which gives the contamination factor.
+        oil: at its operating temperature; kappa follows from it where it is asked for and not given.
 
     Raises:
         SceneError: every argument that is out of range, at once.
     """
-    raise_if_any(
-        life_errors(
-            dynamic_load_rating=dynamic_load_rating,
-            rating=rating,
-            rating_factor=rating_factor,
-            capacity=capacity,
-            reliability=reliability,
-            viscosity_ratio=viscosity_ratio,
-            contamination_factor=contamination_factor,
-            fatigue_load_limit=fatigue_load_limit,
-            fatigue_limit_by=fatigue_limit_by,
-        )
-    )
-    rating, capacity = Rating(rating), Capacity(capacity)
+    rating, capacity = Rating(given.rating), Capacity(given.capacity)
     bearing, shape = solution.scene.bearing, solution.shape
-    C = rating_of_geometry(bearing, rating, rating_factor) if dynamic_load_rating is None else dynamic_load_rating
-    C = np.broadcast_to(np.asarray(C, float), shape)
+    C = given.dynamic_load_rating
+    C = rating_of_geometry(bearing, rating, given.rating_factor) if C is None else np.asarray(C, float)
+    C = np.broadcast_to(C, shape)
     if capacity is Capacity.ISO_16281:
         inner_rating, outer_rating = (each[..., None] for each in element_load_ratings(bearing, C))
     else:
-        inner_rating = contact_load_rating(bearing, solution.inner.angle, INNER, rating_factor)
-        outer_rating = contact_load_rating(bearing, solution.outer.angle, OUTER, rating_factor)
+        inner_rating = contact_load_rating(bearing, solution.inner.angle, INNER, given.rating_factor)
+        outer_rating = contact_load_rating(bearing, solution.outer.angle, OUTER, given.rating_factor)
     solution.read_at_once(*NEEDS)
     inner_turns, outer_turns = _turning(solution)
     inner = _damage(solution, solution.inner.load, inner_rating, inner_turns)
@@ -177,17 +158,15 @@ def life(
             MILLION * np.exp(-0.9 * np.log(each)) for each in (inner, outer, inner + outer)
         )
         reference = C * np.cbrt(MILLION / system)
-    a1 = reliability_factor(reliability)
+    a1 = reliability_factor(given.reliability)
     limit, factor, modified = None, None, None
-    if viscosity_ratio is not None and contamination_factor is not None:
-        Cu = (
-            limit_of_geometry(bearing, FatigueLimit(fatigue_limit_by))
-            if fatigue_load_limit is None
-            else fatigue_load_limit
-        )
-        limit = np.broadcast_to(np.asarray(Cu, float), shape)
+    kappa, eC = given.lubrication(solution)
+    if kappa is not None and eC is not None:
+        Cu = given.fatigue_load_limit
+        Cu = limit_of_geometry(bearing, FatigueLimit(given.fatigue_limit_by)) if Cu is None else np.asarray(Cu, float)
+        limit = np.broadcast_to(Cu, shape)
         counts = np.where(BearingNumbers(bearing).is_thrust, 3.0, 1.0) * reference
-        factor = life_modification_factor(viscosity_ratio, contamination_factor, limit, counts)
+        factor = life_modification_factor(kappa, eC, limit, counts)
         modified = a1 * factor * system
     load = solution.load
     P = equivalent_load(bearing, np.hypot(load[..., 1], load[..., 2]), load[..., 0])
@@ -196,7 +175,8 @@ def life(
     operation = solution.scene.operation
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
-    found = _found(solution, rating, dynamic_load_rating is None and capacity is Capacity.ISO_16281, viscosity_ratio)
+    from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
+    found = _found(solution, rating, from_geometry, kappa)
     uncovered = wrong_model(
         "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10",
         CHOICES,
@@ -289,3 +269,45 @@ def _found(
         thick = good_to_know(f"kappa above {GREATEST_RATIO:g} counts as {GREATEST_RATIO:g} in aISO", CHOICES)
         found += [(kappa < LEAST_RATIO, thin), (kappa > GREATEST_RATIO, thick)]
     return found
+
+
+ENTRY = Reading(
+    name="life",
+    gives="reference life of bearing and raceways from the solved ball loads; modified life; ISO 281's L10 beside",
+    by="ISO/TS 16281, ISO 281, Lundberg & Palmgren",
+    take=simply(life),
+    record=LifeArguments,
+    takes_oil=True,
+    table=Table(
+        keys=(
+            Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE),
+            Key("rating_factor", "rating_factor"),
+            Key("reliability", "reliability"),
+            Key("viscosity_ratio", "viscosity_ratio"),
+            Key("contamination_factor", "contamination_factor"),
+            Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE),
+        ),
+        choices=("rating", "capacity", "cleanliness", "fatigue_limit_by"),
+        example="""\
+dynamic_load_rating_N = 100000     # C; without it from the geometry
+reliability = 0.9
+cleanliness = "oil_15_12"          # for the modified life; or viscosity_ratio and contamination_factor
+""",
+    ),
+    needs=NEEDS,
+    of_case=(
+        Shown("dynamic_load_rating_N", "dynamic_load_rating"),
+        Shown("basic_reference_rating_life_Mrev", "basic_reference_rating_life", MILLION),
+        Shown("basic_duration_h", "basic_duration", HOUR, "basic reference rating life in hours"),
+        Shown("inner_life_Mrev", "inner_life", MILLION),
+        Shown("outer_life_Mrev", "outer_life", MILLION),
+        Shown("reference_load_N", "reference_load", 1.0, "reference load, C/(basic reference life)^(1/3)"),
+        Shown("reliability_factor", "reliability_factor", 1.0, "reliability factor a1"),
+        Shown("life_modification_factor", "life_modification_factor", 1.0, "life modification factor aISO"),
+        Shown("fatigue_load_limit_N", "fatigue_load_limit"),
+        Shown("modified_reference_rating_life_Mrev", "modified_reference_rating_life", MILLION),
+        Shown("duration_h", "duration", HOUR, "reference life in hours, with a1 and aISO where given"),
+        Shown("equivalent_load_N", "equivalent_load", 1.0, "equivalent load P of ISO 281"),
+        Shown("basic_rating_life_Mrev", "basic_rating_life", MILLION, "basic rating life of ISO 281"),
+    ),
+)

@@ -13,7 +13,7 @@ Range: ellipses as of an endless groove; beyond the limit the pressure at the ed
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import copysign, cos, nan, sin
 
 import numpy as np
@@ -22,12 +22,16 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.compiled import entry
 from qsbearing.ranked_warning import wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.result_keys import Shown
 from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.keys import Key
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
-from qsbearing.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any
+from qsbearing.units import deg, mm
+from qsbearing.validation import LENGTH, ErrorDetail, first, numeric
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
 """Arrays of contacts and balls that are read off the solution."""
@@ -54,14 +58,29 @@ class Overrun:
     warnings: Remarks
 
 
-def overrun(
-    solution: Solution,
-    *,
-    inner_shoulder_diameter: ArrayLike | None = None,
-    outer_shoulder_diameter: ArrayLike | None = None,
-    inner_open_diameter: ArrayLike | None = None,
-    outer_open_diameter: ArrayLike | None = None,
-) -> Overrun:
+@dataclass(frozen=True, kw_only=True)
+class OverrunArguments:
+    """What `overrun` takes."""
+
+    inner_shoulder_diameter: ArrayLike | None = None
+    outer_shoulder_diameter: ArrayLike | None = None
+    inner_open_diameter: ArrayLike | None = None
+    outer_open_diameter: ArrayLike | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """No shoulder at all, and those of the bearing that make no groove."""
+        errors: list[ErrorDetail] = []
+        if self.inner_shoulder_diameter is None and self.outer_shoulder_diameter is None:
+            cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
+            errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
+        for name, value in vars(self).items():
+            if value is not None and bearing is not None:
+                errors += _shoulder_errors(bearing, INNER if name.startswith("inner") else OUTER, name, value)
+        return errors
+
+
+@with_arguments(OverrunArguments)
+def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
     """Distance of every ellipse from the edges of its groove.
 
     Args:
@@ -73,53 +92,21 @@ def overrun(
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
     """
-    given = (
-        (INNER, "inner", inner_shoulder_diameter, inner_open_diameter),
-        (OUTER, "outer", outer_shoulder_diameter, outer_open_diameter),
-    )
-    arguments = {
-        f"{name}_{which}_diameter": value
-        for _, name, shoulder, other in given
-        for which, value in (("shoulder", shoulder), ("open", other))
-    }
-    raise_if_any(overrun_errors(solution.scene.bearing, **arguments))
     found: list[RacewayOverrun | None] = []
     said = []
-    for side, name, shoulder, other in given:
+    for side, name, contacts, shoulder, other in (
+        (INNER, "inner", solution.inner, given.inner_shoulder_diameter, given.inner_open_diameter),
+        (OUTER, "outer", solution.outer, given.outer_shoulder_diameter, given.outer_open_diameter),
+    ):
         if shoulder is None:
             found.append(None)
             continue
-        contacts = solution.inner if side < 0 else solution.outer
         raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
         cut = (raceway.edge_distance < 0.0).any(axis=-1)
         over = f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"
         said.append((cut, wrong_model(over, "limits")))
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
-
-
-def overrun_errors(
-    bearing: BallBearing | None,
-    *,
-    inner_shoulder_diameter: ArrayLike | None = None,
-    outer_shoulder_diameter: ArrayLike | None = None,
-    inner_open_diameter: ArrayLike | None = None,
-    outer_open_diameter: ArrayLike | None = None,
-) -> list[ErrorDetail]:
-    """Every error of the arguments of `overrun`; of the bearing's shoulders, where there is a bearing."""
-    errors: list[ErrorDetail] = []
-    if inner_shoulder_diameter is None and outer_shoulder_diameter is None:
-        cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
-        errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
-    for side, field, value in (
-        (INNER, "inner_shoulder_diameter", inner_shoulder_diameter),
-        (INNER, "inner_open_diameter", inner_open_diameter),
-        (OUTER, "outer_shoulder_diameter", outer_shoulder_diameter),
-        (OUTER, "outer_open_diameter", outer_open_diameter),
-    ):
-        if value is not None and bearing is not None:
-            errors += _shoulder_errors(bearing, side, field, value)
-    return errors
 
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:
@@ -185,3 +172,28 @@ def _fill(
             out[0, k, j] = limit - a
             relative = max(limit, 0.0) / a
             out[1, k, j] = Q * relative * relative * relative
+
+
+ENTRY = Reading(
+    name="overrun",
+    gives="distance of every ellipse from the edges of its groove, and the load that closes it",
+    by="geometry",
+    take=simply(overrun),
+    record=OverrunArguments,
+    table=Table(
+        keys=tuple(Key(f"{each.name}_mm", each.name, "mm", mm, LENGTH) for each in fields(OverrunArguments)),
+        example="""\
+inner_shoulder_diameter_mm = 112
+outer_shoulder_diameter_mm = 139
+""",
+    ),
+    needs=NEEDS,
+    of_case=(
+        Shown("inner_edge_angle_deg", "inner.edge_angle", deg),
+        Shown("outer_edge_angle_deg", "outer.edge_angle", deg),
+    ),
+    of_contact=(
+        Shown("edge_distance_mm", "edge_distance", mm, "distance of ellipse from groove edge"),
+        Shown("overrun_load_N", "overrun_load", 1.0, "load at which it reaches the edge"),
+    ),
+)

@@ -19,12 +19,15 @@ from qsbearing.compiled import entry
 from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled_cases, of_balls
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.result_keys import Shown
 from qsbearing.scene.bearing import BallBearing, BearingKind
+from qsbearing.scene.keys import Key
 from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, deg, mm
-from qsbearing.validation import FORCE, ErrorDetail, raise_if_any, within
+from qsbearing.units import MPa, N, deg, mm
+from qsbearing.validation import FORCE, ErrorDetail, within
 
 FATIGUE_PRESSURE = 1500e6
 """Pressure below which bearing steel does not tire under ideal conditions [Pa] (ISO 281, annex B)."""
@@ -156,7 +159,20 @@ class StaticSafety:
     warnings: Remarks
 
 
-def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = None) -> StaticSafety:
+@dataclass(frozen=True, kw_only=True)
+class StaticSafetyArguments:
+    """What `static_safety` takes."""
+
+    static_load_rating: ArrayLike | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """A rating out of range."""
+        given = self.static_load_rating
+        return [] if given is None else within("static_load_rating", given, FORCE, 1e-3, 1e9)
+
+
+@with_arguments(StaticSafetyArguments)
+def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSafety:
     """Static safety of each case, by the standard and by the solved contact pressures.
 
     Args:
@@ -165,9 +181,8 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
     Raises:
         SceneError: a rating out of range.
     """
-    raise_if_any(static_safety_errors(static_load_rating=static_load_rating))
-    bearing = solution.scene.bearing
-    rating = _rating(bearing) if static_load_rating is None else np.asarray(static_load_rating, float)
+    bearing, rating = solution.scene.bearing, given.static_load_rating
+    rating = np.asarray(static_load_rating(bearing) if rating is None else rating, float)
     rating = np.broadcast_to(rating, solution.shape)
     axial, radial = solution.load[..., 0], np.hypot(solution.load[..., 1], solution.load[..., 2])
     equivalent = static_equivalent_load(bearing, radial, axial)
@@ -206,14 +221,6 @@ def static_safety(solution: Solution, *, static_load_rating: ArrayLike | None = 
     return StaticSafety(rating, equivalent, safety, contact, remarks(found, solution.shape))
 
 
-def static_safety_errors(*, static_load_rating: ArrayLike | None = None) -> list[ErrorDetail]:
-    """Every error of the arguments of `static_safety`."""
-    return [] if static_load_rating is None else within("static_load_rating", static_load_rating, FORCE, 1e-3, 1e9)
-
-
-_rating = static_load_rating  # where an argument has the function's name
-
-
 def largest_pressure(solution: Solution) -> NDArray:
     """The highest contact pressure of each case [Pa]; NaN where a case is not solved."""
     solution.read_at_once(("max_pressure",))
@@ -230,3 +237,20 @@ def _find_largest(inner: NDArray, outer: NDArray, begin: int, stop: int, out: ND
                 if pressure > largest:  # not so where there is no ball
                     largest = pressure
         out[0, k] = nan if largest == -inf else largest
+
+
+ENTRY = Reading(
+    name="static_safety",
+    gives="C0/P0, and the factor by which the most loaded contact may still be loaded",
+    by="ISO 76",
+    take=simply(static_safety),
+    record=StaticSafetyArguments,
+    table=Table(keys=(Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),)),
+    needs=(("max_pressure",), ()),
+    of_case=(
+        Shown("static_load_rating_N", "static_load_rating"),
+        Shown("static_equivalent_load_N", "static_equivalent_load", 1.0, "static equivalent load P0 of ISO 76"),
+        Shown("static_safety", "static_safety", 1.0, "static safety C0/P0"),
+        Shown("contact_safety", "contact_safety", 1.0, "static limit over load, most pressed contact"),
+    ),
+)

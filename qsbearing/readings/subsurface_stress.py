@@ -27,11 +27,13 @@ from qsbearing.contact.hertz import subsurface_shear
 from qsbearing.ranked_warning import good_to_know
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.result_keys import Shown
 from qsbearing.solution.raceway_contacts import RacewayContacts
 from qsbearing.solution.solution import Solution
-from qsbearing.units import mm
+from qsbearing.units import MPa, mm, um
 
 TABLE = 33
 """Ellipses between which the largest shear is interpolated: to 1e-5 of it and of its depth."""
@@ -44,7 +46,7 @@ NOTICEABLE = 1e-4
 
 
 NEEDS = ("load", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
-"""Arrays of contacts and balls that are read off the solution."""
+"""Arrays of contacts and of balls that it takes from the solution."""
 
 
 @dataclass(frozen=True)
@@ -165,3 +167,19 @@ def shear_table(poisson_ratio: float) -> NDArray:
     found = [subsurface_shear(float(np.exp(-x)), poisson_ratio) for x in places]
     values = [[each.stress for each in found], [each.depth for each in found]]
     return np.stack([CubicSpline(places, each).c for each in values])
+
+
+ENTRY = Reading(
+    name="stress",
+    gives="largest and orthogonal shear below every contact and their depths; permanent dent",
+    by="Johnson; Lundberg & Palmgren; Palmgren",
+    take=simply(stress),
+    needs=NEEDS,
+    of_contact=(
+        Shown("max_shear_MPa", "max_shear", MPa, "largest shear stress"),
+        Shown("max_shear_depth_mm", "max_shear_depth", mm, "its depth"),
+        Shown("orthogonal_shear_MPa", "orthogonal_shear", MPa, "orthogonal shear stress, amplitude"),
+        Shown("orthogonal_shear_depth_mm", "orthogonal_shear_depth", mm, "its depth"),
+        Shown("dent_um", "dent", um, "permanent dent"),
+    ),
+)

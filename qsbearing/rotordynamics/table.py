@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.columns import LOAD, scene_numbers
+from qsbearing.columns import scene_numbers
+from qsbearing.result_keys import LOAD
 from qsbearing.rotordynamics.axes import NAMES, in_rotor_axes, load_centres
 from qsbearing.units import mm
 

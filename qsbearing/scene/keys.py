@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -79,7 +78,8 @@ PRELOAD = (
 )
 
 
-def _celsius(field: str) -> Key:
+def celsius(field: str) -> Key:
+    """A temperature."""
     return Key(f"{field}_C", field, "C", 1.0, TEMPERATURE, zero_celsius)
 
 
@@ -90,60 +90,12 @@ RING_EXPANSION = (
     Key("shaft_bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
     Key("housing_interference_um", "housing_interference", "um", um, LENGTH),
     Key("housing_outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
-    *map(_celsius, ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")),
-    _celsius("reference_temperature"),
+    *map(celsius, ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")),
+    celsius("reference_temperature"),
     Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE),
 )
-BALL_EXPANSION = (_celsius("ball_temperature"), _celsius("reference_temperature"))
+BALL_EXPANSION = (celsius("ball_temperature"), celsius("reference_temperature"))
 
-_SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter", "inner_open_diameter", "outer_open_diameter")
-READING_TABLES: dict[str, tuple[Key, ...]] = {
-    "life": (
-        Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE),
-        Key("rating_factor", "rating_factor"),
-        Key("reliability", "reliability"),
-        Key("viscosity_ratio", "viscosity_ratio"),
-        Key("contamination_factor", "contamination_factor"),
-        Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE),
-    ),
-    "static_safety": (Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),),
-    "kinematics": (),
-    "frequencies": (),
-    "lubricant": (
-        Key("iso_viscosity_grade", "iso_viscosity_grade"),
-        Key("viscosity_index", "viscosity_index"),
-        Key("viscosity_at_40C_mm2_s", "viscosity_at_40", "mm2/s", mm**2),
-        Key("viscosity_at_100C_mm2_s", "viscosity_at_100", "mm2/s", mm**2),
-        _celsius("oil_temperature"),
-        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY),
-        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa),
-    ),
-    "film": (
-        Key("ball_roughness_um", "ball_roughness", "um", um, LENGTH),
-        Key("raceway_roughness_um", "raceway_roughness", "um", um, LENGTH),
-    ),
-    "friction": (
-        Key("friction_coefficient", "friction_coefficient"),
-        Key("hysteresis_loss", "hysteresis_loss"),
-        Key("drag_coefficient", "drag_coefficient"),
-        Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
-    ),
-    "pivot_points": (),
-    "friction_estimate": (
-        Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
-        Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
-        Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
-        Key("lubrication_factor", "lubrication_factor"),
-        Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED),
-    ),
-    "overrun": tuple(Key(f"{field}_mm", field, "mm", mm, LENGTH) for field in _SHOULDERS),
-    "stress": (),
-}
-"""Tables within [readings]: each asks for its reading and holds its numbers; the lubricant is what others need."""
-READING_CHOICES = {
-    "life": ("rating", "capacity", "cleanliness", "fatigue_limit_by"),
-    "friction_estimate": ("series",),
-}
 EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
 BALL_DEVIATIONS = Key("ball_diameter_deviations_um", "deviations", "um", um, LENGTH)
 """A list, of as many numbers as there are balls, which names its effect."""
@@ -165,7 +117,6 @@ NUMBERS = {
     "unequal_balls": (BALL_DEVIATIONS,),
     "material": MATERIAL,
     **EFFECT_TABLES,
-    **READING_TABLES,
 }
 """The keys that hold numbers, by their table; a material is a table within others."""
 
@@ -185,9 +136,9 @@ SECTIONS: dict[str, tuple[str, ...]] = {
         BALL_DEVIATIONS.name,
         *EFFECT_TABLES,
     ),
-    "readings": tuple(READING_TABLES),
+    "readings": (),
 }
-"""Every key a file may hold, by its table."""
+"""Every key a file may hold, by its table; those of readings stand with each of them."""
 
 SET_SECTIONS: dict[str, tuple[str, ...]] = {
     "rows": (*(key.name for key in ROW), "carries", "sprung", "bearing", *EFFECT_TABLES, "readings"),
@@ -201,41 +152,7 @@ EFFECT_SECTIONS = {
 }
 """Likewise, by the tables within [effects]."""
 
-READING_SECTIONS = {
-    name: (*(key.name for key in keys), *READING_CHOICES.get(name, ())) for name, keys in READING_TABLES.items()
-}
-"""Likewise, by the tables within [readings]."""
-
 SPECTRUM_POINT = "spectrum point"
 """What a point of a spectrum is called in errors, its number following."""
 
 MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
-
-_KEY_OF_FIELD = {key.field: key.name for keys in NUMBERS.values() for key in keys} | {"ball_effects": "ball"}
-_FIELD = re.compile(r"\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=True)) + r")\b")
-
-
-def find(path: str) -> Key | None:
-    """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
-    section, _, name = path.rpartition(".")
-    table = "material" if section.endswith("_material") else section.rpartition(".")[2]
-    if table.startswith("row "):
-        table = "rows"
-    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or NUMBERS.get(table, ())
-    return next((key for key in keys if name in (key.field, key.name)), None)
-
-
-def path_in_file(path: str) -> str:
-    """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
-    if path in ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient"):
-        return f"effects.{_KEY_OF_FIELD.get(path, path)}"
-    key = find(path)
-    if key is BALL_DEVIATIONS:
-        return f"effects.{key.name}"
-    path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
-    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
-
-
-def with_file_keys(sentence: str) -> str:
-    """A sentence with every Python name replaced by the file's key."""
-    return _FIELD.sub(lambda match: _KEY_OF_FIELD[match.group()], sentence)

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.columns import DISPLACEMENT, LOAD
 from qsbearing.effects import RingEffect, as_fitted, as_made
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing_set
 from qsbearing.ranked_warning import RankedWarning
+from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.outcome import Outcome

@@ -3,14 +3,39 @@
 from __future__ import annotations
 
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from numpy.typing import NDArray
 
-from qsbearing.kernel import results as readings
+from qsbearing.kernel import results
 
 if TYPE_CHECKING:
     from qsbearing.solution.solution import Solution
+
+CODES = {
+    name: getattr(results, name.upper())
+    for name in (
+        *("angle", "sine", "cosine", "load", "approach", "semi_major_axis", "semi_minor_axis", "max_pressure"),
+        *("required_friction", "centrifugal_force", "gyroscopic_moment"),
+        *("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"),
+    )
+}
+"""What the kernel calls the arrays of contacts and of balls."""
+T = TypeVar("T")
+
+
+class Array(Generic[T]):
+    """A property of contacts or balls: an array that the kernel reads off when it is first asked for."""
+
+    def __init__(self, doc: str) -> None:
+        self.__doc__ = doc
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, holder: Any, owner: type) -> T:
+        found: Any = self if holder is None else holder._array(self._name)
+        return found
 
 
 class RacewayContacts:
@@ -34,55 +59,20 @@ class RacewayContacts:
             hint = f"did you mean {' or '.join(meant)}?" if meant else f"there are {', '.join(names)}"
             raise AttributeError(f"contacts have no {name!r}: {hint}", name=name, obj=self)
 
-    def _read(self, what: int) -> NDArray:
-        return self._solution._read(self._row, what)
+    def _array(self, name: str) -> NDArray | None:
+        return self._solution._array(name, self._row)
 
-    @property
-    def angle(self) -> NDArray:
-        """From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."""
-        return self._read(readings.ANGLE)
-
-    @property
-    def sine(self) -> NDArray:
-        """Of the angle [-]."""
-        return self._read(readings.SINE)
-
-    @property
-    def cosine(self) -> NDArray:
-        """Of the angle [-]."""
-        return self._read(readings.COSINE)
-
-    @property
-    def load(self) -> NDArray:
-        """Normal load Q, zero where the ball has lost the raceway [N]."""
-        return self._read(readings.LOAD)
-
-    @property
-    def approach(self) -> NDArray:
-        """Elastic approach of ball and ring; negative: the gap of a lost contact [m]."""
-        return self._read(readings.APPROACH)
-
-    @property
-    def semi_major_axis(self) -> NDArray:
-        """Of the ellipse, a [m]; zero without load."""
-        return self._read(readings.SEMI_MAJOR_AXIS)
-
-    @property
-    def semi_minor_axis(self) -> NDArray:
-        """Of the ellipse, b [m]; zero without load."""
-        return self._read(readings.SEMI_MINOR_AXIS)
-
-    @property
-    def max_pressure(self) -> NDArray:
-        """Hertz's p0 at the centre of the ellipse [Pa]; zero without load."""
-        return self._read(readings.MAX_PRESSURE)
-
-    @property
-    def required_friction(self) -> NDArray | None:
+    angle = Array[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
+    sine = Array[NDArray]("Of the angle [-].")
+    cosine = Array[NDArray]("Of the angle [-].")
+    load = Array[NDArray]("Normal load Q, zero where the ball has lost the raceway [N].")
+    approach = Array[NDArray]("Elastic approach of ball and ring; negative: the gap of a lost contact [m].")
+    semi_major_axis = Array[NDArray]("Of the ellipse, a [m]; zero without load.")
+    semi_minor_axis = Array[NDArray]("Of the ellipse, b [m]; zero without load.")
+    max_pressure = Array[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
+    required_friction = Array[NDArray | None](
         """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
         """
-        if self._solution.scene.gyroscopic_moment is None:
-            return None
-        return self._read(readings.REQUIRED_FRICTION)
+    )

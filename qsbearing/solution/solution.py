@@ -10,17 +10,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.columns import DISPLACEMENT, LOAD, columns
+from qsbearing.columns import columns
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
-from qsbearing.kernel import results as readings
+from qsbearing.kernel import results
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
+from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import preload_state, ring_stiffness
 from qsbearing.solution.case_index import Index, Place, place_of
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.preload_state import PreloadLoads
-from qsbearing.solution.raceway_contacts import RacewayContacts
+from qsbearing.solution.raceway_contacts import CODES, Array, RacewayContacts
 from qsbearing.solution.solved_cases import SolvedCases
 from qsbearing.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.units import deg
@@ -31,15 +32,6 @@ if TYPE_CHECKING:
 
     from qsbearing.judgement import Choice
 
-CODES = {
-    name: getattr(readings, name.upper())
-    for name in (
-        *("angle", "sine", "cosine", "load", "approach", "semi_major_axis", "semi_minor_axis", "max_pressure"),
-        *("required_friction", "centrifugal_force", "gyroscopic_moment"),
-        *("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"),
-    )
-}
-"""What the kernel calls the arrays of contacts and of balls."""
 CALLED_FOR_BY = {
     "required_friction": "gyroscopic_moment",
     "centrifugal_force": "centrifugal_force",
@@ -88,12 +80,12 @@ class Solution:
     @property
     def inner(self) -> RacewayContacts:
         """Contacts with the inner raceway."""
-        return RacewayContacts(self, readings.AT_INNER)
+        return RacewayContacts(self, results.AT_INNER)
 
     @property
     def outer(self) -> RacewayContacts:
         """Contacts with the outer raceway."""
-        return RacewayContacts(self, readings.AT_OUTER)
+        return RacewayContacts(self, results.AT_OUTER)
 
     @cached_property
     def operating_point(self) -> OperatingPoint:
@@ -155,19 +147,16 @@ class Solution:
             contacts: names of arrays of both raceways, such as "angle".
             balls: names of arrays of the balls, such as "orbital_speed". What the scene does not call for is left out.
         """
-        of_contacts = [(row, name) for row in (readings.AT_INNER, readings.AT_OUTER) for name in contacts]
-        asked = [*of_contacts, *((readings.OF_BALL, name) for name in balls)]
+        of_contacts = [(row, name) for row in (results.AT_INNER, results.AT_OUTER) for name in contacts]
+        asked = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
         self._solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
 
     def _has(self, name: str) -> bool:
         """Whether the scene calls for an array of contacts or balls."""
         return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
 
-    def _read(self, row: int, what: int) -> NDArray:
-        return self._solved.read(row, what)
-
-    def _read_if(self, asked: object, row: int, what: int) -> NDArray | None:
-        return None if asked is None else self._read(row, what)
+    def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
+        return self._solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
     def converged(self) -> Any:
@@ -251,15 +240,10 @@ class Solution:
         given = self.scene.ball_diameter_deviations
         return None if given is None else np.broadcast_to(given.array, (*self.shape, self._maker.ball_axis))
 
-    @cached_property
-    def centrifugal_force(self) -> NDArray | None:
-        """Of each ball [N]; None where the scene does not name it."""
-        return self._read_if(self.scene.centrifugal_force, readings.OF_BALL, readings.CENTRIFUGAL_FORCE)
-
-    @cached_property
-    def gyroscopic_moment(self) -> NDArray | None:
-        """Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."""
-        return self._read_if(self.scene.gyroscopic_moment, readings.OF_BALL, readings.GYROSCOPIC_MOMENT)
+    centrifugal_force = Array[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
+    gyroscopic_moment = Array[NDArray | None](
+        "Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."
+    )
 
     @cached_property
     def slips(self) -> NDArray | None:
@@ -270,34 +254,21 @@ class Solution:
         moment = self.scene.gyroscopic_moment
         if moment is None or moment.friction_coefficient is None:
             return None
-        return np.asarray(self._read(readings.OF_BALL, readings.SLIPS) == 1.0)
+        return np.asarray(self._solved.read(results.OF_BALL, results.SLIPS) == 1.0)
 
-    @cached_property
-    def orbital_speed(self) -> NDArray | None:
-        """omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."""
-        return self._read_if(self.scene.raceway_control, readings.OF_BALL, readings.ORBITAL_SPEED)
-
-    @cached_property
-    def rotation_speed(self) -> NDArray | None:
-        """omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None without a
-        ball effect."""
-        return self._read_if(self.scene.raceway_control, readings.OF_BALL, readings.ROTATION_SPEED)
-
-    @cached_property
-    def attitude_angle(self) -> NDArray | None:
-        """beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a ball
-        effect."""
-        return self._read_if(self.scene.raceway_control, readings.OF_BALL, readings.ATTITUDE_ANGLE)
-
-    @cached_property
-    def axial_rotation(self) -> NDArray | None:
-        """omega_R cos(beta) of each ball [rad/s]; None without a ball effect."""
-        return self._read_if(self.scene.raceway_control, readings.OF_BALL, readings.AXIAL_ROTATION)
-
-    @cached_property
-    def radial_rotation(self) -> NDArray | None:
-        """omega_R sin(beta) of each ball [rad/s]; None without a ball effect."""
-        return self._read_if(self.scene.raceway_control, readings.OF_BALL, readings.RADIAL_ROTATION)
+    orbital_speed = Array[NDArray | None](
+        "omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."
+    )
+    rotation_speed = Array[NDArray | None](
+        "omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None "
+        "without a ball effect."
+    )
+    attitude_angle = Array[NDArray | None](
+        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a "
+        "ball effect."
+    )
+    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball [rad/s]; None without a ball effect.")
+    radial_rotation = Array[NDArray | None]("omega_R sin(beta) of each ball [rad/s]; None without a ball effect.")
 
     @cached_property
     def raceway_control(self) -> NDArray | None:

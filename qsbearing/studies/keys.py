@@ -6,8 +6,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from qsbearing.io.file_keys import numbers, sections
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIALS, NUMBERS, OPERATION, PRELOAD, SECTIONS
+from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIALS, OPERATION, PRELOAD
 from qsbearing.scene.operation import CHANNELS
 
 COEFFICIENTS = {
@@ -52,17 +53,18 @@ class StudyKey:
 
 def _all() -> dict[str, StudyKey]:
     tables: list[tuple[tuple[str, ...], str]] = []
-    for table in NUMBERS:
+    by_table, of_section = numbers(), sections()
+    for table in by_table:
         if table == "unequal_balls":
             continue  # a list
         if table == "material":
             tables += [(("bearing", material), table) for material in MATERIALS]
         else:
-            within = next((holder for holder, names in SECTIONS.items() if table in names), "")
+            within = next((holder for holder, names in of_section.items() if table in names), "")
             tables.append(((within, table) if within else (table,), table))
     found: dict[str, StudyKey] = {}
     for path, table in tables:
-        for key in NUMBERS[table]:
+        for key in by_table[table]:
             name = f"{path[-1]}_{key.name}" if table == "material" or key.name in found else key.name
             own = ".".join((*path, key.name))
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
@@ -100,7 +102,7 @@ def known(name: str) -> StudyKey:
 def suggestion(name: str) -> str:
     """What is likely meant by a name that no key has."""
     stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
-    fields = {field.field: field.name for fields in NUMBERS.values() for field in fields}
+    fields = {field.field: field.name for fields in numbers().values() for field in fields}
     word = name.rpartition(".")[2]
     meant = (
         near(word, [*ALL, EACH_BALL], 0.6)

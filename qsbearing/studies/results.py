@@ -10,18 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import quantities
+from qsbearing.readings.asked import READINGS, all_values, by_short_name, take_asked
+from qsbearing.result_keys import split
 from qsbearing.sets.set_quantities import SetQuantity, set_quantities
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.solution import Solution
 
 OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 """With these after its name, the largest or smallest over the balls of a result that each ball has."""
-
-_UNITS = {
-    **{"MPa_m_s": "MPa m/s", "m_s": "m/s", "mm_rpm": "mm rpm", "Nmm": "N mm"},
-    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "rpm", "um", "mm", "MPa")},
-}
-"""Endings of the readings' keys, and the units that they stand for."""
 
 
 class Result(NamedTuple):
@@ -43,7 +39,7 @@ def known_results(solution: Solution | SetSolution) -> dict[str, Result]:
         if quantity.read(solution) is not None:
             found[quantity.name] = Result(quantity.name, quantity.unit, quantity.is_per_ball, quantity.column)
     for column, (is_per_ball, _) in _readings(solution).items():
-        name, unit = _without_unit(column)
+        name, unit = split(column)
         found[name] = Result(name, unit, is_per_ball, column)
     return found
 
@@ -58,23 +54,20 @@ def find(name: str, known: dict[str, Result]) -> Result | None:
         if of_ball is not None and of_ball.is_per_ball:
             full = f"{of_ball.name}_{ending}"
             return Result(full, of_ball.unit, False, of_ball.column.replace(of_ball.name, full, 1))
-    meant = quantities.by_short_name(name, known)
+    meant = by_short_name(name, known)
     return None if meant is None else known[meant]
 
 
 def reading_of(name: str) -> str | None:
     """The reading that a result's name belongs to, `_max` and `_min` understood; None where it is none of a reading."""
-    from qsbearing.readings.shown import BALL, CASE, CONTACT
-
-    full: dict[str, str] = {}
-    for reading in {**CASE, **CONTACT, **BALL}:
-        for shown in (*CASE.get(reading, ()), *BALL.get(reading, ())):
-            full[f"{reading}_{_without_unit(shown.key)[0]}"] = reading
-        for shown in CONTACT.get(reading, ()):
-            full |= {f"{side}_{reading}_{_without_unit(shown.key)[0]}": reading for side in ("inner", "outer")}
+    full = {
+        split(entry.column(side, shown))[0]: reading
+        for reading, entry in READINGS.items()
+        for side, shown, _ in entry.shown()
+    }
     stem, _, ending = name.rpartition("_")
     for each in (name, stem) if ending in OVER_BALLS else (name,):
-        meant = each if each in full else quantities.by_short_name(each, full)
+        meant = each if each in full else by_short_name(each, full)
         if meant is not None:
             return full[meant]
     return None
@@ -95,7 +88,7 @@ def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:
     for number, row in enumerate(solution.rows, 1):
         for column, (is_per_ball, values) in _readings(row).items():
             if not is_per_ball:
-                name, unit = _without_unit(f"row_{number}_{column}")
+                name, unit = split(f"row_{number}_{column}")
                 found[name] = SetQuantity(name, unit, f"row_{number}_{column}", lambda values=values: values)  # type: ignore[misc]
     return found
 
@@ -116,7 +109,7 @@ def read(solution: Solution | SetSolution, results: Iterable[Result]) -> dict[st
             if name in quantities.ALL:
                 kept[name] = quantities.ALL[name].read(solution)
             else:
-                readings = readings or {_without_unit(key)[0]: value for key, value in _readings(solution).items()}
+                readings = readings or {split(key)[0]: value for key, value in _readings(solution).items()}
                 kept[name] = readings[name][1]
         found[result.name] = OVER_BALLS[ending](kept[name], axis=-1) if ending else kept[name]
     return found
@@ -124,25 +117,5 @@ def read(solution: Solution | SetSolution, results: Iterable[Result]) -> dict[st
 
 def _readings(solution: Solution) -> dict[str, tuple[bool, NDArray]]:
     """Numbers of the readings that the scene asks for, by column: whether each ball has its own, and the values."""
-    if not solution.scene.readings:
-        return {}
-    from qsbearing.readings.asked import take_asked
-    from qsbearing.readings.shown import ball_values, case_values
-
-    found: dict[str, tuple[bool, NDArray]] = {}
-    balls = solution.azimuth.shape
-    for name, reading in take_asked(solution).items():
-        for key, values in case_values(name, reading):
-            if values is not None:
-                found[f"{name}_{key}"] = (False, np.broadcast_to(values, solution.shape))
-        for side, key, values in ball_values(name, reading):
-            if values is not None:
-                found["_".join(filter(None, (side, name, key)))] = (True, np.broadcast_to(values, balls))
-    return found
-
-
-def _without_unit(column: str) -> tuple[str, str]:
-    for ending, unit in _UNITS.items():
-        if column.endswith(f"_{ending}"):
-            return column.removesuffix(f"_{ending}"), unit
-    return column, "1"
+    taken = take_asked(solution) if solution.scene.readings else {}
+    return {column: (is_per_ball, values) for column, is_per_ball, values in all_values(solution, taken)}

@@ -72,8 +72,8 @@ def measure(batch: qs.Scene) -> dict[str, list[float]]:
         solution = solved[0]
         found.setdefault("arrays", []).append(timed(lambda solution=solution: solution.read_at_once(*arrays)))
         for name in names:
-            take, given = asked.READINGS[name].take, batch.readings[name]
-            found.setdefault(name, []).append(timed(lambda t=take, s=solution, g=given: t(s, g, oil)))
+            take, given = asked.READINGS[name].take, asked.READINGS[name].arguments(batch.readings[name], oil)
+            found.setdefault(name, []).append(timed(lambda t=take, s=solution, g=given: t(s, g, {})))
     return found
 
 

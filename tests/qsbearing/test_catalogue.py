@@ -9,6 +9,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.io import catalogue
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.template import scene_template
 from qsbearing.scene import keys as scene_keys
 
@@ -104,7 +105,7 @@ def test_the_commented_tables_of_a_printed_scene_are_good_when_taken_in(tmp_path
     file.write_text(before + (mark + tables).replace("\n# ", "\n").removeprefix("# "))
     scene = qs.load_scene(file)
     assert [effect.name for effect in scene.ring_effects] == ["ring_expansion", "ball_expansion"]
-    assert set(scene.readings) == set(scene_keys.READING_TABLES)
+    assert set(scene.readings) == set(reading_tables())
     effects, _, _ = tables.partition("# [readings]")
     keys = [line.removeprefix("# ").partition(" = ")[0] for line in (mark + effects).splitlines() if " = " in line]
     known = {key for section in scene_keys.EFFECT_SECTIONS.values() for key in section}

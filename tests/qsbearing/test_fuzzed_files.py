@@ -15,7 +15,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from qsbearing.cli import cli
-from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, READING_SECTIONS, SECTIONS
+from qsbearing.io.file_keys import reading_tables, sections
+from qsbearing.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, SECTIONS
 
 from .any_scene import CHOICES, bearings, bounded, few, many, operations
 
@@ -34,11 +35,11 @@ SECTION = st.sampled_from(
     [
         *("bearing", "operation", "effects", "bearing.ball_material", "bearing.ring_material", "nothing", "Bearing"),
         *("preload", "effects.ring_expansion", "effects.ball_expansion", "effects.ring_expansion.shaft_material"),
-        *(f"readings.{name}" for name in READING_SECTIONS),
+        *(f"readings.{name}" for name in reading_tables()),
     ]
 )
 KEY = st.one_of(
-    st.sampled_from([key for keys in (SECTIONS | EFFECT_SECTIONS | READING_SECTIONS).values() for key in keys]),
+    st.sampled_from([key for keys in (SECTIONS | EFFECT_SECTIONS | sections()).values() for key in keys]),
     st.sampled_from(["elastic_modulus_GPa", "poisson_ratio", "density_kg_m3", "speed", "axial_load", '"quoted key"']),
     st.text("abcdefghijklmnopqrstuvwxyz_", min_size=1, max_size=12),
 )
@@ -170,7 +171,7 @@ def test_numbers_beyond_floats_under_every_key(value: str, form: str) -> None:
     tables = dict(SECTIONS)
     if form == "{}":
         tables |= {f"effects.{name}": keys for name, keys in EFFECT_SECTIONS.items()}
-        tables |= {f"readings.{name}": keys for name, keys in READING_SECTIONS.items()}
+        tables |= {f"readings.{name}": sections()[name] for name in reading_tables()}
     for section, keys in tables.items():
         for key in [*keys, "unknown", "axial_load_kN"]:
             run_file(as_text(good | {section: good.get(section, {}) | {key: form.format(value)}}).encode())

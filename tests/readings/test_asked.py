@@ -6,6 +6,8 @@ import json
 import re
 import tomllib
 from collections import Counter
+from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +17,16 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.design_report.document import document as design_report
+from qsbearing.documents.html import html
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import taken
 from qsbearing.io.report import result
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.tables import text_of
 from qsbearing.readings import asked
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
 
 BASE: dict[str, Any] = {
     "bearing": {"name": "B218"},
@@ -82,7 +88,7 @@ def count_takes(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
         return counting
 
     for name, each in asked.READINGS.items():
-        monkeypatch.setitem(asked.READINGS, name, each._replace(take=counted(name, each.take)))
+        monkeypatch.setitem(asked.READINGS, name, replace(each, take=counted(name, each.take)))
     return counts
 
 
@@ -152,8 +158,9 @@ def test_a_scene_that_asks_for_nothing_pays_nothing(monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.parametrize("options", [["--json", "--csv", "my.csv", "--plot", "my.png"], ["--csv", "my.csv"], []])
 def test_each_reading_is_taken_once(options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """However many ways show it; those too that rest on another one."""
+    """However many ways show it; and one that rests on another one is given it."""
     counts = count_takes(monkeypatch)
+    monkeypatch.setattr(import_module("qsbearing.readings.pivot_points"), "kinematics", None)
     monkeypatch.chdir(tmp_path)
     Path("my.toml").write_text(file_of(BASE | {"readings": ALL}), encoding="utf-8")
     done = CliRunner().invoke(cli, ["run", "my.toml", *options])
@@ -327,3 +334,97 @@ def test_an_oil_by_two_viscosities() -> None:
     found = qs.readings.take_asked(solution)["film"]
     direct = qs.readings.film(solution, qs.readings.Lubricant((313.15, 373.15), (68e-6, 8.5e-6), 900.0).at(313.15))
     assert found.inner.central_thickness == pytest.approx(direct.inner.central_thickness)
+
+
+# -------------------------------------------------------------------------------------------------------- a new reading
+
+NEW = '''
+"""Stiffness of every contact by Hertz's law."""
+
+from dataclasses import dataclass
+
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.result_keys import Shown
+from qsbearing.scene.keys import Key
+from qsbearing.validation import RATIO, within
+
+
+@dataclass(frozen=True, kw_only=True)
+class Arguments:
+    exponent: float = 1.5
+
+    def errors(self, bearing):
+        return within("exponent", self.exponent, RATIO, 1.0, 2.0)
+
+
+@dataclass(frozen=True)
+class Raceway:
+    stiffness: object
+
+
+@dataclass(frozen=True)
+class Contacts:
+    inner: Raceway
+    outer: Raceway
+    loaded: object
+    warnings: tuple = ()
+
+
+@with_arguments(Arguments)
+def contact_stiffness(solution, given):
+    """dQ/ddelta of every contact."""
+    sides = (Raceway(given.exponent * each.load / each.approach) for each in (solution.inner, solution.outer))
+    return Contacts(*sides, (solution.inner.load > 0.0).sum(axis=-1))
+
+
+ENTRY = Reading(
+    name="contact_stiffness",
+    gives="stiffness of every contact",
+    by="Hertz",
+    take=simply(contact_stiffness),
+    record=Arguments,
+    table=Table(keys=(Key("exponent", "exponent"),), example="exponent = 1.5"),
+    needs=(("load", "approach"), ()),
+    of_case=(Shown("loaded", "loaded", 1.0, "balls under load"),),
+    of_contact=(Shown("stiffness_N", "stiffness", 1e6, "stiffness of a contact"),),
+)
+'''
+
+
+def test_a_new_reading_is_shown_everywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its file alone, listed: in files and their errors, text, JSON, CSV, report, studies, `init` and the guide."""
+    (tmp_path / "contact_stiffness.py").write_text(NEW, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    entry = import_module("contact_stiffness").ENTRY
+    assert "contact_stiffness" in faults(BASE | {"readings": {"contact_stiffness": {}}})["readings.contact_stiffness"]
+    monkeypatch.setitem(asked.READINGS, entry.name, entry)
+    wrong = faults(BASE | {"readings": {"contact_stiffness": {"exponent": 3}}})["readings.contact_stiffness.exponent"]
+    assert "allowed: 1 to 2" in wrong
+    monkeypatch.chdir(tmp_path)
+    document = BASE | {"readings": {"contact_stiffness": {"exponent": 1.6}}}
+    Path("my.toml").write_text(file_of(document), encoding="utf-8")
+    solution = qs.solve(qs.load_scene("my.toml"))
+    first = 1.6 * solution.inner.load[0] / solution.inner.approach[0] / 1e6
+
+    def said(*arguments: str) -> str:
+        done = CliRunner().invoke(cli, list(arguments))
+        assert done.exit_code == 0, done.output
+        return " ".join(done.output.split())
+
+    assert "stiffness of a contact" in said("run", "my.toml", "--csv", "my.csv")
+    heading, row = Path("my.csv").read_text(encoding="utf-8").splitlines()[:2]
+    assert (
+        float(dict(zip(heading.split(","), row.split(","), strict=True))["inner_contact_stiffness_stiffness_N"])
+        == first
+    )
+    found = json.loads(said("run", "my.toml", "--json"))
+    assert found["readings"]["contact_stiffness"]["balls"][0]["inner"]["stiffness_N"] == first
+    assert found["input"]["readings"] == {"contact_stiffness": {"exponent": 1.6}}
+    page = html(design_report(solution, solution.scene, "", ""))
+    assert "stiffness of a contact" in page
+    assert "contact_stiffness.exponent" in page
+    results = sweep(Study.of(document, {"speed_rpm": [7000, 8000]}))
+    assert results["inner_contact_stiffness_stiffness"][1, 0] == pytest.approx(first)
+    assert results["contact_stiffness_loaded"].dims == ("speed_rpm",)
+    assert "# [readings.contact_stiffness]" in said("init")
+    assert "stiffness of every contact" in said("guide", "readings")

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import qsbearing as qs
 from fem_check.book.published import bearing
-from qsbearing.readings.life_arguments import life_errors
+from qsbearing.readings.life_arguments import LifeArguments
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 MREV = 1e6
@@ -254,5 +254,5 @@ def test_static_safety_two_ways() -> None:
 
 @pytest.mark.parametrize(("given", "hint"), [(95, "95 % is 0.95"), (99.95, "99.95 % is 0.9995"), (50.0, ""), (1.0, "")])
 def test_a_reliability_in_per_cent_is_named(given: float, hint: str) -> None:
-    (error,) = life_errors(reliability=given)
+    (error,) = LifeArguments(reliability=given).errors(None)
     assert error.cause == (hint and f"Given in per cent? {hint}")

@@ -13,7 +13,6 @@ import numpy as np
 from qsbearing.block_statistics import blocks, varies_from_zero
 from qsbearing.io.unknown_key import near
 from qsbearing.pictures.study.labels import stem
-from qsbearing.quantities import by_short_name
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -125,7 +124,11 @@ def _kind(results: Dataset, kind: str | None, x: str, other: str) -> Kind:
 
 def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, ...], ...]:
     known = [str(name) for name in results.data_vars if name not in ("status", "reason")]
-    names = [name if name in known else by_short_name(name, known) or name for name in y] or _default(results, kind)
+    names = list(y) or _default(results, kind)
+    if not set(names) <= set(known):
+        from qsbearing.readings.asked import by_short_name  # a name in full does not need it
+
+        names = [name if name in known else by_short_name(name, known) or name for name in names]
     for name in names:
         if name not in known:
             meant = near(name, known, 0.4)

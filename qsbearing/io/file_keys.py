@@ -1,0 +1,80 @@
+"""The keys of a scene file by their place in it; those of readings are loaded only where they matter."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING
+
+from qsbearing.scene.keys import (
+    BALL_DEVIATIONS,
+    EFFECT_TABLES,
+    NUMBERS,
+    SECTIONS,
+    SET_NUMBERS,
+    SPECTRUM,
+    SPECTRUM_POINT,
+    Key,
+)
+
+if TYPE_CHECKING:
+    from qsbearing.readings.entry import Table
+
+_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
+
+
+def reading_tables() -> dict[str, Table]:
+    """The tables within [readings]."""
+    from qsbearing.readings.asked import tables
+
+    return tables()
+
+
+def numbers() -> dict[str, tuple[Key, ...]]:
+    """The keys that hold numbers, by their table."""
+    return NUMBERS | {name: table.keys for name, table in reading_tables().items()}
+
+
+def sections() -> dict[str, tuple[str, ...]]:
+    """Every key a file may hold, by its table, and by the tables within [readings]."""
+    own = {name: (*(key.name for key in it.keys), *it.choices) for name, it in reading_tables().items()}
+    return SECTIONS | {"readings": tuple(own)} | own
+
+
+def find(path: str) -> Key | None:
+    """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
+    section, _, name = path.rpartition(".")
+    table = "material" if section.endswith("_material") else section.rpartition(".")[2]
+    if table.startswith("row "):
+        table = "rows"
+    known = numbers() if _is_of_reading(path) else NUMBERS
+    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
+    return next((key for key in keys if name in (key.field, key.name)), None)
+
+
+def path_in_file(path: str) -> str:
+    """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
+    if path in _EFFECTS:
+        return f"effects.{_key_of_field(False).get(path, path)}"
+    key = find(path)
+    if key is BALL_DEVIATIONS:
+        return f"effects.{key.name}"
+    path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
+    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
+
+
+def with_file_keys(sentence: str, path: str) -> str:
+    """A sentence on a path with every Python name replaced by the file's key."""
+    keys = _key_of_field(_is_of_reading(path))
+    names = "|".join(sorted(keys, key=len, reverse=True))
+    return re.sub(rf"\b({names})\b", lambda match: keys[match.group()], sentence)
+
+
+def _is_of_reading(path: str) -> bool:
+    return ".readings." in f".{path}"
+
+
+@cache
+def _key_of_field(of_readings: bool) -> dict[str, str]:
+    tables = numbers() if of_readings else NUMBERS
+    return {key.field: key.name for keys in tables.values() for key in keys} | {"ball_effects": "ball"}

@@ -1,0 +1,156 @@
+"""What each reading states about itself, in its own file: its arguments, what it takes, and how its numbers are shown.
+
+A new reading is a file with its `ENTRY`, and two lines in `asked`, which imports and lists it: files, text, JSON, CSV,
+reports, studies, `qsbearing init` and the guide follow.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar
+
+from numpy.typing import NDArray
+
+from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.keys import Key
+from qsbearing.solution.solution import Solution
+from qsbearing.validation import ErrorDetail, Quantity, raise_if_any, within
+
+
+class Checked(Protocol):
+    """The arguments of a reading: a frozen record that says what is wrong with it."""
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Everything; what depends on the bearing is not judged where there is none yet."""
+        ...
+
+
+@dataclass(frozen=True)
+class NoArguments:
+    """Of a reading that needs no numbers."""
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """None."""
+        return []
+
+
+P = ParamSpec("P")
+A = TypeVar("A", bound=Checked)
+R = TypeVar("R")
+
+
+def with_arguments(
+    record: Callable[P, A],
+) -> Callable[[Callable[[Solution, A], R]], Callable[Concatenate[Solution, P], R]]:
+    """Let a function of a solution and a record take the record's fields, checked first: SceneError with all errors."""
+
+    def of(function: Callable[[Solution, A], R]) -> Callable[Concatenate[Solution, P], R]:
+        @functools.wraps(function)
+        def take(solution: Solution, *fields: P.args, **named: P.kwargs) -> R:
+            given = record(*fields, **named)
+            raise_if_any(given.errors(solution.scene.bearing))
+            return function(solution, given)
+
+        own = inspect.signature(function)
+        parameters = [next(iter(own.parameters.values())), *inspect.signature(record).parameters.values()]
+        take.__signature__ = own.replace(parameters=parameters)  # type: ignore[attr-defined]
+        return take
+
+    return of
+
+
+def both_or_neither(pair: Mapping[str, tuple[Any, Quantity, float, float]], cause: str) -> list[ErrorDetail]:
+    """Errors of numbers that mean something only together.
+
+    Args:
+        pair: value, quantity and range of each; None: not given.
+    """
+    errors: list[ErrorDetail] = []
+    for name, (value, quantity, low, high) in pair.items():
+        if value is not None:
+            errors += within(name, value, quantity, low, high)
+        elif any(other is not None for other, *_ in pair.values()):
+            errors.append(ErrorDetail(name, "missing", cause=cause))
+    return errors
+
+
+Take = Callable[[Solution, Any, Mapping[str, Any]], Any]
+"""From a solution, the arguments' record and what is taken already, by name."""
+
+
+def simply(function: Callable[..., Any]) -> Take:
+    """How a function is taken that rests on no other reading: one of `with_arguments`, or of a solution alone."""
+    own = inspect.unwrap(function)
+    if own is function:
+        return lambda solution, given, taken: function(solution)
+    return lambda solution, given, taken: own(solution, given)
+
+
+@dataclass(frozen=True)
+class Table:
+    """What a table within [readings] of a scene file holds."""
+
+    keys: tuple[Key, ...] = ()
+    """Numbers."""
+    choices: tuple[str, ...] = ()
+    """Words."""
+    example: str = ""
+    """Its lines in the file of `qsbearing init`; empty for a reading that needs no numbers, which `true` asks for."""
+    note: str = ""
+    """Beside its heading there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reading:
+    """A reading that a scene asks for by name."""
+
+    name: str
+    gives: str
+    """What it gives, in the guide's list."""
+    by: str
+    """By what source."""
+    take: Take
+    record: Callable[..., Checked] = NoArguments
+    """Makes the record of its arguments, in SI."""
+    table: Table | None = Table()
+    """In a scene file; None: it has none there."""
+    takes_oil: bool = False
+    """Whether the oil of [readings.lubricant] is an argument, `oil`, and"""
+    needs_oil: bool = False
+    """whether it cannot do without."""
+    needs: tuple[tuple[str, ...], tuple[str, ...]] = (), ()
+    """Arrays of contacts and of balls that it takes from the solution."""
+    of_case: tuple[Shown, ...] = ()
+    """Numbers of the whole bearing; arrays of shape (*cases)."""
+    of_contact: tuple[Shown, ...] = ()
+    """Of each contact, inner and outer; arrays of shape (*cases, ball)."""
+    of_ball: tuple[Shown, ...] = ()
+    """Of each ball; arrays of shape (*cases, ball)."""
+    scope: str = ""
+    """A sentence below its tables, where its name does not state what it covers."""
+
+    def arguments(self, given: Mapping[str, Any], oil: Any) -> Checked:
+        """The record of what a scene gives; None stands for what is missing, which the record's check then says."""
+        parameters = inspect.signature(self.record).parameters.values()
+        missing = [each.name for each in parameters if each.default is each.empty and each.kind is not each.VAR_KEYWORD]
+        of_oil = {"oil": oil} if self.takes_oil or self.needs_oil else {}
+        return self.record(**dict.fromkeys(missing) | dict(given) | of_oil)
+
+    def shown(self) -> Iterator[tuple[str, Shown, bool]]:
+        """(inner, outer or empty; number; whether each ball has its own) of all its numbers, the bearing's first."""
+        yield from (("", shown, False) for shown in self.of_case)
+        yield from ((side, shown, True) for side in ("inner", "outer") for shown in self.of_contact)
+        yield from (("", shown, True) for shown in self.of_ball)
+
+    def column(self, side: str, shown: Shown) -> str:
+        """What a number is called in tables and studies."""
+        return "_".join(filter(None, (side, self.name, shown.key)))
+
+    def values(self, result: Any) -> Iterator[tuple[str, Shown, bool, NDArray | None]]:
+        """Likewise with the values of a result, in the keys' units; None where it has none."""
+        for side, shown, is_per_ball in self.shown():
+            yield side, shown, is_per_ball, shown.of(getattr(result, side) if side else result)

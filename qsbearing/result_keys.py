@@ -1,0 +1,106 @@
+"""The results of a solution: the key of each, unit included, where it is found, and its plain name.
+
+Columns, JSON, tables for people, xarray and studies show results under these keys; those of a reading stand with it.
+"""
+
+from __future__ import annotations
+
+from functools import reduce
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
+
+UNITS = {
+    **{"N_per_um": "N/um", "Nm_per_mrad": "N m/mrad", "MPa_m_s": "MPa m/s", "m_s": "m/s", "mm_rpm": "mm rpm"},
+    **{"Nmm": "N mm", "Nm": "N m"},
+    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "mrad", "rpm", "um", "mm", "MPa")},
+}
+"""What keys end with, and the unit that it stands for."""
+
+
+def split(key: str) -> tuple[str, str]:
+    """A key without its unit, and the unit, "1" where it has none: `tilt_y_Nm_per_mrad` is tilt_y in N m/mrad."""
+    for ending, unit in UNITS.items():
+        if key.endswith(f"_{ending}"):
+            return key.removesuffix(f"_{ending}"), unit
+    return key, "1"
+
+
+class Shown(NamedTuple):
+    """One number of a result."""
+
+    key: str
+    """Unit included."""
+    path: str
+    """Of the attribute; of one raceway's for contacts."""
+    size: float = 1.0
+    """One of the key's unit in SI."""
+    words: str = ""
+    """What it is, where the key's own words do not state it."""
+
+    def of(self, holder: Any) -> Any:
+        """The number in the key's unit; None where the holder has none, or there is no holder."""
+        parts = self.path.split(".")
+        found = reduce(lambda part, name: None if part is None else getattr(part, name), parts, holder)
+        return None if found is None else np.asarray(found, float) / self.size
+
+    @property
+    def plain_name(self) -> str:
+        """For people."""
+        return self.words or split(self.key)[0].replace("_", " ")
+
+
+DISPLACEMENT = (
+    ("axial_um", um),
+    ("radial_y_um", um),
+    ("radial_z_um", um),
+    ("tilt_y_mrad", mrad),
+    ("tilt_z_mrad", mrad),
+)
+LOAD = (("axial_N", 1.0), ("radial_y_N", 1.0), ("radial_z_N", 1.0), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0))
+STIFFNESS = (
+    ("axial_N_per_um", 1.0 / um),
+    ("radial_y_N_per_um", 1.0 / um),
+    ("radial_z_N_per_um", 1.0 / um),
+    ("tilt_y_Nm_per_mrad", 1.0 / mrad),
+    ("tilt_z_Nm_per_mrad", 1.0 / mrad),
+)
+"""Keys of the five channels, and the size of each key's unit in SI."""
+
+CONTACT = (
+    Shown("load_N", "load"),
+    Shown("angle_deg", "angle", deg),
+    Shown("approach_um", "approach", um),
+    Shown("semi_major_axis_mm", "semi_major_axis", mm),
+    Shown("semi_minor_axis_mm", "semi_minor_axis", mm),
+    Shown("max_pressure_MPa", "max_pressure", MPa),
+    Shown("required_friction", "required_friction"),
+)
+BALL = (
+    Shown("centrifugal_force_N", "centrifugal_force"),
+    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm),
+    Shown("orbital_speed_rpm", "orbital_speed", rpm),
+    Shown("rotation_speed_rpm", "rotation_speed", rpm),
+    Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
+)
+"""Arrays of a solution (*cases, ball), those of contacts for either raceway."""
+
+GEOMETRY = (
+    Shown("ball_diameter_mm", "ball_diameter", mm),
+    Shown("pitch_diameter_mm", "pitch_diameter", mm),
+    Shown("inner_groove_radius_mm", "inner_groove_radius", mm),
+    Shown("outer_groove_radius_mm", "outer_groove_radius", mm),
+    Shown("free_contact_angle_deg", "free_contact_angle", deg),
+    Shown("diametral_clearance_um", "diametral_clearance", um),
+)
+"""Of the bearing that ring effects have changed."""
+RING_STATE = (
+    Shown("groove_growth_um", "groove_growth", um),
+    Shown("seat_pressure_MPa", "seat_pressure", MPa),
+    Shown("seat_gap_um", "seat_gap", um),
+    Shown("bore_hoop_stress_MPa", "bore_hoop_stress", MPa),
+    Shown("equivalent_stress_MPa", "equivalent_stress", MPa),
+)
+"""Of a `RingState`."""
