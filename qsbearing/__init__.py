@@ -91,6 +91,7 @@ _HOMES = {
     "ring_stiffness": ("stiffness",),
     "solution": ("Solution",),
     "status": ("Reason", "Status"),
+    "design.compare": ("compare",),
     "design.find": ("find",),
     "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
@@ -105,8 +106,8 @@ __all__ = [
     "CentrifugalForce", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "MPa",
     "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload",
     "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError",
-    "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "find", "kN", "kg", "kg_m3",
-    "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads",
+    "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "compare", "deg", "find", "kN", "kg",
+    "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads",
     "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table",
     "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
