@@ -92,6 +92,7 @@ _HOMES = {
     "solution.ring_stiffness": ("stiffness",),
     "solution.solution": ("Solution",),
     "solution.status": ("Reason", "Status"),
+    "design.compare": ("compare",),
     "design.find": ("find",),
     "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
@@ -106,9 +107,9 @@ __all__ = [
     "CentrifugalForce", "ElasticRings", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle",
     "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact",
     "Preload", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene",
-    "SceneError", "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "deg", "find", "kN",
-    "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact",
-    "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
+    "SceneError", "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "compare", "deg", "find",
+    "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results",
+    "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
     "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on

@@ -16,6 +16,7 @@ import click
 
 from qsbearing import __version__
 from qsbearing.cli.catalogue import catalogue
+from qsbearing.cli.compare import compare
 from qsbearing.cli.cost import cost
 from qsbearing.cli.explain import explain
 from qsbearing.cli.figures import figures
@@ -61,7 +62,7 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, find, plot, stiffness, figures, cost, init, catalogue, report, guide):
+for command in (run, explain, sweep, find, compare, plot, stiffness, figures, cost, init, catalogue, report, guide):
     cli.add_command(command)
 
 

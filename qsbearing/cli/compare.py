@@ -1,0 +1,131 @@
+"""`qsbearing compare`: several bearings at the same job."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import ExitStack
+from typing import TYPE_CHECKING
+
+import click
+
+from qsbearing.cli.output import UNSOLVED, print_table, refuse, warnings_as_notes
+from qsbearing.cli.picture_file import form_of
+from qsbearing.cli.scene import solving
+from qsbearing.cli.sweep_problems import picture_problems
+
+if TYPE_CHECKING:
+    from rich.console import Group
+
+    from qsbearing.design.compare import Comparison, Line
+
+PICTURED = (
+    "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
+    "ring_effective_stiffness_radial_y", "shaft_effective_stiffness_axial", "shaft_effective_stiffness_radial_y",
+    "life_duration", "outer_required_friction_max", "friction_power", "ring_displacement_axial",
+    "ring_displacement_radial_y", "inner_load_max",
+)  # fmt: skip
+PANELS = 6
+BESIDE = 2
+"""Bearings beside the first in one table, so that no number is cut off."""
+
+
+@click.command(short_help="Several bearings at the same job, side by side.")
+@click.argument("scenes", nargs=-1, required=True)
+@click.option(
+    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings all of them get."
+)
+@click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
+@click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
+def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plot_target: str | None) -> None:
+    """Solve the bearings of SCENES, files or names of the catalogue, at the same job: that of --at, or the first's.
+
+    Differences of more than 1 % from the first bearing stand beside the numbers.
+
+    Exit codes: 0 all solved, 1 some is not, 2 bad input.
+    """
+    from qsbearing.design.compare import compare as side_by_side
+    from qsbearing.io.csv_table import csv_text
+    from qsbearing.io.output_file import output_file
+    from qsbearing.validation import SceneError
+
+    problems = picture_problems(plot_target)
+    with ExitStack() as stack:
+        writers = {}
+        for option, target in (("--csv", csv_target), ("--plot", plot_target)):
+            try:
+                if target is not None and not problems:
+                    writers[option] = stack.enter_context(output_file(target))
+            except (OSError, ValueError) as error:
+                problems.append(f"{option} {target}: {error}")
+        try:
+            with warnings_as_notes(), solving():
+                found = side_by_side(scenes, at)
+        except SceneError as error:
+            refuse("\nqsbearing: ".join([*problems, str(error)]))
+        if problems:
+            refuse("\nqsbearing: ".join(problems))
+        print_table(_tables(found))
+        try:
+            if "--csv" in writers:
+                writers["--csv"](csv_text({**_columns(found)}).encode())
+            if "--plot" in writers and plot_target is not None:
+                writers["--plot"](_picture(found, plot_target))
+        except OSError as error:
+            refuse(f"cannot write: {error}")
+    if not found.all_solved:
+        sys.exit(UNSOLVED)
+
+
+def _tables(found: Comparison) -> Group:
+    from rich.console import Group
+    from rich.text import Text
+
+    from qsbearing.io.tables import plain_table
+
+    parts: list[object] = []
+    others = range(1, len(found.labels))
+    blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
+    for title, lines in (("Bearings", found.inputs), (f"Results at the job of {found.job}", found.results)):
+        for block in blocks:
+            heading = ("", *(found.labels[i] for i in block), "unit")
+            table = plain_table(title, heading, left=(0, len(block) + 1))
+            if lines is found.results:
+                table.add_row("status", *(found.statuses[i] for i in block), "")
+            for line in lines:
+                table.add_row(line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit)
+            parts += [table, Text()]
+    note = Text("In brackets: the difference from the first bearing, where it is more than 1 %.")
+    return Group(*parts, note)  # type: ignore[arg-type]
+
+
+def _cell(line: Line, number: int) -> str:
+    from qsbearing.design.compare import MARKED
+
+    value, difference = line.values[number], line.difference(number)
+    text = "" if value != value else f"{value:.5g}"
+    return f"{text} ({100.0 * difference:+.0f} %)" if abs(difference) > MARKED else text
+
+
+def _columns(found: Comparison) -> dict[str, list[object]]:
+    lines = (*found.inputs, *found.results)
+    columns: dict[str, list[object]] = {
+        "quantity": ["status", *(line.name for line in lines)],
+        "unit": ["", *(line.unit for line in lines)],
+    }
+    for i, label in enumerate(found.labels):
+        columns[label] = [found.statuses[i], *(line.values[i] for line in lines)]
+    return columns
+
+
+def _picture(found: Comparison, target: str) -> bytes:
+    from io import BytesIO
+
+    from qsbearing.pictures.side_by_side import side_by_side
+
+    lines = {line.name: line for line in found.results}
+    chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
+    panels = [(line.name, line.unit, line.values) for line in chosen]
+    data = BytesIO()
+    title = f"At the job of {found.job}"
+    side_by_side(found.labels, panels, title).savefig(data, format=form_of(target)[1:])
+    return data.getvalue()
