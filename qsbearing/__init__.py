@@ -108,8 +108,8 @@ __all__ = [
     "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact",
     "Preload", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene",
     "SceneError", "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "compare", "deg", "find",
-    "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results",
-    "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
+    "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact",
+    "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
     "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
