@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from inspect import signature
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -178,13 +179,35 @@ def take_asked(solution: Solution) -> dict[str, Any]:
     return {name: each.take(solution, asked[name], oil) for name, each in READINGS.items() if name in asked}
 
 
+OIL_DENSITY, VISCOSITY_INDEX = 870.0, 95.0
+"""Of an oil of which nothing else is said; the index, where a grade is given."""
+
+
+def with_defaults(name: str, given: Arguments) -> dict[str, Any]:
+    """The arguments of a reading or of the oil, and what counts for those that were left out; nothing for what is then
+    derived, or not computed."""
+    usual: dict[str, Any] = {}
+    if name == "life":
+        usual = {
+            each.name: each.default for each in signature(life).parameters.values() if each.default is not each.empty
+        }
+    elif name == LUBRICANT:
+        usual = {"oil_density": OIL_DENSITY} | (
+            {"viscosity_index": VISCOSITY_INDEX} if "iso_viscosity_grade" in given else {}
+        )
+    return {field: value for field, value in (usual | dict(given)).items() if value is not None}
+
+
 def _oil(readings: Mapping[str, Arguments]) -> tuple[OilState | None, Errors]:
     """The oil at its temperature, if there is one."""
     if LUBRICANT not in readings:
         return None, []
     given = dict(readings[LUBRICANT])
     temperature = given.pop("oil_temperature", None)
-    fields = {"density": given.pop("oil_density", 870.0), "pressure_viscosity": given.pop("pressure_viscosity", None)}
+    fields = {
+        "density": given.pop("oil_density", OIL_DENSITY),
+        "pressure_viscosity": given.pop("pressure_viscosity", None),
+    }
     grade, index = given.pop("iso_viscosity_grade", None), given.pop("viscosity_index", None)
     cold, hot = given.pop("viscosity_at_40", None), given.pop("viscosity_at_100", None)
     errors: Errors = []
@@ -203,7 +226,7 @@ def _oil(readings: Mapping[str, Arguments]) -> tuple[OilState | None, Errors]:
         return None, errors
     try:
         if grade is not None:
-            oil = Lubricant.from_grade(grade, 95.0 if index is None else index, **fields)
+            oil = Lubricant.from_grade(grade, VISCOSITY_INDEX if index is None else index, **fields)
         else:
             points = (FREEZING + 40.0, FREEZING + 100.0), (cold, hot)
             oil = Lubricant(*points, **fields)
