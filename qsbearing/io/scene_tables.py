@@ -44,7 +44,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     """The tables of the file that describes a scene or set, defaults and the catalogue's numbers filled in.
 
     Read back they make the same scene, to the last bit where it came from a file; a number made in Python may lie
-    between those that a file can give, and is off by a rounding (1e-16). Arguments of readings stand as given.
+    between those that a file can give, and is off by a rounding (1e-16).
 
     Raises:
         SceneError: something that no file has a key for.
@@ -144,10 +144,15 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
 
 
 def _readings(asked: Mapping[str, Mapping[str, Any]]) -> Tables:
+    if not asked:
+        return {}
+    from qsbearing.readings.asked import with_defaults  # a scene without readings does not load them
+
     tables: Tables = {}
-    for name, given in asked.items():
+    for name, arguments in asked.items():
         if name == "spectrum":
             continue  # its points are the file's operation
+        given = with_defaults(name, arguments)
         own = reading_tables()[name]
         words = {choice: str(given[choice]) for choice in own.choices if choice in given}
         for field in set(given) - set(words) - {key.field for key in own.keys}:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from inspect import signature
 from itertools import chain
 from typing import Any
 
@@ -29,7 +30,7 @@ from qsbearing.readings import (
     subsurface_stress,
 )
 from qsbearing.readings.entry import Reading, Table
-from qsbearing.readings.lubricant import OilState, oil_of
+from qsbearing.readings.lubricant import OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
 from qsbearing.validation import ErrorDetail, SceneError
@@ -110,6 +111,18 @@ def take_asked(solution: Solution) -> dict[str, Any]:
     for each in entries:
         taken[each.name] = each.take(solution, each.arguments(asked[each.name], oil), taken)
     return taken
+
+
+def with_defaults(name: str, given: Arguments) -> dict[str, Any]:
+    """The arguments of a reading or of the oil, and what counts for those that were left out; nothing for what is then
+    derived, or not computed."""
+    if name == LUBRICANT:
+        usual: dict[str, Any] = {"oil_density": OIL_DENSITY}
+        usual |= {"viscosity_index": VISCOSITY_INDEX} if "iso_viscosity_grade" in given else {}
+    else:
+        parameters = signature(READINGS[name].record).parameters.values()
+        usual = {each.name: each.default for each in parameters if each.default is not each.empty}
+    return {field: value for field, value in (usual | dict(given)).items() if value is not None}
 
 
 def _oil(readings: Mapping[str, Arguments]) -> tuple[OilState | None, Errors]:

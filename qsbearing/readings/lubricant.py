@@ -49,6 +49,10 @@ _INDEX = np.array([  # from this viscosity at 100 C [mm^2/s]: L = a Y^2 + b Y + 
 # fmt: on
 
 
+OIL_DENSITY, VISCOSITY_INDEX = 870.0, 95.0
+"""Of an oil of which nothing else is said; the index, where a grade is given."""
+
+
 @dataclass(frozen=True)
 class OilState:
     """An oil at its operating temperature; SI units. Any number may be an array that broadcasts to the cases."""
@@ -79,7 +83,7 @@ class Lubricant:
     """Of the two measured points [K], rising."""
     viscosities: tuple[ArrayLike, ArrayLike]
     """Kinematic, at those temperatures [m^2/s], falling."""
-    density: ArrayLike = 870.0
+    density: ArrayLike = OIL_DENSITY
     """At 15 C [kg/m^3]."""
     pressure_viscosity: ArrayLike | None = None
     """xi at any temperature [1/Pa]; None: estimated from the viscosity, as for mineral oil."""
@@ -101,7 +105,9 @@ class Lubricant:
         raise_if_any(errors)
 
     @classmethod
-    def from_grade(cls, grade: ArrayLike, viscosity_index: ArrayLike = 95.0, **fields: ArrayLike | None) -> Lubricant:
+    def from_grade(
+        cls, grade: ArrayLike, viscosity_index: ArrayLike = VISCOSITY_INDEX, **fields: ArrayLike | None
+    ) -> Lubricant:
         """An oil by its ISO viscosity grade (mm^2/s at 40 C) and viscosity index; 95 is usual for mineral oil.
 
         Raises:
@@ -238,7 +244,10 @@ def oil_of(numbers: Mapping[str, Any]) -> tuple[OilState | None, list[ErrorDetai
     """An oil at its temperature by the numbers of a scene file (SI), or what is wrong with them."""
     given = dict(numbers)
     temperature = given.pop("oil_temperature", None)
-    fields = {"density": given.pop("oil_density", 870.0), "pressure_viscosity": given.pop("pressure_viscosity", None)}
+    fields = {
+        "density": given.pop("oil_density", OIL_DENSITY),
+        "pressure_viscosity": given.pop("pressure_viscosity", None),
+    }
     grade, index = given.pop("iso_viscosity_grade", None), given.pop("viscosity_index", None)
     cold, hot = given.pop("viscosity_at_40", None), given.pop("viscosity_at_100", None)
     errors: list[ErrorDetail] = []
@@ -255,7 +264,7 @@ def oil_of(numbers: Mapping[str, Any]) -> tuple[OilState | None, list[ErrorDetai
         return None, errors
     try:
         if grade is not None:
-            oil = Lubricant.from_grade(grade, 95.0 if index is None else index, **fields)
+            oil = Lubricant.from_grade(grade, VISCOSITY_INDEX if index is None else index, **fields)
         else:
             points = (FREEZING + 40.0, FREEZING + 100.0), (cold, hot)
             oil = Lubricant(*points, **fields)

@@ -21,6 +21,7 @@ from qsbearing.io import catalogue
 from qsbearing.io.scene_file import load_scene, scene_of
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.io.set_file import is_set, set_of
+from qsbearing.readings.asked import with_defaults
 from qsbearing.scene.scene import Scene
 
 from .any_scene import CHOICES, bearings, few, operations
@@ -148,9 +149,12 @@ def read(tables: dict[str, Any], label: str = "file") -> Any:
 
 
 def parts(of: Any) -> Any:
-    """All that it holds, as plain data that compares to the last bit."""
+    """All that it holds, as plain data that compares to the last bit; of readings also what counts if not given."""
     if dataclasses.is_dataclass(of):
-        return {each.name: parts(getattr(of, each.name)) for each in dataclasses.fields(of)}
+        held = {each.name: getattr(of, each.name) for each in dataclasses.fields(of)}
+        if held.get("readings"):
+            held["readings"] = {name: with_defaults(name, asked) for name, asked in held["readings"].items()}
+        return {name: parts(each) for name, each in held.items()}
     if isinstance(of, Mapping):
         return {name: parts(each) for name, each in of.items()}
     if isinstance(of, tuple | list):
@@ -174,6 +178,26 @@ def moved(value: Any, factors: list[float]) -> Any:
         return value
     factors.append(factors.pop(0))
     return value * factors[0]
+
+
+def test_the_input_says_what_counts_for_what_was_left_out_of_readings() -> None:
+    """Each as if it were given: numbers that another version may choose otherwise."""
+    oil = "[readings.lubricant]\niso_viscosity_grade = 68\noil_temperature_C = 70\n"
+    bare = f"\n[readings.life]\n{oil}[readings.frequencies]\n"
+    said = {
+        "life": {
+            "rating": "lundberg_palmgren", "rating_factor": 1.3, "capacity": "iso_16281", "reliability": 0.9,
+            "fatigue_limit_by": "hertz",
+        },
+        "lubricant": {
+            "iso_viscosity_grade": 68.0, "viscosity_index": 95.0, "oil_temperature_C": 70.0, "oil_density_kg_m3": 870.0
+        },
+        "frequencies": {},
+    }  # fmt: skip
+    assert input_tables(read(tomllib.loads(BY_NAME + bare)))["readings"] == said
+    given = bare.replace("life]", "life]\nreliability = 0.95").replace("= 68", "= 68\noil_density_kg_m3 = 900")
+    said["life"]["reliability"], said["lubricant"]["oil_density_kg_m3"] = 0.95, 900.0
+    assert input_tables(read(tomllib.loads(BY_NAME + given)))["readings"] == said
 
 
 @few
