@@ -165,11 +165,18 @@ def half_space_rows(scene: str, point: OperatingPoint) -> list[Row]:
         try:
             values, sector = sector_comparison.half_spaces(scene, point, gyroscopic_moment=moment)
         except ContactError as problem:
-            raise ContactError(f"{case}: {problem}") from problem
+            rows.append(_misplaced(case, problem))
+            continue
         rows += sector_judgement.of_half_spaces(f"{case}, against the model", values, bearing)
         load = SectorLoad(point.axial_load, point.speed, moment)
         rows += sector_statics.inertia_rows(f"{case}, statics", sector, load, sector.solve(load))
     return rows
+
+
+def _misplaced(case: str, problem: ContactError) -> Row:
+    """Bodies with no size to limit their contacts find none where the model has them: the model is wrong, or lost."""
+    source, why = "qsbearing.solve says where", f"no contact is as far from it as that: {problem}"
+    return Row(case, "contacts that are not where the model has them", "1", 0.0, source, 1.0, None, 0.0, why)
 
 
 def rows_of(case: str, studied: Studied) -> list[Row]:

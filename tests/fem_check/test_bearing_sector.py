@@ -11,7 +11,7 @@ import pytest
 
 import qsbearing
 from fem_check import meshing, records_store, sector_comparison, sector_judgement, sector_pictures, sector_statics
-from fem_check.agreement import Level
+from fem_check.agreement import Level, Row
 from fem_check.checks import bearing_sector
 from fem_check.report.figures import sector as figures
 from fem_check.scenes import SceneProblemError
@@ -113,6 +113,17 @@ def test_half_spaces_in_the_bodies_place_give_the_model():
         change = 0.15 / row.reference if row.unit == "deg" else 0.05
         assert dataclasses.replace(row, reference=row.reference * (1.0 + change)).verdict == "fail", row.quantity
         assert dataclasses.replace(row, reference=2.0 * row.reference).verdict == "fail", row.quantity
+
+
+def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
+    """Doubled, each reference that is not zero is missed; where it is zero, so is a value as large as the scale."""
+    record = json.loads((records_store.FOLDER / "quick" / "bearing_sector.json").read_text())
+    judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
+    assert len(judged) > 25
+    for entry in judged:
+        row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
+        other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
+        assert (row.verdict, other.verdict) == ("pass", "fail"), (row.case, row.quantity)
 
 
 def test_a_moment_without_friction_is_refused(sector):
