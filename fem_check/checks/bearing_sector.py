@@ -256,19 +256,16 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
         gain = (growth + 1.0) / (growth - 1.0)
         limit = (growth * light.deviation(name) - heavier.deviation(name)) / (growth - 1.0)
         uncertainty = (growth * light.uncertain(name) + heavier.uncertain(name)) / (growth - 1.0)
-        rows.append(
-            Row(
-                f"limit of light loads, from {light.point.axial_load:.0f} and {heavier.point.axial_load:.0f} N at rest",
-                f"{name} over the model's",
-                "1",
-                1.0,
-                "exact: the deviations vanish with the load",
-                1.0 + limit / 100.0,
-                uncertainty,
-                min(2.0 * uncertainty, 2.0 * gain * BOUNDS[kind]),
-                f"twice the uncertainty, which may be {BOUNDS[kind]:g} % of either as the continuation enlarges it",
-            )
-        )
+        case = f"limit of light loads, from {light.point.axial_load:.0f} and {heavier.point.axial_load:.0f} N at rest"
+        source = "exact: the deviations vanish with the load"
+        why = f"twice the uncertainty; at most that of {BOUNDS[kind]:g} % or degrees, as the continuation enlarges it"
+        tolerance = min(2.0 * uncertainty, 2.0 * gain * BOUNDS[kind])
+        if QUANTITIES[name] == "deg":
+            title, exact, found, scale = f"{name} less the model's", 0.0, limit, 100.0
+        else:
+            title, exact, found, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
+        unit = "deg" if exact == 0.0 else "1"
+        rows.append(Row(case, title, unit, exact, source, found, scale * uncertainty, scale * tolerance, why))
     return rows
 
 

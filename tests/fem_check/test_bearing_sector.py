@@ -4,6 +4,7 @@ import dataclasses
 import hashlib
 import json
 from math import cos, radians
+from types import SimpleNamespace
 
 import matplotlib.pyplot
 import numpy as np
@@ -124,6 +125,30 @@ def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
         row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
         other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
         assert (row.verdict, other.verdict) == ("pass", "fail"), (row.case, row.quantity)
+
+
+def test_the_limit_of_light_loads_can_fail():
+    """On the series on record; then with 2 % more displacement, 0.1 % more load, 0.05 degrees."""
+    curve = records_store.read_all()["bearing_sector"]["pictures"]["bearing_sector"]["rigid"]["at rest"]
+
+    def studied(index, more):
+        return SimpleNamespace(
+            point=OperatingPoint(curve["load_N"][index], 0.0),
+            deviation=lambda name: curve[name]["deviation"][index] + more.get(bearing_sector.quantity_kind(name), 0.0),
+            uncertain=lambda name: curve[name]["uncertainty"][index],
+        )
+
+    def verdicts(more):
+        rows = bearing_sector._light_load_limit(studied(0, more), studied(1, more))
+        return {
+            bearing_sector.quantity_kind(row.quantity.split(" over ")[0].split(" less ")[0]): row.verdict
+            for row in rows
+        }
+
+    assert set(verdicts({})) == set(bearing_sector.LIMIT_POWERS)
+    assert set(verdicts({}).values()) == {"pass"}
+    wrong = {"axial_displacement": 2.0, "load": 0.1, "angle": 0.05, "semi_major_axis": 0.5, "semi_minor_axis": 0.5}
+    assert set(verdicts(wrong).values()) == {"fail"}
 
 
 def test_a_moment_without_friction_is_refused(sector):
