@@ -8,11 +8,21 @@ The grid's own error, about 0.01 %, cancels: each contact is solved with its own
 parabola, whose exact solution is Hertz's; of the ratio of the two a coarser grid tells what error is left, 0.001 %. The
 largest pressure is that of the central rectangle, so it too comes from the pressure.
 
-For any contact that stays within the half-spaces' linear theory: gap and pressure along the contact's normal.
+For any contact that stays within the half-spaces' linear theory: gap and pressure along the contact's normal. Where the
+pressure follows the surface that the bodies share, of slope s across the groove, the half-space between two rectangles
+lies along their chord, of slope (s + s')/2; their forces and displacements, along the normals at its two ends, are
+inclined to it by half their difference either way. With the influence A of a pressure, B = x^2/r^3 summed likewise, and
+e = nu/(1 - nu), the tangential influence along x is A + e B (Cerruti; Johnson 1985, eq. 3.75), and to the second order
+
+    A -> A - (s^2 + s'^2)(1/2 + e)/4 B + s s' (A + (e - 1/2)/2 B).
+
+Left out: what is odd in the curvature, which ball and groove of one material have opposite; the slope along rolling,
+whose square is a hundredth of that across.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -25,6 +35,7 @@ from fem_check.groove import BallInGroove
 from fem_check.references import hertz
 
 SOURCE = "boundary elements on half-spaces, exact gap (Love 1929; Polonsky and Keer 1999)"
+ALONG_NORMALS = "boundary elements on half-spaces, exact gap, pressure along the surface's normal (Love; Cerruti)"
 QUANTITIES = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 GRIDS = (45, 65)
 """Rectangles along each side; odd, so that one lies at the centre."""
@@ -47,23 +58,27 @@ class OverHertz:
 
 
 @lru_cache(maxsize=256)
-def over_hertz(groove: BallInGroove, load: float) -> OverHertz:
+def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> OverHertz:
     """A ball in its groove with the exact gap; about a second.
 
     Args:
         groove: ball and raceway.
         load: normal load [N].
+        follows_surface: pressure along the normals of the surface that the bodies share, not along the contact's axis.
 
     Raises:
         ContactError: the contact fills the grid, or the iteration did not converge.
     """
     problem = groove.problem(load)
-    coarse, fine = (_over_parabola(problem, groove.gap, points) for points in GRIDS)
+    slope = groove.shared_slope if follows_surface else None
+    coarse, fine = (_over_parabola(problem, groove.gap, slope, points) for points in GRIDS)
     return OverHertz(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
 
 
-def _over_parabola(problem: ContactProblem, gap: GapFunction, points: int) -> dict[str, float]:
-    true = quantities(problem, gap, points)
+def _over_parabola(
+    problem: ContactProblem, gap: GapFunction, slope: GapFunction | None, points: int
+) -> dict[str, float]:
+    true = quantities(problem, gap, points, slope)
     parabola = _parabola(problem.curvature_x / problem.curvature_y, points)
     return {name: true[name] / parabola[name] for name in QUANTITIES}
 
@@ -76,7 +91,9 @@ def _parabola(curvature_ratio: float, points: int) -> dict[str, float]:
     return quantities(unit, unit.parabolic_gap, points)
 
 
-def quantities(problem: ContactProblem, gap: GapFunction, points: int) -> dict[str, float]:
+def quantities(
+    problem: ContactProblem, gap: GapFunction, points: int, slope: GapFunction | None = None
+) -> dict[str, float]:
     """Approach, semi-axes (from the pressure's moments) and largest pressure on one grid, each over Hertz's."""
     exact = hertz(problem)
     a, b = exact.semi_major_axis, exact.semi_minor_axis
@@ -87,8 +104,17 @@ def quantities(problem: ContactProblem, gap: GapFunction, points: int) -> dict[s
         resolution = points / SEMI_AXIS_SPAN + (position + 0.5) / POSITIONS - 0.5
         index = (np.arange(points) - points // 2) / resolution
         # Lengths over b and pressures over E*.
-        heights = np.asarray(gap(*np.meshgrid(index * a, index * b, indexing="ij"))) / b
-        pressure, approach = solve(heights, problem.load * compliance / b**2, (a / b / resolution, 1.0 / resolution))
+        at = np.meshgrid(index * a, index * b, indexing="ij")
+        heights = np.asarray(gap(*at)) / b
+        inclined = None
+        if slope is not None:
+            poisson = (
+                problem.ball.poisson_ratio * problem.ball.compliance
+                + problem.race.poisson_ratio * problem.race.compliance
+            )
+            inclined = (np.asarray(slope(*at)), poisson / compliance)
+        sides = (a / b / resolution, 1.0 / resolution)
+        pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined)
         share = pressure / pressure.sum()
         found.append(
             (
@@ -101,13 +127,16 @@ def quantities(problem: ContactProblem, gap: GapFunction, points: int) -> dict[s
     return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(found, axis=0)), strict=True))
 
 
-def solve(gap: Array, load: float, spacing: tuple[float, float]) -> tuple[Array, float]:
+def solve(
+    gap: Array, load: float, spacing: tuple[float, float], inclined: tuple[Array, float] | None = None
+) -> tuple[Array, float]:
     """Pressure and approach of a contact with E* = 1.
 
     Args:
         gap: at the rectangles' centres, shape (x, y).
         load: sum of pressure times area.
         spacing: sides of a rectangle.
+        inclined: slope of the surface at the rectangles' centres along x, and Poisson's ratio; None: flat.
 
     Returns:
         pressure, shape (x, y), and the approach.
@@ -115,10 +144,33 @@ def solve(gap: Array, load: float, spacing: tuple[float, float]) -> tuple[Array,
     # Twice the grid: the transform's periodic images must not reach it.
     shape = [fft.next_fast_len(2 * count - 1, real=True) for count in gap.shape]
     offsets = [np.fft.fftfreq(count, 1.0 / count) for count in shape]
-    influence = fft.rfft2(_love(offsets[0][:, None] * spacing[0], offsets[1] * spacing[1], *spacing))
+    at = offsets[0][:, None] * spacing[0], offsets[1] * spacing[1]
+    direct = fft.rfft2(normal_influence(*at, *spacing))
 
-    def displacement(pressure: Array) -> Array:
-        return fft.irfft2(influence * fft.rfft2(pressure, s=shape), s=shape)[: gap.shape[0], : gap.shape[1]]
+    def forward(values: Array) -> Array:
+        return np.asarray(fft.rfft2(values, s=shape))
+
+    def back(values: Array) -> Array:
+        return np.asarray(fft.irfft2(values, s=shape)[: gap.shape[0], : gap.shape[1]])
+
+    if inclined is None:
+
+        def displacement(pressure: Array) -> Array:
+            return back(direct * forward(pressure))
+
+    else:
+        slope, poisson_ratio = inclined
+        e = poisson_ratio / (1.0 - poisson_ratio)
+        along = fft.rfft2(lengthwise_influence(*at, *spacing))
+        square, shared = -0.25 * (0.5 + e) * along, direct + 0.5 * (e - 0.5) * along
+
+        def displacement(pressure: Array) -> Array:
+            spread = forward(pressure)
+            return (
+                back(direct * spread + square * forward(slope**2 * pressure))
+                + slope**2 * back(square * spread)
+                + slope * back(shared * forward(slope * pressure))
+            )
 
     total = load / (spacing[0] * spacing[1])
     pressure = np.full(gap.shape, total / gap.size)
@@ -150,11 +202,18 @@ def solve(gap: Array, load: float, spacing: tuple[float, float]) -> tuple[Array,
     return pressure, float(((displacement(pressure) + gap) * pressure).sum() / total)
 
 
-def _love(x: Array, y: Array, width: float, height: float) -> Array:
+def normal_influence(x: Array, y: Array, width: float, height: float) -> Array:
     """Displacement at (x, y) of a half-space of E* = 1 under unit pressure on a rectangle about the origin."""
+    return _over_rectangle(
+        lambda u, v: u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v)), x, y, width, height
+    )
 
-    def corner(u: Array, v: Array) -> Array:
-        return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
+def lengthwise_influence(x: Array, y: Array, width: float, height: float) -> Array:
+    """x^2/(pi r^3) integrated over a rectangle about the origin."""
+    return _over_rectangle(lambda u, v: v * np.arcsinh(u / np.abs(v)), x, y, width, height)
+
+
+def _over_rectangle(corner: Callable[[Array, Array], Array], x: Array, y: Array, width: float, height: float) -> Array:
     left, right, low, high = x - 0.5 * width, x + 0.5 * width, y - 0.5 * height, y + 0.5 * height
     return (corner(right, high) - corner(left, high) - corner(right, low) + corner(left, low)) / np.pi

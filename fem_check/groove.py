@@ -76,3 +76,9 @@ class BallInGroove:
     def gap(self, x: Array, y: Array) -> Array:
         """The exact gap along the contact normal [m]."""
         return self.race_height(x, y) - self.ball_height(x, y)
+
+    def shared_slope(self, x: Array, y: Array) -> Array:
+        """Slope across the groove of the surface that the deformed bodies share: each gives way by its compliance."""
+        share = self.ball.compliance / (self.ball.compliance + self.race.compliance)
+        ball = x / np.sqrt(self.ball_radius**2 - x * x - y * y)
+        return (1.0 - share) * ball + share * x / np.sqrt(self.groove_radius**2 - x * x)

@@ -17,6 +17,7 @@ import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array
+from fem_check.half_space_sector import HalfSpaceSector
 from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, solved
 from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
@@ -24,6 +25,8 @@ from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeom
 
 POSITIONS, PARTS = 16, 4
 """Loads about each operating point, and interleaved parts of them."""
+HALF_SPACE_CELLS, HALF_SPACE_POSITIONS = (3, 4), 8
+"""Pressure cells per semi-minor axis of the half-spaces' two grids, and loads about the point."""
 ROUNDING = 7
 """Decimals of a metre to which the expected position is rounded, so that every machine takes the same mesh."""
 COARSE = 3
@@ -82,15 +85,25 @@ def own_point(scene_name: str) -> OperatingPoint:
 
 
 @dataclass(frozen=True)
-class Compared:
-    """One operating point on one mesh."""
+class Values:
+    """Of one kind, by quantity: the mean over the positions, and twice its standard error, same unit."""
 
     model: dict[str, float]
-    """The quasi-static model's values."""
+    """The quasi-static model's."""
     found: dict[str, float]
-    """The finite elements', mean over the positions."""
+    """The finite elements'."""
     position_uncertainty: dict[str, float]
-    """Twice the standard error of that mean, same unit."""
+
+
+@dataclass(frozen=True)
+class Compared(Values):
+    """One operating point on one mesh: against the model as it is by default, Hertz at the free contact angle.
+
+    Ellipse and largest pressure less what the mesh makes of a parabola.
+    """
+
+    as_read: Values
+    """As the mesh has them, against the model with Hertz at each contact's own angle and the ball's own orbit."""
     dofs: int
     solver: str
     worst_imbalance: float
@@ -133,6 +146,14 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
     return solution
 
 
+def nearest(solution: qsbearing.Solution) -> qsbearing.Solution:
+    """The model at the same point as near to true surfaces as it comes: Hertz at each contact's own angle, and at speed
+    the ball on its own orbit."""
+    scene = solution.scene
+    orbit = qsbearing.OrbitRadius.DISPLACED if scene.ball_effects else scene.orbit_radius
+    return qsbearing.solve(dataclasses.replace(scene, hertz_angle=qsbearing.HertzAngle.ACTUAL, orbit_radius=orbit))
+
+
 def expected(bearing: SectorBearing, solution: qsbearing.Solution) -> Expected:
     """Where the model puts the bodies; the finite elements mesh them there."""
     angle = float(solution.outer.angle[0])
@@ -168,35 +189,80 @@ def place(
     return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), ROOM[support])
 
 
-def compare(scene_name: str, point: OperatingPoint, sector: BearingSector, *, positions: int = POSITIONS) -> Compared:
+def compare(
+    scene_name: str,
+    point: OperatingPoint,
+    sector: BearingSector,
+    *,
+    gyroscopic_moment: bool = False,
+    positions: int = POSITIONS,
+) -> Compared:
     """Compare one operating point on one mesh, made for it."""
-    gyroscopic_moment = sector.friction
     cell = ROOM[sector.support] * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
     factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
-    deviations: list[Array] = []
+    deviations: dict[str, list[Array]] = {"default": [], "as read": []}
     worst = 0.0
     for factor in factors:
         near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
-        reference = _of_model(model(scene_name, near, gyroscopic_moment=gyroscopic_moment))
+        solution = model(scene_name, near, gyroscopic_moment=gyroscopic_moment)
         results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
         worst = max(worst, results.imbalance)
-        deviations.append(_deviation(_of_elements(sector, results), reference))
-    reference = _of_model(model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
+        read, mesh = _of_elements(results), _of_parabola(sector, results)
+        corrected = {name: value / mesh.get(name, 1.0) for name, value in read.items()}
+        deviations["default"].append(_deviation(corrected, _of_model(solution)))
+        deviations["as read"].append(_deviation(read, _of_model(nearest(solution))))
+    solution = model(scene_name, point, gyroscopic_moment=gyroscopic_moment)
+    default = _averaged(_of_model(solution), deviations["default"], factors)
+    as_read = _averaged(_of_model(nearest(solution)), deviations["as read"], factors)
+    return Compared(
+        default.model,
+        default.found,
+        default.position_uncertainty,
+        as_read,
+        sector.dofs,
+        sector.ball.solver,
+        worst,
+    )
+
+
+def half_spaces(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> tuple[Values, HalfSpaceSector]:
+    """The sector with half-spaces for bodies against `nearest`, and its finer grid's sector.
+
+    The uncertainty is that of the positions and the change from the coarser grid.
+    """
+    bearing, found = sector_bearing(scene_name), []
+    where = place(scene_name, point, OuterSupport.RIGID, gyroscopic_moment=gyroscopic_moment)
+    for elements in HALF_SPACE_CELLS:
+        sector = HalfSpaceSector(SectorGeometry(bearing, where, elements))
+        cell = ROOM[OuterSupport.RIGID] * contact_block.PATCH / contact_block.cells(elements)
+        factors = 1.0 + cell * ((np.arange(HALF_SPACE_POSITIONS) + 0.5) / HALF_SPACE_POSITIONS - 0.5)
+        deviations = []
+        for factor in factors:
+            near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
+            reference = nearest(model(scene_name, near, gyroscopic_moment=gyroscopic_moment))
+            results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
+            deviations.append(_deviation(_of_elements(results), _of_model(reference)))
+        reference = nearest(model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
+        found.append(_averaged(_of_model(reference), deviations, factors))
+    coarse, fine = found
+    change = {name: abs(fine.found[name] - coarse.found[name]) + fine.position_uncertainty[name] for name in QUANTITIES}
+    return Values(fine.model, fine.found, change), sector
+
+
+def _averaged(reference: dict[str, float], deviations: list[Array], factors: Array) -> Values:
+    """Deviations at all positions as one value at the point itself."""
     values = np.array(list(reference.values()))
-    table = np.column_stack([np.ones(positions), np.log(factors)])
+    table = np.column_stack([np.ones(len(factors)), np.log(factors)])
     found = np.array(deviations)
     fit = np.linalg.lstsq(table, found, rcond=None)[0]
     # Positions are spread evenly, not drawn: the scatter of evenly spread parts of them tells how well they average.
     parts = np.array([np.linalg.lstsq(table[k::PARTS], found[k::PARTS], rcond=None)[0][0] for k in range(PARTS)])
     error = 2.0 * parts.std(axis=0, ddof=1) / np.sqrt(PARTS)
     scale = np.where(_relative(), values, 1.0)
-    return Compared(
+    return Values(
         reference,
         dict(zip(QUANTITIES, values + fit[0] * scale, strict=True)),
         dict(zip(QUANTITIES, np.abs(error * scale), strict=True)),
-        sector.dofs,
-        sector.ball.solver,
-        worst,
     )
 
 
@@ -223,10 +289,18 @@ def _of_model(solution: qsbearing.Solution) -> dict[str, float]:
     return dict(zip(QUANTITIES, values, strict=True))
 
 
-def _of_elements(sector: BearingSector, results: SectorResults) -> dict[str, float]:
-    """Everything found; of ellipse and pressure less what the same mesh makes of a contact where Hertz is exact."""
+def _of_elements(results: SectorResults) -> dict[str, float]:
+    """Everything found, as it is read."""
     values = [results.axial_displacement]
-    for race, c in (("inner", results.inner), ("outer", results.outer)):
-        mesh = sector.parabola_over_hertz(race, c)
-        values += [c.load, float(np.degrees(c.angle)), *(getattr(c, name) / ratio for name, ratio in mesh.items())]
+    for c in (results.inner, results.outer):
+        values += [c.load, float(np.degrees(c.angle)), c.semi_major_axis, c.semi_minor_axis, c.max_pressure]
     return dict(zip(QUANTITIES, values, strict=True))
+
+
+def _of_parabola(sector: BearingSector, results: SectorResults) -> dict[str, float]:
+    """What the same mesh makes of ellipse and pressure of contacts where Hertz is exact, over Hertz's."""
+    return {
+        f"{race} {name}": ratio
+        for race, c in (("inner", results.inner), ("outer", results.outer))
+        for name, ratio in sector.parabola_over_hertz(race, c).items()
+    }

@@ -78,11 +78,53 @@ class SectorResults:
     """See `NormalContact`."""
     pressures: tuple[Array, Array]
     """Coefficients of each contact's basis functions [Pa]."""
+    friction: Array
+    """Likewise at the outer contact; zero without a gyroscopic moment."""
     gaps: tuple[Array, Array]
     """Mean gap over each basis function, of the deformed bodies [m]."""
 
 
-class BearingSector:
+class Sector:
+    """Positions and pressures in equilibrium, whatever bodies give way under the contacts' pressures."""
+
+    flexibility: Array
+    """Of all bodies together: inner normal, outer normal (, outer friction)."""
+
+    def __init__(self, geometry: SectorGeometry, support: OuterSupport, friction: bool) -> None:
+        self.geometry = geometry
+        self.support = support
+        self.friction = friction
+        inner, outer = geometry.frames
+        self.counts = (len(inner.basis.forces), len(outer.basis.forces))
+
+    def solve(self, load: SectorLoad) -> SectorResults:
+        """Positions and pressures in equilibrium.
+
+        Raises:
+            ContactError: no equilibrium found near the expected position.
+        """
+        if load.gyroscopic_moment and not self.friction:
+            raise ValueError("a gyroscopic moment needs the sector condensed with friction=True")
+        friction = np.zeros(self.counts[1])
+        start = np.zeros(3)
+        for _ in range(FRICTION_ITERATIONS):
+            state = _State(self, load, friction)
+            found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
+            worst = float(np.abs(state.residual(found.x)).max())
+            if not worst < RESIDUAL:
+                raise ContactError(
+                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})"
+                )
+            start = found.x
+            if not load.gyroscopic_moment:
+                break
+            previous, friction = friction, state.friction_pressures()
+            if np.abs(friction - previous).max() < FRICTION_TOLERANCE * friction.max():
+                break
+        return state.results(worst)
+
+
+class BearingSector(Sector):
     """The three bodies, condensed onto their contacts; then any load near the expected one takes milliseconds."""
 
     def __init__(
@@ -95,9 +137,7 @@ class BearingSector:
             support: how the outer ring is held.
             friction: also condense the outer contact's friction, for the gyroscopic moment.
         """
-        self.geometry = geometry
-        self.support = support
-        self.friction = friction
+        super().__init__(geometry, support, friction)
         inner, outer = geometry.frames
         ball = TetrahedralBody(geometry.mesh("ball"), geometry.bearing.drawing.ball)
         kinds = ("normal", "tangent") if friction else ("normal",)
@@ -105,7 +145,6 @@ class BearingSector:
         self.ball = condense_free(ball, _loads(ball, on_ball))
         self.inner_ring = self._ring("inner", [(inner, "normal"), (inner, "axis")], OuterSupport.RIGID)
         self.outer_ring = self._ring("outer", [(outer, kind) for kind in (*kinds, "axis")], support)
-        self.counts = (len(inner.basis.forces), len(outer.basis.forces))
 
     def _ring(self, name: str, loads: Sequence[tuple[ContactFrame, str]], support: OuterSupport) -> CondensedSolid:
         bearing = self.geometry.bearing
@@ -131,13 +170,28 @@ class BearingSector:
         turn[3 * turned + 1, 3 * turned + 2] = -s
         return condense_supported(body, _loads(body, loads), fixed, sp.csr_matrix(turn))
 
+    def supports(self, results: SectorResults) -> dict[str, Array]:
+        """Forces of what holds each body on it, summed over its mesh and over both halves [N].
+
+        "inner" and "outer": along the axis, radially and along rolling; "ball": of what only stops its rigid motions.
+        """
+        inner, outer = results.pressures
+        rubbing = [results.friction] if self.friction else []
+        unused = [np.zeros_like(inner), np.zeros_like(outer)]
+        bodies = {
+            "inner": (self.inner_ring, [inner, unused[0]]),
+            "outer": (self.outer_ring, [outer, *rubbing, unused[1]]),
+            "ball": (self.ball, [inner, outer, *rubbing, *unused]),
+        }
+        return {name: 2.0 * body.held @ np.concatenate(loads) for name, (body, loads) in bodies.items()}
+
     @property
     def dofs(self) -> int:
         """Unknowns of all three bodies."""
         return self.ball.dofs + self.inner_ring.dofs + self.outer_ring.dofs
 
     @cached_property
-    def flexibility(self) -> Array:
+    def flexibility(self) -> Array:  # type: ignore[override]
         """Of all bodies together: inner normal, outer normal (, outer friction)."""
         first, second = self.counts
         count = first + second * (2 if self.friction else 1)
@@ -170,37 +224,11 @@ class BearingSector:
         found = contact_results.ellipse(frame, pressure)
         return {name: value / getattr(exact, name) for name, value in found.items()}
 
-    def solve(self, load: SectorLoad) -> SectorResults:
-        """Positions and pressures in equilibrium.
-
-        Raises:
-            ContactError: no equilibrium found near the expected position.
-        """
-        if load.gyroscopic_moment and not self.friction:
-            raise ValueError("a gyroscopic moment needs the sector condensed with friction=True")
-        friction = np.zeros(self.counts[1])
-        start = np.zeros(3)
-        for _ in range(FRICTION_ITERATIONS):
-            state = _State(self, load, friction)
-            found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
-            worst = float(np.abs(state.residual(found.x)).max())
-            if not worst < RESIDUAL:
-                raise ContactError(
-                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})"
-                )
-            start = found.x
-            if not load.gyroscopic_moment:
-                break
-            previous, friction = friction, state.friction_pressures()
-            if np.abs(friction - previous).max() < FRICTION_TOLERANCE * friction.max():
-                break
-        return state.results(worst)
-
 
 class _State:
     """Bodies at a trial position, under given friction."""
 
-    def __init__(self, sector: BearingSector, load: SectorLoad, friction: Array) -> None:
+    def __init__(self, sector: Sector, load: SectorLoad, friction: Array) -> None:
         self.sector = sector
         self.geometry = sector.geometry
         self.load = load
@@ -284,6 +312,7 @@ class _State:
             imbalance,
             self.contact.penetration,
             self.pressures(),
+            self.friction,
             (self.contact.left[:first] / frames[0].basis.forces, self.contact.left[first:] / frames[1].basis.forces),
         )
 

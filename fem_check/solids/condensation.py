@@ -30,6 +30,12 @@ class CondensedSolid:
     """Work of load i along the displacement under load j, shape (load, load); symmetrised."""
     dofs: int
     solver: str
+    held: Array
+    """Force of what holds the body on it, per load, in space, shape (3, load); of a free body those of the three
+    unknowns that only stop its rigid motions: without fault none."""
+    dilation: float
+    """Work of a displacement that is the position itself along the forces that it takes [N m], the body's stiffness in
+    one number: 3 E V/(1 - 2 nu)."""
 
 
 def condense_supported(
@@ -43,10 +49,22 @@ def condense_supported(
         turn: rotation of the unknowns from the directions in which `fixed` counts into x, y, z; None: the same.
     """
     matrix, forces = body.stiffness, loads
+    dilation = _dilation(body, matrix)
+    shifts = sp.csr_matrix(np.tile(np.identity(3), body.space.count))
     if turn is not None:
         matrix, forces = sp.csr_matrix(turn.T @ matrix @ turn), sp.csr_matrix(turn.T @ loads)
-    free = np.flatnonzero(~fixed.ravel())
-    return _solved(sp.csc_matrix(matrix[free][:, free]), sp.csc_matrix(forces[free]))
+        shifts = sp.csr_matrix(shifts @ turn)
+    free, held = np.flatnonzero(~fixed.ravel()), np.flatnonzero(fixed.ravel())
+    of_held = sp.csr_matrix(shifts[:, held])
+    inside, to_held = sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(of_held @ matrix[held][:, free])
+    del matrix  # the factor needs the memory
+    flexibility, moved, solver = _solved(inside, sp.csc_matrix(forces[free]), to_held)
+    return CondensedSolid(flexibility, len(free), solver, moved - (of_held @ forces[held]).toarray(), dilation)
+
+
+def _dilation(body: TetrahedralBody, matrix: sp.csr_matrix) -> float:
+    position = body.nodes.T.ravel()
+    return float(position @ (matrix @ position))
 
 
 def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid:
@@ -65,20 +83,33 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     fixed[plane, 2] = True
     # Three unknowns that stop the rigid motions; they carry nothing, for every load is balanced.
     far = plane[np.argsort(np.hypot(x[plane], y[plane]))]
-    fixed[far[0], :2] = True
-    fixed[far[-1], 1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0] = True
+    stops = [3 * far[0], 3 * far[0] + 1, 3 * far[-1] + (1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0)]
+    fixed.ravel()[stops] = True
     free = np.flatnonzero(~fixed.ravel())
-    matrix = sp.csc_matrix(body.stiffness[free][:, free])
-    return _solved(matrix, sp.csc_matrix(loads[free]), carried[free], share)
+    matrix = body.stiffness
+    dilation = _dilation(body, matrix)
+    inside, to_held = sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(matrix[stops][:, free])
+    del matrix  # the factor needs the memory
+    flexibility, moved, solver = _solved(inside, sp.csc_matrix(loads[free]), to_held, carried[free], share)
+    held = moved - loads[stops].toarray() + carried[stops] @ share
+    return CondensedSolid(flexibility, len(free), solver, held, dilation)
 
 
 def _solved(
-    matrix: sp.csc_matrix, loads: sp.csc_matrix, carried: Array | None = None, share: Array | None = None
-) -> CondensedSolid:
-    """Solve under each load, less `carried @ share` where given; some at a time, for all are large."""
+    matrix: sp.csc_matrix,
+    loads: sp.csc_matrix,
+    to_held: sp.csr_matrix,
+    carried: Array | None = None,
+    share: Array | None = None,
+) -> tuple[Array, Array, str]:
+    """Flexibility, and the forces `to_held @ displacement`, under each load, less `carried @ share` where given.
+
+    Some at a time, for all are large.
+    """
     factor = factorise(matrix)
     count = loads.shape[1]
     flexibility = np.empty((count, count))
+    held = np.empty((to_held.shape[0], count))
     for start in range(0, count, RIGHT_HAND_SIDES):
         some = slice(start, min(start + RIGHT_HAND_SIDES, count))
         forces = loads[:, some].toarray()
@@ -86,6 +117,7 @@ def _solved(
             forces -= carried @ share[:, some]
         moved = factor.solve(forces)
         flexibility[:, some] = loads.T @ moved
+        held[:, some] = to_held @ moved
         if carried is not None and share is not None:
             flexibility[:, some] -= share.T @ (carried.T @ moved)
-    return CondensedSolid(0.5 * (flexibility + flexibility.T), matrix.shape[0], factor.solver)
+    return 0.5 * (flexibility + flexibility.T), held, factor.solver

@@ -13,6 +13,7 @@ import qsbearing as qs
 from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
+from fem_check.report.figures import sector as sector_figures
 from tests.benchmarks.record import RECORD
 from tests.design_report import evidence_numbers
 from tests.rotordynamics import spindle
@@ -142,7 +143,6 @@ def true_geometry() -> str:
 
 
 SECTOR = {
-    "axial_displacement": "axial displacement, %",
     "inner load": "Qi, %",
     "inner angle": "αi, deg",
     "outer angle": "αo, deg",
@@ -155,13 +155,16 @@ SECTOR = {
 def sector() -> str:
     """One ball between elastic rings: finite elements less model."""
     rows = []
-    for support, states in records_store.read_all()["bearing_sector"]["pictures"]["bearing_sector"].items():
+    record = records_store.read_all()["bearing_sector"]
+    for support, states in record["pictures"]["bearing_sector"].items():
         for state, curve in states.items():
             for index, load in enumerate(curve["load_N"]):
                 found = [(curve[name]["deviation"][index], curve[name]["uncertainty"][index]) for name in SECTOR]
+                found.insert(0, sector_figures.micrometres(record, support, state, load))
                 cells = (f"{deviation:+.2f} ± {uncertainty:.2f}" for deviation, uncertainty in found)
                 rows.append([support, state, f"{load:.0f}", *cells])
-    return markdown(["outside diameter", "", "axial load, N", *SECTOR.values()], rows)
+    headings = ["outside diameter", "", "axial load, N", "axial displacement, µm", *SECTOR.values()]
+    return markdown(headings, rows)
 
 
 def gyroscopic_moment() -> str:

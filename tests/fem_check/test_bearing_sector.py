@@ -1,16 +1,18 @@
 """One ball between both rings, on the shipped meshes."""
 
+import dataclasses
 import hashlib
 import json
 from math import cos, radians
+from types import SimpleNamespace
 
 import matplotlib.pyplot
 import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import meshing, records_store, sector_comparison, sector_pictures
-from fem_check.agreement import Level
+from fem_check import meshing, records_store, sector_comparison, sector_judgement, sector_pictures, sector_statics
+from fem_check.agreement import Level, Row
 from fem_check.checks import bearing_sector
 from fem_check.report.figures import sector as figures
 from fem_check.scenes import SceneProblemError
@@ -89,6 +91,66 @@ def test_the_pictures_show_the_bodies_and_their_contacts(sector):
     matplotlib.pyplot.close("all")
 
 
+def test_meshed_bodies_obey_statics(sector):
+    """Supports after the solution, inertia and stiffness against the drawing: no row of these knows the mesh."""
+    load = SectorLoad(POINT.axial_load, POINT.speed)
+    rows = sector_statics.rows("two elements per semi-axis", sector, load, sector.solve(load))
+    assert {row.verdict for row in rows} == {"pass"}
+    assert {row.quantity.split(",")[-1].strip() for row in rows} >= {"ball", "inner ring", "outer ring"}
+    # The rings' volumes by Green's theorem against Pappus: a section without its groove is a rectangle.
+    section = sector.geometry.bearing.section(np.array([0.0, 73.0e-3]), inner=False)
+    flat = dataclasses.replace(section, groove_radius=1e-9)
+    inner, outer = 73.0e-3, section.back_radius
+    assert sector_statics.section_moment(flat) == pytest.approx(0.5 * section.width * (outer**2 - inner**2), rel=1e-6)
+
+
+def test_half_spaces_in_the_bodies_place_give_the_model():
+    values, _ = sector_comparison.half_spaces("b218", OperatingPoint(2000.0, 0.0), gyroscopic_moment=False)
+    rows = sector_judgement.of_half_spaces("2 kN at rest", values, sector_comparison.sector_bearing("b218"))
+    assert len(rows) == 5
+    assert {row.verdict for row in rows} == {"pass"}
+    # A reference twice as large, and one of a tenth of a degree or 2 % off, is seen in every row.
+    for row in rows:
+        change = 0.15 / row.reference if row.unit == "deg" else 0.05
+        assert dataclasses.replace(row, reference=row.reference * (1.0 + change)).verdict == "fail", row.quantity
+        assert dataclasses.replace(row, reference=2.0 * row.reference).verdict == "fail", row.quantity
+
+
+def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
+    """Doubled, each reference that is not zero is missed; where it is zero, so is a value as large as the scale."""
+    record = json.loads((records_store.FOLDER / "quick" / "bearing_sector.json").read_text())
+    judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
+    assert len(judged) > 25
+    for entry in judged:
+        row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
+        other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
+        assert (row.verdict, other.verdict) == ("pass", "fail"), (row.case, row.quantity)
+
+
+def test_the_limit_of_light_loads_can_fail():
+    """On the series on record; then with 2 % more displacement, 0.1 % more load, 0.05 degrees."""
+    curve = records_store.read_all()["bearing_sector"]["pictures"]["bearing_sector"]["rigid"]["at rest"]
+
+    def studied(index, more):
+        return SimpleNamespace(
+            point=OperatingPoint(curve["load_N"][index], 0.0),
+            deviation=lambda name: curve[name]["deviation"][index] + more.get(bearing_sector.quantity_kind(name), 0.0),
+            uncertain=lambda name: curve[name]["uncertainty"][index],
+        )
+
+    def verdicts(more):
+        rows = bearing_sector._light_load_limit(studied(0, more), studied(1, more))
+        return {
+            bearing_sector.quantity_kind(row.quantity.split(" over ")[0].split(" less ")[0]): row.verdict
+            for row in rows
+        }
+
+    assert set(verdicts({})) == set(bearing_sector.LIMIT_POWERS)
+    assert set(verdicts({}).values()) == {"pass"}
+    wrong = {"axial_displacement": 2.0, "load": 0.1, "angle": 0.05, "semi_major_axis": 0.5, "semi_minor_axis": 0.5}
+    assert set(verdicts(wrong).values()) == {"fail"}
+
+
 def test_a_moment_without_friction_is_refused(sector):
     with pytest.raises(ValueError, match="friction"):
         sector.solve(SectorLoad(17800.0, POINT.speed, gyroscopic_moment=True))
@@ -119,6 +181,9 @@ def test_the_quick_level_passes():
     findings = bearing_sector.run(Level.QUICK, lambda stage, part: None)
     assert findings.verdict == "pass"
     assert all(row.uncertainty_percent is not None for row in findings.rows if row.tolerance_percent is None)
+    # Physical rows are judged at speed: ellipses and pressures, loads and angles, of both raceways.
+    judged = {row.quantity for row in findings.rows if row.tolerance_percent and "rpm" in row.case}
+    assert judged >= set(sector_comparison.QUANTITIES)
 
 
 def test_what_the_comparison_resolves_is_said_of_each_series_for_itself():

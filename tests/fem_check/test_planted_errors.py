@@ -334,6 +334,83 @@ PLANTED = {
         "sphere_on_plane",
     ),
 }
+SECTOR = "bearing_sector"
+PLANTED |= {
+    # In the model, seen by the sector.
+    "elastic modulus x 1.05": (
+        "qsbearing/contact/hertz.py",
+        "return 2.0 / ((1.0 - poisson_ratio_1**2) / elastic_modulus_1",
+        "return 2.1 / ((1.0 - poisson_ratio_1**2) / elastic_modulus_1",
+        SECTOR,
+    ),
+    "centrifugal force x 1.1": (
+        "qsbearing/effects/centrifugal_force.py",
+        "half = 0.5 * mass * pitch_diameter",
+        "half = 0.55 * mass * pitch_diameter",
+        SECTOR,
+    ),
+    "gyroscopic moment of the other sign": (
+        "qsbearing/kernel/ball_inertia.py",
+        "mg, mg_i, mg_o = gyroscopic_moment(ball_inertia(diameter)",
+        "mg, mg_i, mg_o = gyroscopic_moment(-ball_inertia(diameter)",
+        SECTOR,
+    ),
+    "load on the ring x 1.02": (
+        "qsbearing/flatten.py",
+        "load / (force * diameter) if channel.is_rotation else load / force",
+        "load / (force * diameter) if channel.is_rotation else 1.02 * load / force",
+        SECTOR,
+    ),
+    "contact angle + 0.3 degrees": (
+        "qsbearing/flatten.py",
+        'sin_free, cos_free = np.sin(v["free_contact_angle"]), np.cos(v["free_contact_angle"])',
+        'sin_free, cos_free = np.sin(v["free_contact_angle"] + 0.005), np.cos(v["free_contact_angle"] + 0.005)',
+        SECTOR,
+    ),
+    # In the sector itself.
+    "body force of the ball x 1.1": (
+        "fem_check/solids/condensation.py",
+        "forces -= carried @ share[:, some]",
+        "forces -= 1.1 * carried @ share[:, some]",
+        SECTOR,
+    ),
+    "centrifugal force of the sector x 1.1": (
+        "fem_check/solids/bearing_sector.py",
+        "bearing.drawing.ball_mass * radius * (orbit * speed) ** 2",
+        "1.1 * bearing.drawing.ball_mass * radius * (orbit * speed) ** 2",
+        SECTOR,
+    ),
+    "elastic modulus of the meshed bodies x 1.05": (
+        "fem_check/solids/tetrahedral_body.py",
+        "return self.material.elastic_modulus * elastic_body",
+        "return 1.05 * self.material.elastic_modulus * elastic_body",
+        SECTOR,
+    ),
+    "weights of the pressure on the mesh x 1.01": (
+        "fem_check/solids/contact_frame.py",
+        "weights = sp.diags(projected) @",
+        "weights = 1.01 * sp.diags(projected) @",
+        SECTOR,
+    ),
+    "weights of the pressure's own quadrature x 1.01": (
+        "fem_check/pressure_basis.py",
+        "return sp.csr_matrix(sp.diags(area) @ self.values(x, y))",
+        "return sp.csr_matrix(sp.diags(1.01 * area) @ self.values(x, y))",
+        SECTOR,
+    ),
+    "friction against the gyroscopic moment halved": (
+        "fem_check/solids/bearing_sector.py",
+        "share = 2.0 * self.gyroscopic /",
+        "share = 1.0 * self.gyroscopic /",
+        SECTOR,
+    ),
+    "uncertainties that do not cover": (
+        "fem_check/convergence.py",
+        "return SAFE_FACTOR * max(steps)",
+        "return 0.2 * SAFE_FACTOR * max(steps)",
+        "convergence_order",
+    ),
+}
 COMPILED = ("load exponent 1.49", "centrifugal force doubled")
 
 

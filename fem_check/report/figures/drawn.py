@@ -77,12 +77,14 @@ DRAWN = {
     ),
     "sector contacts": Drawing(
         sector.sector_contacts,
-        "Pressure and gap of both contacts of the ball",
+        "Pressure and gap of both contacts of the ball, at the corners of the pressure's cells. Four to six cells a "
+        "semi-axis leave the contours ragged, at the quick level most: that is the mesh, not the contact",
         "Pressure maps of the inner and the outer contact, and pressure and gap across the groove.",
     ),
     "bearing_sector": Drawing(
         sector.bearing_sector,
-        "One ball between two elastic rings: deviation from the quasi-static model",
+        "One ball between two elastic rings: deviation from the quasi-static model; displacements in µm, for at speed "
+        "that of the model passes through zero",
         "Six panels of deviations over the axial load, with the outside diameter rigid and free, at rest and at speed.",
     ),
 }
