@@ -21,7 +21,6 @@ from fem_check import records_store
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
 from fem_check.report.figures.sector import bearing_sector
-from qsbearing.pictures.study import picture
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
 from qsbearing.readings.rating_life import MILLION, Life
 from qsbearing.studies.cost import figures
@@ -30,12 +29,6 @@ from tests.guide.pages import run_page
 from tests.rotordynamics import spindle
 
 GUIDE = Path(qs.__file__).parent / "guide"
-
-
-def against_speed() -> Figure:
-    """The picture of one command: B218 against speed under three axial loads."""
-    vary = {"speed_rpm": "0:15000:61", "axial_load_N": [2000, 8000, 20000]}
-    return picture(qs.sweep(qs.Study.of("b218", vary)))
 
 
 GROOVES = np.linspace(0.51, 0.54, 31)
@@ -129,7 +122,6 @@ def main() -> None:
     gallery()
     for name, figure in of_records().items():
         (GUIDE / name).write_text(svg(figure), encoding="utf-8")
-    (GUIDE / "b218_speed.svg").write_text(svg(against_speed()), encoding="utf-8")
     (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
     (GUIDE / "spindle.svg").write_text(svg(spindle.picture(spindle.read())), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
