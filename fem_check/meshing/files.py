@@ -6,7 +6,9 @@ import contextlib
 import hashlib
 import json
 import logging
+import lzma
 import os
+import tempfile
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -51,7 +53,7 @@ def write_committed(folder: Path) -> None:
         name: entry for name, entry in manifest().items() if not name.endswith(".msh")
     }
     for recipe in COMMITTED:
-        path = folder / recipe.file_name
+        path = packed(folder, recipe)
         make(recipe, path)
         entries[recipe.file_name] = {
             "recipe": asdict(recipe),
@@ -59,16 +61,21 @@ def write_committed(folder: Path) -> None:
             "grading": f"sideways {SIDE_GROWTH}, in depth {DEPTH_GROWTH}",
             "elements": recipe.elements,
             "nodes": int(read(path).p.shape[1]),
-            "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
+            "sha256": hashlib.sha256(lzma.decompress(path.read_bytes())).hexdigest(),
             "gmsh": gmsh_version(),
         }
     (folder / MANIFEST).write_text(json.dumps(entries, indent=1) + "\n")
 
 
+def packed(folder: Path, recipe: Recipe) -> Path:
+    """The recipe's file among the committed ones."""
+    return folder / f"{recipe.file_name}.xz"
+
+
 def locate(recipe: Recipe) -> Path:
     """The recipe's file: committed, cached, or made now."""
     if recipe.file_name in manifest():
-        path = committed_folder() / recipe.file_name
+        path = packed(committed_folder(), recipe)
         if not path.is_file():
             raise MeshError(
                 f"{path} is missing: bring it back from the repository, or make it again with "
@@ -105,6 +112,18 @@ def _quiet() -> Iterator[None]:
         logger.setLevel(before)
 
 
+@contextlib.contextmanager
+def _unpacked(path: Path) -> Iterator[Path]:
+    """The file as meshio reads it: the committed ones are packed."""
+    if path.suffix != ".xz":
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / path.stem
+        file.write_bytes(lzma.decompress(path.read_bytes()))
+        yield file
+
+
 def read(path: Path) -> MeshHex:
     """Read a mesh file, and check that its tagged faces lie where their tags belong."""
     import meshio
@@ -114,8 +133,8 @@ def read(path: Path) -> MeshHex:
     if not path.is_file():
         raise MeshError(f"{path}: no such mesh file")
     try:
-        with _quiet(), contextlib.redirect_stdout(None):
-            mesh = from_meshio(meshio.read(path))
+        with _quiet(), contextlib.redirect_stdout(None), _unpacked(path) as file:
+            mesh = from_meshio(meshio.read(file))
     except Exception as problem:  # meshio raises whatever its parser trips over
         raise MeshError(f"{path} is not a whole gmsh mesh ({type(problem).__name__}: {problem})") from problem
     if not isinstance(mesh, MeshHex):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import lzma
 import os
 import tempfile
 from collections.abc import Iterator
@@ -60,6 +61,8 @@ def make(recipe: Recipe, path: Path) -> None:
         os.close(handle)
         try:
             gmsh.write(temporary)
+            if path.suffix == ".xz":
+                Path(temporary).write_bytes(lzma.compress(Path(temporary).read_bytes(), preset=lzma.PRESET_EXTREME))
             Path(temporary).chmod(0o644)
             Path(temporary).replace(path)
         except BaseException:

@@ -46,10 +46,10 @@ class Operation:
     displacement carries no load and is free to move. With a radial load or displacement the tilt that it
     causes must be stated, free (moment 0) or fixed (tilt 0): the two give very different bearings.
 
-    Of a bearing alone (`Scene`), moments are about, and displacements those of, the point of the axis in the plane of
-    the inner groove centres. Of a set's shaft (`BearingSet`) it is the set's reference position, counted as rows are:
-    by the planes of the ball centres. Of one bearing the two planes are (r_i - D/2) sin(alpha0) apart, 0.331 mm for
-    B218; with the pitch circle's tilt lever, which leaves the groove centres out, they are one.
+    Of a bearing alone (`Scene`), moments are about the point of the axis in the plane of the inner groove centres, and
+    displacements are those of this point. Of a set's shaft (`BearingSet`) it is the set's reference position, counted
+    as rows are: by the planes of the ball centres. Of one bearing the two planes are (r_i - D/2) sin(alpha0) apart,
+    0.331 mm for B218; with the pitch circle's tilt lever, which leaves the groove centres out, they are one.
 
     Raises:
         SceneError: every error, at once.

@@ -72,8 +72,7 @@ class BearingSet:
         y + tilt_z (x - reference),      z - tilt_y (x - reference).
 
     Positions and the reference are those of planes of ball centres, at rest and unloaded. So a set's moments are about
-    another point than a bearing's alone, whose moments are about the plane of its inner groove centres: see
-    `Operation`.
+    another point than those of a bearing alone, which are about the plane of its inner groove centres: `Operation`.
 
     A row that carries load in -x is solved as its mirror image in a plane across the shaft: the same azimuths and
     speeds, axial displacement and tilts reversed.

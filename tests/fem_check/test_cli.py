@@ -129,7 +129,7 @@ def test_a_lost_mesh_is_exit_2_and_leaves_the_record(tmp_path, monkeypatch):
     (tmp_path / "quick" / "patch_test.json").write_text("earlier")
     result = call("run", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 2
-    assert "half_space_04.msh is missing" in result.stderr
+    assert "half_space_04.msh.xz is missing" in result.stderr
     assert (tmp_path / "quick" / "patch_test.json").read_text() == "earlier"
 
 

@@ -1,6 +1,7 @@
 """The committed meshes, their rebuilding, and damaged files."""
 
 import hashlib
+import lzma
 import sys
 
 import numpy as np
@@ -16,7 +17,7 @@ needs_gmsh = pytest.mark.skipif(meshing.gmsh_problem() is not None, reason=str(m
 def test_committed_files_are_what_the_manifest_says(recipe):
     entry = meshing.manifest()[recipe.file_name]
     path = meshing.locate(recipe)
-    assert hashlib.sha256(path.read_bytes()).hexdigest() == entry["sha256"]
+    assert hashlib.sha256(lzma.decompress(path.read_bytes())).hexdigest() == entry["sha256"]
     mesh = meshing.load(recipe)
     assert mesh.p.shape[1] == entry["nodes"]
     assert mesh.t.shape[1] == recipe.elements == entry["elements"]
@@ -25,8 +26,8 @@ def test_committed_files_are_what_the_manifest_says(recipe):
 @needs_gmsh
 def test_a_rebuilt_mesh_is_the_committed_one(tmp_path):
     recipe = meshing.half_space(4)
-    meshing.make(recipe, tmp_path / "again.msh")
-    again, kept = meshing.read(tmp_path / "again.msh"), meshing.load(recipe)
+    meshing.make(recipe, tmp_path / "again.msh.xz")
+    again, kept = meshing.read(tmp_path / "again.msh.xz"), meshing.load(recipe)
     # Transfinite points are computed by the same few operations each time: rounding between builds of gmsh only.
     np.testing.assert_allclose(again.p, kept.p, atol=1e-12)
     np.testing.assert_array_equal(again.t, kept.t)
@@ -51,14 +52,16 @@ def test_missing_file(tmp_path):
 
 
 def test_truncated_file(tmp_path):
-    text = meshing.locate(meshing.half_space(4)).read_text()
+    text = lzma.decompress(meshing.locate(meshing.half_space(4)).read_bytes()).decode()
     (tmp_path / "half.msh").write_text(text[: len(text) // 2])
-    with pytest.raises(MeshError, match="not a whole gmsh mesh"):
-        meshing.read(tmp_path / "half.msh")
+    (tmp_path / "half.msh.xz").write_bytes(lzma.compress(text.encode())[:5000])
+    for name in ("half.msh", "half.msh.xz"):
+        with pytest.raises(MeshError, match="not a whole gmsh mesh"):
+            meshing.read(tmp_path / name)
 
 
 def test_untagged_and_wrongly_tagged_files(tmp_path):
-    text = meshing.locate(meshing.half_space(4)).read_text()
+    text = lzma.decompress(meshing.locate(meshing.half_space(4)).read_bytes()).decode()
     (tmp_path / "renamed.msh").write_text(text.replace('"contact"', '"top"'))
     with pytest.raises(MeshError, match=r"lacks the tagged surface\(s\) contact"):
         meshing.read(tmp_path / "renamed.msh")
@@ -71,7 +74,7 @@ def test_untagged_and_wrongly_tagged_files(tmp_path):
 def test_a_lost_committed_mesh_is_named(tmp_path, monkeypatch):
     (tmp_path / meshing.MANIFEST).write_text((meshing.committed_folder() / meshing.MANIFEST).read_text())
     monkeypatch.setattr(meshing.files, "committed_folder", lambda: tmp_path)
-    with pytest.raises(MeshError, match=r"half_space_04\.msh is missing: bring it back"):
+    with pytest.raises(MeshError, match=r"half_space_04\.msh\.xz is missing: bring it back"):
         meshing.load(meshing.half_space(4))
 
 
