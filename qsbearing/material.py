@@ -46,8 +46,39 @@ SILICON_NITRIDE = Material(
 )
 """Silicon nitride, the ceramic of hybrid bearings."""
 
-BY_NAME = {material.name: material for material in (STEEL, SILICON_NITRIDE)}
-"""The materials a scene file may name."""
+BEARING_STEEL = Material(
+    elastic_modulus=210e9,
+    poisson_ratio=0.3,
+    density=7800.0,
+    thermal_expansion=12e-6,
+    name="100Cr6",
+    source="GMN catalogue 4000 0813 EN, material characteristics (E, density); Poisson's ratio and expansion: usual "
+    "handbook values. The 'steel' of this program has 208 GPa",
+)
+"""100Cr6, which is AISI 52100 and SUJ2."""
+
+M50 = Material(
+    elastic_modulus=214e9,
+    poisson_ratio=0.29,
+    density=7870.0,
+    thermal_expansion=11.2e-6,
+    name="M50",
+    source="BTI Metals, data sheet of M50 VIM-VAR (E 214 GPa hardened, 7.87 g/cm3, 11.21e-6 per K from 21 to 93 C); "
+    "Poisson's ratio: makeitfrom.com, M50, annealed. Others print 203 GPa and 7.81 to 8.03 g/cm3",
+)
+"""High-speed steel of aircraft engines."""
+
+_OTHER_NAMES = {
+    "silicon nitride": ("Si3N4",),
+    "100Cr6": ("1.3505", "AISI 52100", "SAE 52100", "52100", "SUJ2"),
+    "M50": ("AISI M50",),
+}
+BY_NAME = {
+    spelling.lower(): material
+    for material in (STEEL, SILICON_NITRIDE, BEARING_STEEL, M50)
+    for spelling in (material.name, *_OTHER_NAMES.get(material.name, ()))
+}
+"""The materials a scene file may name, by all that they are called, in small letters."""
 
 
 def material_errors(field: str, material: Material) -> list[ErrorDetail]:

@@ -46,8 +46,11 @@ def bearing(
 
 
 def gmn_rows() -> list[dict[str, Any]]:
-    """GMN's catalogue: `name` and numbers in the units of the column names; forces in N, rigidities in N/um."""
-    text = (files("fem_check.book") / "data" / "gmn_spindle_bearings.csv").read_text("utf-8")
+    """GMN's catalogue: `name` and numbers in the units of the column names; forces in N, rigidities in N/um.
+
+    One column is not GMN's, `inferred_f`, which no case of the book reads.
+    """
+    text = (files("qsbearing.io.catalogue") / "gmn_spindle_bearings.csv").read_text("utf-8")
     return [
         {key: value if key == "name" else float(value) for key, value in row.items() if value}
         for row in csv.DictReader(text.splitlines())

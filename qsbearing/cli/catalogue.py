@@ -14,12 +14,33 @@ if TYPE_CHECKING:
 
 @click.command(short_help="List the bearings that can be named, and their sources.")
 @click.argument("name", required=False)
-def catalogue(name: str | None) -> None:
-    """List the bearings that can be named, or with NAME where each number of one comes from."""
-    from qsbearing.io import tables
-    from qsbearing.io.catalogue import entries
+@click.option("--bore", type=float, metavar="MM", help="Standard spindle bearings of this bore.")
+@click.option("--angle", type=float, metavar="DEG", help="Of this free contact angle: 15, 17 or 25.")
+@click.option("--series", default="", metavar="SERIES", help="Whose names begin with this: 719, 72, KH70, KH719.")
+@click.option("--hybrid/--steel", default=None, help="With ceramic balls, or with steel ones.")
+def catalogue(name: str | None, bore: float | None, angle: float | None, series: str, hybrid: bool | None) -> None:
+    """List the bearings that can be named, or with NAME where each number of one comes from. With an option: those of
+    the standard spindle bearings that it names.
 
-    print_table(tables.catalogue(entries()) if name is None else tables.catalogue_entry(entry_named(name)))
+    Exit codes: 0 listed, 2 there is none.
+    """
+    from qsbearing.io import tables
+    from qsbearing.io.catalogue import chosen, entries
+
+    is_choice = bool(series) or (bore, angle, hybrid) != (None, None, None)
+    if name is not None:
+        if is_choice:
+            refuse("give a NAME or options, not both: options choose among the spindle bearings")
+        print_table(tables.catalogue_entry(entry_named(name)))
+        return
+    if not is_choice:
+        print_table(tables.catalogue(entries()))
+        return
+    found = chosen(bore, angle, series, hybrid)
+    if not found:
+        bores = sorted({f"{entry.dimensions['bore_diameter_mm']:g}" for entry in chosen()}, key=float)
+        refuse(f"no spindle bearing is of these; bores are {', '.join(bores)} mm, angles 15, 17 and 25 deg")
+    print_table(tables.spindle_table(found))
 
 
 def entry_named(name: str) -> Entry:

@@ -9,10 +9,19 @@ import numpy as np
 
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, translate
+from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
 from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
-from qsbearing.scene.keys import BEARING, MATERIALS
+from qsbearing.scene.keys import (
+    BEARING,
+    COEFFICIENTS,
+    DIAMETERS,
+    EFFECT_TABLES,
+    IN_PLACE,
+    MATERIALS,
+    Key,
+)
 from qsbearing.units import deg, mm
 from qsbearing.validation import SceneError
 
@@ -22,7 +31,7 @@ AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
 
-_BEARING = table_model("bearing", BEARING, {"name": (str | None, None)} | choice_fields("kind"))
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
@@ -39,7 +48,17 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
+    for length in DIAMETERS:  # which the model does not need: `with_diameters` has handed them on
+        good.pop(length.name, None)
+    of_radius = _coefficients(good, unusable, errors)
     entry = catalogue.find(good["name"]) if "name" in good else None
+    diameter = good.get("ball_diameter_mm")
+    if diameter is None and entry is not None and "ball_diameter_mm" not in unusable:
+        diameter = entry.bearing["ball_diameter_mm"]
+    if diameter is None:
+        unusable |= set(of_radius)  # one mistake: the ball's diameter is missing
+    else:
+        good |= {radius: coefficient * diameter for radius, coefficient in of_radius.items()}
     from_entry: dict[str, Any] = {}
     if entry is not None:
         label = label_of(entry, good)
@@ -64,6 +83,67 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
         note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
         errors.append(FileErrorDetail(**{**vars(error), "note": note}))
     return bearing if len(errors) == before else None
+
+
+def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> dict[str, Any]:
+    """The groove radius coefficient of each radius that a file gives by one, taken out of its values."""
+    of_radius: dict[str, Any] = {}
+    for name in sorted(COEFFICIENTS, key=lambda each: len(COEFFICIENTS[each])):  # that of one groove goes first
+        radii = COEFFICIENTS[name]
+        if name in unusable:
+            unusable |= {radius for radius in radii if radius not in good}
+        if name not in good:
+            continue
+        value = good.pop(name)
+        if all(radius in good for radius in radii):
+            cause = f"Keep one: {' and '.join(radii)} follow from it and the ball diameter"
+            shown = None if isinstance(value, np.ndarray) else value
+            errors.append(FileErrorDetail(f"bearing.{name}", f"is given beside {radii[0]}", shown, cause=cause))
+        of_radius |= {radius: value for radius in radii if radius not in good and radius not in of_radius}
+    return of_radius
+
+
+def with_diameters(document: dict[str, Any]) -> dict[str, Any]:
+    """The tables of a file, with bore and outside diameter of its bearing, or of the catalogue's, in every table that
+    needs them and does not state them itself; rows likewise."""
+    document = dict(document)
+    common = document.get("bearing")
+    for place in ("effects", "readings"):
+        if isinstance(document.get(place), dict):
+            document[place] = _filled(document[place], EFFECT_TABLES if place == "effects" else _reading_keys(), common)
+    if isinstance(document.get("rows"), list):
+        document["rows"] = [_row_filled(row, common) for row in document["rows"]]
+    return document
+
+
+def _row_filled(row: Any, common: Any) -> Any:
+    if not isinstance(row, dict):
+        return row
+    own = row.get("bearing", common)
+    filled = _filled(row, EFFECT_TABLES, own)
+    if isinstance(row.get("readings"), dict):
+        filled = {**filled, "readings": _filled(row["readings"], _reading_keys(), own)}
+    return filled
+
+
+def _reading_keys() -> dict[str, tuple[Key, ...]]:
+    return {name: table.keys for name, table in reading_tables().items()}
+
+
+def _filled(holder: dict[str, Any], within: dict[str, tuple[Key, ...]], bearing: Any) -> dict[str, Any]:
+    if not isinstance(bearing, dict):
+        return holder
+    entry = catalogue.find(bearing["name"]) if isinstance(bearing.get("name"), str) else None
+    known = {} if entry is None else entry.dimensions
+    wide = {key.name: bearing.get(key.name, known.get(key.name)) for key in DIAMETERS}
+    found = dict(holder)
+    for name, keys in within.items():
+        if name in holder and isinstance(holder[name], dict | bool):
+            names = {key.name for key in keys}
+            given = {key: value for key, value in wide.items() if key in names and value is not None}
+            table = {} if holder[name] is True else holder[name]
+            found[name] = {**given, **table} if given and isinstance(table, dict) else holder[name]
+    return found
 
 
 def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:

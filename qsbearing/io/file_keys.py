@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from qsbearing.scene.keys import (
     BALL_DEVIATIONS,
     EFFECT_TABLES,
+    IN_PLACE,
     NUMBERS,
     SECTIONS,
     SET_NUMBERS,
@@ -49,6 +50,7 @@ def find(path: str) -> Key | None:
         table = "rows"
     known = numbers() if _is_of_reading(path) else NUMBERS
     keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
+    keys = (*keys, *IN_PLACE) if table == "bearing" else keys
     return next((key for key in keys if name in (key.field, key.name)), None)
 
 

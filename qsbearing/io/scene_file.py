@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.io import catalogue, result_file
-from qsbearing.io.bearing_table import bearing_of
+from qsbearing.io.bearing_table import bearing_of, with_diameters
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.file_keys import reading_tables
@@ -107,6 +107,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     if "spectrum" in document:
         return scene_of_spectrum(document, file, label, scene_of)
     errors: Errors = []
+    document = with_diameters(document)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)
     operation = operation_of(document, errors)

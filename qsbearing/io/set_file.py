@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from qsbearing.io.bearing_table import bearing_of
+from qsbearing.io.bearing_table import bearing_of, with_diameters
 from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
@@ -63,6 +63,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         SceneFileError: everything that is wrong with it.
     """
     errors: Errors = []
+    document = with_diameters(document)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None

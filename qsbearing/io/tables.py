@@ -80,9 +80,31 @@ def catalogue(entries: Sequence[Entry]) -> Group:
     for position, source in enumerate(sources):
         notes.add_row(f"[{position + 1}]", Text(source))
     hint = Text(
-        "`qsbearing catalogue NAME` shows where each number comes from; `qsbearing run NAME` solves an example."
+        "`qsbearing catalogue NAME` shows where each number comes from; `qsbearing run NAME` solves an example. "
+        "Standard spindle bearings: `qsbearing catalogue --bore 70 --angle 15`."
     )
     return Group(table, Padding(notes, (1, 0, 0, 0)), Padding(hint, (1, 0, 0, 0)))
+
+
+def spindle_table(entries: Sequence[Entry]) -> Group:
+    """Standard bearings, one a row; what is inferred is marked."""
+    heading = ("name", "d", "D", "B", "Z", "Dw", "dm", "alpha0\ndeg", "f *", "C\nN", "balls")
+    table = plain_table("Spindle bearings, lengths in mm", heading, left=(0, 10))
+    for entry in entries:
+        bearing, own = entry.bearing, entry.dimensions
+        lengths = [own[f"{key}_mm"] for key in ("bore_diameter", "outside_diameter", "width")]
+        f = bearing["inner_groove_radius_mm"] / bearing["ball_diameter_mm"]
+        sizes = [bearing[key] for key in ("ball_diameter_mm", "pitch_diameter_mm", "free_contact_angle_deg")]
+        numbers = (*lengths, bearing["ball_count"], *sizes)
+        rating = f"{own['dynamic_load_rating_N']:.0f}"
+        table.add_row(
+            entry.name, *(f"{each:g}" for each in numbers), f"{f:.4f}", rating, _material(bearing["ball_material"])
+        )
+    notes = "* inferred: groove radius coefficient, which the source does not print."
+    source = f"From {entries[0].source.partition(', row')[0]}."
+    return Group(
+        table, Text(), Text(f"{notes} {source} `qsbearing catalogue NAME` shows where each number comes from.")
+    )
 
 
 def catalogue_entry(entry: Entry) -> Group:
@@ -100,12 +122,14 @@ def catalogue_entry(entry: Entry) -> Group:
         for number, source in entry.material_provenance.items():
             if number.startswith(f"{key}."):
                 table.add_row("", number.removeprefix(f"{key}."), Text(source, style=_style(source)))
+    for key, size in entry.dimensions.items():
+        table.add_row(key, f"{size:g}", "catalogue row; what needs the bore or the outside diameter takes it from here")
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
     return Group(head, Padding(table, (1, 0, 0, 0)))
 
 
 def _style(origin: str) -> str:
-    return "yellow" if origin.startswith("assumed") else ""
+    return "yellow" if origin.startswith(("assumed", "inferred")) else ""
 
 
 def _free_angle(bearing: dict[str, Any]) -> float:

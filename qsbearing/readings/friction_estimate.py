@@ -26,7 +26,7 @@ from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
 from qsbearing.result_keys import Shown
 from qsbearing.scene.bearing import BallBearing, BearingKind
-from qsbearing.scene.keys import Key
+from qsbearing.scene.keys import DIAMETERS, Key
 from qsbearing.solution.solution import Solution
 from qsbearing.units import N, Nmm, deg, mm, rpm
 from qsbearing.validation import (
@@ -328,8 +328,7 @@ ENTRY = Reading(
     needs_oil=True,
     table=Table(
         keys=(
-            Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
-            Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+            *DIAMETERS,
             Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
             Key("lubrication_factor", "lubrication_factor"),
             Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED),

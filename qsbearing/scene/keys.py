@@ -44,6 +44,19 @@ BEARING = (
     Key("diametral_clearance_mm", "diametral_clearance", "mm", mm, LENGTH),
 )
 
+COEFFICIENTS = {
+    **{f"{side}_groove_radius_coefficient": (f"{side}_groove_radius_mm",) for side in ("inner", "outer")},
+    "groove_radius_coefficient": ("inner_groove_radius_mm", "outer_groove_radius_mm"),
+}
+"""f = r/D of a groove, or of both, with the ball diameter of the same bearing; each stands for these radii."""
+DIAMETERS = (
+    Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
+    Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+)
+"""Of the bearing as a whole: what needs them takes them from here, so that a file states them once."""
+IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *DIAMETERS)
+"""What a file's [bearing] may hold besides, which is no length of the model."""
+
 MATERIAL = (
     Key("elastic_modulus_GPa", "elastic_modulus", "GPa", GPa, MODULUS),
     Key("poisson_ratio", "poisson_ratio"),
@@ -84,8 +97,7 @@ def celsius(field: str) -> Key:
 
 
 RING_EXPANSION = (
-    Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
-    Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+    *DIAMETERS,
     Key("shaft_interference_um", "shaft_interference", "um", um, LENGTH),
     Key("shaft_bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
     Key("housing_interference_um", "housing_interference", "um", um, LENGTH),
@@ -121,7 +133,7 @@ NUMBERS = {
 """The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
-    "bearing": ("name", "kind", *(key.name for key in BEARING), *MATERIALS),
+    "bearing": ("name", "kind", *(key.name for key in (*BEARING, *IN_PLACE)), *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
     "preload": tuple(key.name for key in PRELOAD),
     "effects": (

@@ -4,18 +4,12 @@ balls' diameters."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from qsbearing.io.file_keys import numbers, sections
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIALS, OPERATION, PRELOAD
+from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
 from qsbearing.scene.operation import CHANNELS
-
-COEFFICIENTS = {
-    **{f"{side}_groove_radius_coefficient": (f"{side}_groove_radius_mm",) for side in ("inner", "outer")},
-    "groove_radius_coefficient": ("inner_groove_radius_mm", "outer_groove_radius_mm"),
-}
-"""f = r/D of a groove, or of both, with the ball diameter of the same point; it stands for the radius."""
 
 _EITHER = (
     ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),
@@ -69,9 +63,18 @@ def _all() -> dict[str, StudyKey]:
             own = ".".join((*path, key.name))
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
             found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
-    for name, radii in COEFFICIENTS.items():
-        found[name] = StudyKey(name, ("bearing", radii[0]), "1", ())
+    for name in COEFFICIENTS:
+        found[name] = StudyKey(name, ("bearing", name), "1", _beside(name))
+    for radius in ("inner_groove_radius_mm", "outer_groove_radius_mm"):
+        found[radius] = replace(found[radius], replaces=_beside(radius))
     return found
+
+
+def _beside(name: str) -> tuple[str, ...]:
+    """Paths of the keys that say the same of a groove: of a radius its coefficient, of a coefficient what it covers."""
+    radii = COEFFICIENTS.get(name, ())
+    covered = [each for each, own in COEFFICIENTS.items() if own == (name,) or (len(own) < len(radii))]
+    return tuple(f"bearing.{each}" for each in (*radii, *covered))
 
 
 ALL = _all()

@@ -15,7 +15,7 @@ from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.set_file import is_set, set_of
 from qsbearing.material import BY_NAME
-from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS
+from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.studies import keys
@@ -160,32 +160,17 @@ def label_of(scene: Scene | BearingSet | None) -> str:
 
 def _scene(study: Study, values: dict[str, NDArray]) -> Scene | BearingSet:
     document = copy.deepcopy(study.document)
-    coefficients: dict[str, NDArray] = {}
     deviations: dict[int, NDArray] = {}
-    for name, value in values.items():
-        if name in keys.COEFFICIENTS:
-            coefficients |= dict.fromkeys(keys.COEFFICIENTS[name], value)
+    for name in sorted(values, key=lambda each: len(COEFFICIENTS.get(each, ())), reverse=True):  # of both grooves first
+        key = keys.known(name)
+        if key.ball is None:
+            _put(document, study, key, values[name])
         else:
-            key = keys.known(name)
-            if key.ball is None:
-                _put(document, study, key, value)
-            else:
-                deviations[key.ball] = value
+            deviations[key.ball] = values[name]
     if deviations:
         _put_deviations(document, deviations)
-    if coefficients:
-        diameter = _ball_diameter(document, study)
-        for radius, value in coefficients.items():
-            document["bearing"][radius] = _plain(value * diameter)
     made = set_of if is_set(document) else scene_of
     return made(document, study.file, study.label)
-
-
-def _ball_diameter(document: dict[str, Any], study: Study) -> ArrayLike:
-    """In the file's unit; from the scene's own table, or else from its catalogue entry."""
-    name = "ball_diameter_mm"
-    given = document.setdefault("bearing", {}).get(name, _from_catalogue(study, name))
-    return given if isinstance(given, float | int | np.ndarray) else np.nan
 
 
 def _from_catalogue(study: Study, key: str) -> Any:

@@ -12,7 +12,7 @@ import numpy as np
 import qsbearing as qs
 from tests.qsbearing.scenes import BOTH, OUTER
 
-CATALOGUE = Path(__file__).parents[2] / "fem_check" / "book" / "data" / "gmn_spindle_bearings.csv"
+CATALOGUE = Path(__file__).parents[2] / "qsbearing" / "io" / "catalogue" / "gmn_spindle_bearings.csv"
 PAIR_FILE = """
 [bearing]
 name = "7210C"

@@ -107,13 +107,12 @@ def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
     results = sweep(Study.of(document, {name: values}, quantities=["inner_load"]))
     assert (results["status"] == 0).all(), results["reason"].attrs
     for given, found in zip(values, results["inner_load"], strict=True):
-        if name in keys.COEFFICIENTS:
-            given *= 22.225
         alone = document_with(_with_tables(document, key), key.path, given)
-        for radius in keys.COEFFICIENTS.get(name, ()):
-            alone["bearing"][radius] = given
         for path in key.replaces:
             alone.get(path.partition(".")[0], {}).pop(path.rpartition(".")[2], None)
+        for radius in keys.COEFFICIENTS.get(name, ()):  # the file has it as a length
+            alone["bearing"].pop(name, None)
+            alone["bearing"][radius] = given * 22.225
         solution = qs.solve(scene_of(alone, ""))
         np.testing.assert_allclose(found[: solution.inner.load.size], solution.inner.load, rtol=1e-8, atol=1e-6)
 

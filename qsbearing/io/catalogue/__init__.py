@@ -1,40 +1,26 @@
-"""The catalogue: published bearings, each number with its source, and an example of use; data in catalogue/*.toml."""
+"""The catalogue: published bearings, each number with its source, and an example of use.
+
+Worked examples of the literature stand in a TOML file each; standard spindle bearings are rows of one printed table.
+"""
 
 from __future__ import annotations
 
 import difflib
 import tomllib
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
+from qsbearing.io.catalogue.entry import Entry
+from qsbearing.io.catalogue.spindle_series import spindle_bearings
 
-@dataclass(frozen=True)
-class Entry:
-    """One published bearing, in the words and units of a scene file."""
-
-    name: str
-    description: str
-    source: str
-    bearing: dict[str, Any]
-    """The [bearing] table of a scene file, complete."""
-    provenance: dict[str, str]
-    """For each key of `bearing`, where its value comes from, or that it is assumed."""
-    material_provenance: dict[str, str]
-    """Likewise of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
-    example: dict[str, dict[str, Any]]
-    """The [operation] and [effects] tables of a scene that uses it."""
-
-    @property
-    def assumed(self) -> tuple[str, ...]:
-        """Keys whose values the source does not print."""
-        return tuple(key for key, origin in self.provenance.items() if origin.startswith("assumed"))
+__all__ = ["Entry", "chosen", "entries", "find", "nearest"]
 
 
 @cache  # a study and a search look one up for each of their batches
 def entries() -> tuple[Entry, ...]:
-    """All entries, in the order of their names."""
+    """The worked examples, in the order of their names."""
     folder = files("qsbearing.io.catalogue")
     texts = [file.read_text("utf-8") for file in folder.iterdir() if file.name.endswith(".toml")]
     return tuple(sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower()))
@@ -42,16 +28,55 @@ def entries() -> tuple[Entry, ...]:
 
 def find(name: str) -> Entry | None:
     """The entry of this name, in capitals or not; None where there is none: `nearest` may know a similar one."""
-    return next((entry for entry in entries() if entry.name.lower() == name.strip().lower()), None)
+    return _by_name().get(name.strip().lower())
+
+
+@cache
+def _by_name() -> dict[str, Entry]:
+    """Every entry; an example that is a row of the table too keeps its own numbers and takes the row's dimensions."""
+    found = dict(spindle_bearings())
+    for entry in entries():
+        row = found.get(entry.name.lower())
+        found[entry.name.lower()] = entry if row is None else replace(entry, dimensions=row.dimensions)
+    return found
+
+
+def chosen(
+    bore: float | None = None, angle: float | None = None, series: str = "", hybrid: bool | None = None
+) -> list[Entry]:
+    """The spindle bearings of these, smallest first.
+
+    Args:
+        bore: [mm].
+        angle: free contact angle [deg].
+        series: what the name begins with: 719, 72, KH.
+        hybrid: True: of ceramic balls, False: of steel.
+    """
+    kept = [
+        entry
+        for entry in _by_name().values()
+        if entry.dimensions
+        and (bore is None or entry.dimensions["bore_diameter_mm"] == bore)
+        and (angle is None or entry.bearing["free_contact_angle_deg"] == angle)
+        and entry.name.lower().startswith(series.strip().lower())
+        and (hybrid is None or (entry.bearing["ball_material"] != "steel") == hybrid)
+    ]
+    return sorted(kept, key=lambda entry: (entry.dimensions["bore_diameter_mm"], entry.name))
 
 
 def nearest(name: str) -> str:
     """A sentence that helps whoever asked for a name that the catalogue does not hold."""
-    names = {entry.name.lower(): entry.name for entry in entries()}
-    similar = difflib.get_close_matches(name.strip().lower(), names, n=1, cutoff=0.5)
-    if similar:
-        return f"Did you mean {names[similar[0]]}?"
-    return f"The catalogue holds {', '.join(names.values())}."
+    names = {entry.name.lower(): entry.name for entry in (*entries(), *spindle_bearings().values())}
+    wanted = name.strip().lower()
+    begun = [full for low, full in names.items() if wanted and low.removeprefix("kh").startswith(wanted)]
+    if begun and any(letter.isdigit() for letter in wanted):
+        return f"Did you mean {' or '.join(begun[:4])}?"
+    alike = {each: difflib.SequenceMatcher(None, wanted, each).ratio() for each in names}
+    similar = max(alike, key=lambda each: alike[each])  # of several alike the first, a worked example
+    if alike[similar] >= 0.5:
+        return f"Did you mean {names[similar]}?"
+    examples = ", ".join(entry.name for entry in entries())
+    return f"The catalogue holds {examples}, and spindle bearings such as 71914C: `qsbearing catalogue --bore 70`."
 
 
 def _entry(data: dict[str, Any]) -> Entry:
