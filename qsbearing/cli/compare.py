@@ -99,7 +99,7 @@ def _tables(found: Comparison) -> Group:
 
 
 def _cell(line: Line, number: int) -> str:
-    from qsbearing.design.compare import MARKED
+    from qsbearing.pictures.side_by_side import MARKED
 
     value, difference = line.values[number], line.difference(number)
     text = "" if value != value else f"{value:.5g}"

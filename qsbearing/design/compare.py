@@ -29,8 +29,6 @@ from qsbearing.studies.results import find as find_result
 
 MOST = 20
 """Bearings: of more no table is read."""
-MARKED = 0.01
-"""Relative difference from the first bearing that is shown (chosen: below it two bearings are alike)."""
 SHOWN = (
     *MAIN, "ring_effective_stiffness_tilt_z", "outer_required_friction_max", "centrifugal_force_max", "balls_off_inner",
     "inner_film_film_parameter_min", "outer_film_film_parameter_min",

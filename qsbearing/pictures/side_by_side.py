@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 FIRST, OTHER = "0.55", "#0072b2"
 """Of the bearing that the others are compared with, and theirs."""
+MARKED = 0.01
+"""Relative difference from the first bearing that is shown (chosen: below it two bearings are alike)."""
 
 
 def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequence[float]]], title: str) -> Figure:
@@ -38,7 +40,8 @@ def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequenc
         axes.set_xlim(low - 0.45 * (high - low) * (low < 0.0), high + 0.45 * (high - low) * (high > 0.0))
         for place, value in zip(places, values, strict=True):
             text = "no solution" if not np.isfinite(value) else _said(value)
-            if place and np.isfinite(value) and np.isfinite(values[0]) and values[0]:
+            known = np.isfinite(value) and np.isfinite(values[0]) and values[0] != 0.0
+            if known and abs(value / values[0] - 1.0) > MARKED:
                 text += f" ({100.0 * (value / values[0] - 1.0):+.0f} %)"
             left = np.isfinite(value) and value < 0.0
             at = value if np.isfinite(value) else 0.0

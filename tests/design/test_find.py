@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from scipy.optimize import differential_evolution
 
 import qsbearing as qs
+from fem_check.book.cases.bearing_design import LIMITS, PRINTED, PRINTED_CAPACITY, PROBLEM, capacity
 from qsbearing.cli import cli
 from qsbearing.design.find import Found
 from qsbearing.design.optimum import search
 from qsbearing.design.wanted import Variable, wanted
-from tests.design.benchmark import LIMITS, PRINTED, PRINTED_CAPACITY, PROBLEM, capacity
 from tests.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
 CLOSE = 1e-3

@@ -93,6 +93,15 @@ def test_an_example_that_is_a_row_too_keeps_its_numbers_and_has_the_row_s_dimens
     assert entry.dimensions["bore_diameter_mm"] == 50.0 and entry.dimensions["outside_diameter_mm"] == 90.0
 
 
+def test_dimensions_and_ratings_are_the_printed_ones() -> None:
+    """S 6210 C of the catalogue: 50 x 90 x 20 mm, 47.5 kN and 37 kN, with ceramic balls 26 kN."""
+    steel, ceramic = (catalogue.find(name).dimensions for name in ("7210C", "7210C_hybrid"))
+    assert [steel[f"{key}_mm"] for key in ("bore_diameter", "outside_diameter", "width")] == [50.0, 90.0, 20.0]
+    assert (steel["dynamic_load_rating_N"], steel["static_load_rating_N"]) == (47500.0, 37000.0)
+    assert ceramic["static_load_rating_N"] == 26000.0
+    assert (steel["inner_shoulder_diameter_mm"], steel["outer_shoulder_diameter_mm"]) == (62.5, 76.9)
+
+
 def test_the_command_chooses() -> None:
     text = run("catalogue", "--bore", "70", "--angle", "15").stdout
     assert "71914C" in text and "71914C_hybrid" in text and "71914E" not in text and "inferred" in text

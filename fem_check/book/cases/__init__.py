@@ -5,6 +5,7 @@ from __future__ import annotations
 from fem_check.book.case import Case
 from fem_check.book.cases import (
     b218_textbook,
+    bearing_design,
     boresi_contacts,
     code_aster_spheres,
     endurance_1956,
@@ -37,6 +38,7 @@ _ORDER = (
     skf_examples,
     hamrock_209_film,
     iso_16281_seven_balls,
+    bearing_design,
 )
 """Measurements, then catalogues, standards and textbooks, then other programs."""
 
