@@ -24,6 +24,9 @@ class Entry:
     """Likewise of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
     example: dict[str, dict[str, Any]]
     """The [operation] and [effects] tables of a scene that uses it."""
+    rings: dict[str, float]
+    """Bore, outside diameter, width and shoulder diameters [mm], as far as a source prints them; they are no part of a
+    scene."""
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -58,4 +61,5 @@ def _entry(data: dict[str, Any]) -> Entry:
     return Entry(
         data["name"], data["description"], data["source"], bearing, data["provenance"],
         data.get("material_provenance", {}), data["example"],
+        {key.removesuffix("_mm"): value for key, value in data.get("rings", {}).items() if key != "source"},
     )  # fmt: skip
