@@ -12,10 +12,10 @@ def list_checks() -> None:
     """List the checks (name, kind, question, tolerance) and the cases of the validation book."""
     from fem_check.book.case import EVIDENCE
     from fem_check.book.cases import ALL as CASES
-    from fem_check.checks import ALL
+    from fem_check.checks import ALL, OPTIONAL
 
     checks = _table("Checks (fem-check run)")
-    for check in ALL.values():
+    for check in (ALL | OPTIONAL).values():
         checks.add_row(check.name, f"{check.question}\n[dim]{check.kind}; tolerance: {check.tolerance}[/dim]")
     book = _table("Published cases (fem-check book)")
     for case in CASES.values():

@@ -123,7 +123,8 @@ def catalogue_entry(entry: Entry) -> Group:
             if number.startswith(f"{key}."):
                 table.add_row("", number.removeprefix(f"{key}."), Text(source, style=_style(source)))
     for key, size in entry.dimensions.items():
-        table.add_row(key, f"{size:g}", "catalogue row; what needs the bore or the outside diameter takes it from here")
+        origin = entry.dimensions_source or "catalogue row"
+        table.add_row(key, f"{size:g}", f"{origin}; what needs the bore or the outside diameter takes it from here")
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
     return Group(head, Padding(table, (1, 0, 0, 0)))
 

@@ -37,7 +37,8 @@ def _by_name() -> dict[str, Entry]:
     found = dict(spindle_bearings())
     for entry in entries():
         row = found.get(entry.name.lower())
-        found[entry.name.lower()] = entry if row is None else replace(entry, dimensions=row.dimensions)
+        own = entry.dimensions
+        found[entry.name.lower()] = entry if row is None else replace(entry, dimensions=row.dimensions | own)
     return found
 
 
@@ -54,9 +55,8 @@ def chosen(
     """
     kept = [
         entry
-        for entry in _by_name().values()
-        if entry.dimensions
-        and (bore is None or entry.dimensions["bore_diameter_mm"] == bore)
+        for entry in map(_by_name().__getitem__, spindle_bearings())
+        if (bore is None or entry.dimensions["bore_diameter_mm"] == bore)
         and (angle is None or entry.bearing["free_contact_angle_deg"] == angle)
         and entry.name.lower().startswith(series.strip().lower())
         and (hybrid is None or (entry.bearing["ball_material"] != "steel") == hybrid)
@@ -82,7 +82,9 @@ def nearest(name: str) -> str:
 def _entry(data: dict[str, Any]) -> Entry:
     # The kind stands beside the name in the data, where a reader looks for it, and in the bearing in a scene file.
     bearing = {"kind": data["kind"].replace(" ", "_"), **data["bearing"]}
+    rings = data.get("rings", {})
     return Entry(
         data["name"], data["description"], data["source"], bearing, data["provenance"],
         data.get("material_provenance", {}), data["example"],
+        {key: value for key, value in rings.items() if key != "source"}, rings.get("source", ""),
     )  # fmt: skip

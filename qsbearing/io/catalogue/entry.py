@@ -22,7 +22,9 @@ class Entry:
     example: dict[str, dict[str, Any]]
     """The [operation] and [effects] tables of a scene that uses it."""
     dimensions: dict[str, float] = field(default_factory=dict)
-    """Of its cross-section, and its printed ratings, by keys with units; empty where the source has none."""
+    """Of its cross-section, and its printed ratings, by keys with units; empty where no source has any."""
+    dimensions_source: str = ""
+    """Where they come from, if not from the source of all."""
 
     @property
     def assumed(self) -> tuple[str, ...]:
