@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
     from qsbearing.messages import message, warnings
     from qsbearing.raceway_contacts import RacewayContacts
-    from qsbearing.ring_stiffness import stiffness
     from qsbearing.rotordynamics import stiffness_table, to_ross
     from qsbearing.scene.bearing import BallBearing, BearingKind
     from qsbearing.scene.operation import Operation
@@ -50,7 +49,7 @@ if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.sets.solve import solve_set
     from qsbearing.sets.system_life import system_life
-    from qsbearing.solution import Solution
+    from qsbearing.solution import Solution, stiffness
     from qsbearing.status import Reason, Status
     from qsbearing.studies.sobol import sobol_indices
     from qsbearing.studies.store import open_results
@@ -88,8 +87,7 @@ _HOMES = {
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),
     "sets.system_life": ("system_life",),
-    "ring_stiffness": ("stiffness",),
-    "solution": ("Solution",),
+    "solution": ("Solution", "stiffness"),
     "status": ("Reason", "Status"),
     "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
