@@ -13,17 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import (
-    BALL,
-    CONTACT,
-    DISPLACEMENT,
-    GEOMETRY,
-    LOAD,
-    RING_STATE,
-    STIFFNESS,
-    Shown,
-    split,
-)
+from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown, split
 from qsbearing.units import deg
 
 Solution = Any

@@ -29,18 +29,7 @@ from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.scene.keys import Key
 from qsbearing.solution import Solution
 from qsbearing.units import N, Nmm, deg, mm, rpm
-from qsbearing.validation import (
-    FORCE,
-    LENGTH,
-    RATIO,
-    SPEED,
-    ErrorDetail,
-    Quantity,
-    choose,
-    first,
-    raise_if_any,
-    within,
-)
+from qsbearing.validation import FORCE, LENGTH, RATIO, SPEED, ErrorDetail, Quantity, choose, first, raise_if_any, within
 
 
 class Series(StrEnum):

@@ -11,16 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.material import material_errors
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.units import mm
-from qsbearing.validation import (
-    ANGLE,
-    COUNT,
-    LENGTH,
-    ErrorDetail,
-    first,
-    numeric,
-    unit_mistake,
-    within,
-)
+from qsbearing.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
 
 BallBearing = Any
 """A `qsbearing.scene.bearing.BallBearing`, which asks for its errors when it is made."""
