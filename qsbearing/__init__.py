@@ -50,8 +50,7 @@ if TYPE_CHECKING:
     from qsbearing.sets.solve import solve_set
     from qsbearing.sets.system_life import system_life
     from qsbearing.solution.raceway_contacts import RacewayContacts
-    from qsbearing.solution.ring_stiffness import stiffness
-    from qsbearing.solution.solution import Solution
+    from qsbearing.solution.solution import Solution, stiffness
     from qsbearing.solution.status import Reason, Status
     from qsbearing.studies.sobol import sobol_indices
     from qsbearing.studies.store import open_results
@@ -89,8 +88,7 @@ _HOMES = {
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),
     "sets.system_life": ("system_life",),
-    "solution.ring_stiffness": ("stiffness",),
-    "solution.solution": ("Solution",),
+    "solution.solution": ("Solution", "stiffness"),
     "solution.status": ("Reason", "Status"),
     "design.compare": ("compare",),
     "design.find": ("find",),

@@ -1,13 +1,15 @@
-"""All of a solution as the columns of a table: one row per ball of every case."""
+"""All of a solution as the columns of a table, one row per ball of every case, and as a dataset of xarray."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown
+from qsbearing import __version__
+from qsbearing.quantities import ALL, Quantity
 from qsbearing.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -23,7 +25,10 @@ from qsbearing.scene.scene import Scene
 from qsbearing.units import deg
 
 if TYPE_CHECKING:
-    from qsbearing.solution.solution import Solution
+    import xarray
+
+Solution = Any
+"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
 
 
 def columns(solution: Solution) -> dict[str, NDArray]:
@@ -38,28 +43,22 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     def per_case(values: Any) -> NDArray:
         return np.broadcast_to(np.asarray(values)[..., None], exists.shape)[exists]
 
+    def part(belongs: Callable[[Quantity], bool]) -> dict[str, NDArray]:
+        read = {each: each.read(solution) for each in ALL.values() if each.is_column and belongs(each)}
+        return {
+            each.column: values[exists] if each.is_per_ball else per_case(values)
+            for each, values in read.items()
+            if values is not None
+        }
+
     out: dict[str, NDArray] = {f"case_{axis}": number for axis, number in enumerate(rows[:-1])}
     out |= {"ball": rows[-1], "azimuth_deg": solution.azimuth[exists] / deg}
-    for side in ("inner", "outer"):
-        for shown in CONTACT:
-            values = shown.of(getattr(solution, side))
-            if values is not None:
-                out[f"{side}_{shown.key}"] = values[exists]
-    for shown in BALL:
-        values = shown.of(solution)
-        if values is not None:
-            out[shown.key] = values[exists]
+    out |= part(lambda each: each.is_per_ball)
     if solution.raceway_control is not None:
         out["raceway_control"] = solution.raceway_control[exists]
     if solution.slips is not None:
         out["slips"] = solution.slips[exists]
-    for kind, keys, values in (
-        ("displacement", DISPLACEMENT, solution.displacement),
-        ("load", LOAD, solution.load),
-        ("locked_stiffness", STIFFNESS, solution.locked_stiffness),
-        ("effective_stiffness", STIFFNESS, solution.effective_stiffness),
-    ):
-        out |= {f"ring_{kind}_{key}": per_case(values[..., i] / size) for i, (key, size) in enumerate(keys)}
+    out |= part(lambda each: each.name.startswith("ring_"))
     names = [channel.label.replace(" ", "_") for channel in CHANNELS]
     for row, column in np.ndindex(5, 5):
         values = solution.stiffness[..., row, column]
@@ -67,20 +66,9 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     if solution.preload_at_rest is not None:
         for state in ("at_rest", "unmounted", "mounted"):
             out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
-    for name, values in _expansion(solution).items():
-        out[name] = per_case(np.broadcast_to(values, solution.shape))
+    out |= part(lambda each: not each.is_per_ball and not each.name.startswith("ring_"))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
-
-
-def _expansion(solution: Solution) -> dict[str, Any]:
-    """The operating geometry and the state of the rings; nothing without ring effects."""
-    if not solution.scene.is_reshaped:
-        return {}
-    holders: list[tuple[str, tuple[Shown, ...], Any]] = [("operating_", GEOMETRY, solution.scene.operating_bearing)]
-    holders += [(f"{side}_ring_", RING_STATE, getattr(solution, f"{side}_ring")) for side in ("inner", "outer")]
-    found = {f"{prefix}{shown.key}": shown.of(holder) for prefix, table, holder in holders for shown in table}
-    return {name: values for name, values in found.items() if values is not None}
 
 
 def scene_numbers(scene: Scene) -> dict[str, Any]:
@@ -104,3 +92,42 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
             if values is not None:
                 out[prefix + key.name] = np.vectorize(key.in_file, otypes=[float])(np.asarray(values, float))
     return out
+
+
+def dataset(solution: Solution) -> xarray.Dataset:
+    """Everything that a solution holds, labelled; what the scene does not call for is left out.
+
+    The scene's numbers that vary are coordinates; an axis along which one alone varies bears its name.
+    """
+    import xarray
+
+    inputs = {name: values for name, values in scene_numbers(solution.scene).items() if name != "bearing"}
+    dims = _case_dims(inputs, solution.shape)
+    found: dict[str, Any] = {
+        "status": (dims, np.asarray(solution.status, str)),
+        "reason": (dims, np.asarray(solution.reason, str)),
+        "iterations": (dims, np.asarray(solution.iterations)),
+        "residual": (dims, np.asarray(solution.residual)),
+    }
+    for quantity in ALL.values():
+        values = quantity.read(solution)
+        if values is not None:
+            own = (*dims, "ball") if quantity.is_per_ball else dims
+            found[quantity.name] = (own, values, {"units": quantity.unit})
+    coordinates = {}
+    for name, values in inputs.items():
+        axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]
+        own = tuple(dims[-1 - axis] for axis in axes)
+        coordinates[name] = (own, np.squeeze(values))
+    title = f"Solution of {solution.scene.bearing.name or 'a bearing'}"
+    return xarray.Dataset(found, coordinates, {"title": title, "qsbearing_version": __version__})
+
+
+def _case_dims(inputs: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """Names of the case axes: case_0, ..., or the number that alone varies along one."""
+    alone: dict[int, list[str]] = {}
+    for name, values in inputs.items():
+        axes = [len(shape) - 1 - axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1]
+        if axes:
+            alone.setdefault(axes[0] if len(axes) == 1 else -1, []).append(name)
+    return tuple(alone[i][0] if len(alone.get(i, [])) == 1 else f"case_{i}" for i in range(len(shape)))

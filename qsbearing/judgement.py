@@ -46,30 +46,6 @@ class Judgement:
         return name, found[name]
 
 
-@dataclass(frozen=True)
-class LeftOut:
-    """An effect or choice that was left out."""
-
-    effect: str
-    """Its name in `qsbearing.effects.EFFECTS`."""
-    estimated_error: Any
-    """Largest relative error of all that is read, expected of leaving it out; shape (*cases)."""
-
-
-@dataclass(frozen=True)
-class Choice:
-    """What was asked, what is in the solution and what is not."""
-
-    tolerance: float
-    effects: tuple[str, ...]
-    """Names of the effects and choices that the solution has, at their finest."""
-    added: tuple[str, ...]
-    """Those of them that the scene did not name."""
-    left_out: tuple[LeftOut, ...]
-    solves: int
-    """How often the scene was solved to choose."""
-
-
 def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judgement:
     """One effect or choice at a solution, whose scene has it or not; asked for with the parameters of another scene."""
     point = solution.operating_point if asked is None else replace(solution.operating_point, asked=asked)

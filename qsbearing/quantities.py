@@ -8,31 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__
-from qsbearing.columns import scene_numbers
-from qsbearing.result_keys import (
-    BALL,
-    CONTACT,
-    DISPLACEMENT,
-    GEOMETRY,
-    LOAD,
-    RING_STATE,
-    STIFFNESS,
-    Shown,
-    split,
-)
+from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown, split
 from qsbearing.units import deg
 
-if TYPE_CHECKING:
-    import xarray
-
-    from qsbearing.solution.solution import Solution
-
+Solution = Any
+"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
 STIFFNESSES = ("locked", "effective")
 
 
@@ -48,15 +33,13 @@ class Quantity:
     is_per_ball: bool
     read: Callable[[Solution], NDArray | None]
     """Shape (*cases) or (*cases, ball), in `unit`; None where the scene does not call for it."""
+    is_column: bool = True
+    """Whether tables have it; else it follows from what they have."""
 
 
 def _quantity(prefix: str, key: str, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
     name, unit = split(key)
     return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read)
-
-
-def _of_channel(kind: str, number: int, key: str, size: float) -> Quantity:
-    return _quantity(f"ring_{kind}_", key, False, lambda solution: getattr(solution, kind)[..., number] / size)
 
 
 def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:
@@ -112,56 +95,21 @@ def _all() -> dict[str, Quantity]:
         for shown in CONTACT
     ]
     found += [_quantity("", shown.key, True, shown.of) for shown in BALL]
-    found.append(Quantity("inner_raceway_controls", "1", "inner_raceway_controls", True, _control))
+    found.append(Quantity("inner_raceway_controls", "1", "inner_raceway_controls", True, _control, False))
     kinds = ("displacement", DISPLACEMENT), ("load", LOAD), *((f"{kind}_stiffness", STIFFNESS) for kind in STIFFNESSES)
     for kind, channels in kinds:
-        found += [_of_channel(kind, number, key, size) for number, (key, size) in enumerate(channels)]
+        for number, (key, size) in enumerate(channels):
+            values = attrgetter(kind)
+            found.append(
+                _quantity(f"ring_{kind}_", key, False, lambda it, of=values, n=number, size=size: of(it)[..., n] / size)  # type: ignore[misc]
+            )
     found += [_of_case("operating_", shown, _reshaped) for shown in GEOMETRY]
     found += [_of_case(f"{side}_ring_", shown, attrgetter(f"{side}_ring")) for side in sides for shown in RING_STATE]
-    found.append(Quantity("balls_off_inner", "balls", "balls_off_inner_balls", False, _unloaded))
-    found.append(_quantity("", "least_loaded_azimuth_deg", False, _least_loaded))
-    found.append(_quantity("", "azimuth_deg", True, lambda solution: solution.azimuth / deg))
+    found.append(Quantity("balls_off_inner", "balls", "balls_off_inner_balls", False, _unloaded, False))
+    found.append(Quantity("least_loaded_azimuth", "deg", "least_loaded_azimuth_deg", False, _least_loaded, False))
+    found.append(Quantity("azimuth", "deg", "azimuth_deg", True, lambda solution: solution.azimuth / deg, False))
     return {each.name: each for each in found}
 
 
 ALL = _all()
 """Every result that is read off a solution, by its name."""
-
-
-def dataset(solution: Solution) -> xarray.Dataset:
-    """Everything that a solution holds, labelled; what the scene does not call for is left out.
-
-    The scene's numbers that vary are coordinates; an axis along which one alone varies bears its name.
-    """
-    import xarray
-
-    inputs = {name: values for name, values in scene_numbers(solution.scene).items() if name != "bearing"}
-    dims = _case_dims(inputs, solution.shape)
-    found: dict[str, Any] = {
-        "status": (dims, np.asarray(solution.status, str)),
-        "reason": (dims, np.asarray(solution.reason, str)),
-        "iterations": (dims, np.asarray(solution.iterations)),
-        "residual": (dims, np.asarray(solution.residual)),
-    }
-    for quantity in ALL.values():
-        values = quantity.read(solution)
-        if values is not None:
-            own = (*dims, "ball") if quantity.is_per_ball else dims
-            found[quantity.name] = (own, values, {"units": quantity.unit})
-    coordinates = {}
-    for name, values in inputs.items():
-        axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]
-        own = tuple(dims[-1 - axis] for axis in axes)
-        coordinates[name] = (own, np.squeeze(values))
-    title = f"Solution of {solution.scene.bearing.name or 'a bearing'}"
-    return xarray.Dataset(found, coordinates, {"title": title, "qsbearing_version": __version__})
-
-
-def _case_dims(inputs: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
-    """Names of the case axes: case_0, ..., or the number that alone varies along one."""
-    alone: dict[int, list[str]] = {}
-    for name, values in inputs.items():
-        axes = [len(shape) - 1 - axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1]
-        if axes:
-            alone.setdefault(axes[0] if len(axes) == 1 else -1, []).append(name)
-    return tuple(alone[i][0] if len(alone.get(i, [])) == 1 else f"case_{i}" for i in range(len(shape)))

@@ -52,20 +52,12 @@ class Shown(NamedTuple):
         return self.words or split(self.key)[0].replace("_", " ")
 
 
-DISPLACEMENT = (
-    ("axial_um", um),
-    ("radial_y_um", um),
-    ("radial_z_um", um),
-    ("tilt_y_mrad", mrad),
-    ("tilt_z_mrad", mrad),
-)
-LOAD = (("axial_N", 1.0), ("radial_y_N", 1.0), ("radial_z_N", 1.0), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0))
+_STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")
+DISPLACEMENT = *((f"{name}_um", um) for name in _STRAIGHT), *((f"{name}_mrad", mrad) for name in _TILTS)
+LOAD = *((f"{name}_N", 1.0) for name in _STRAIGHT), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0)
 STIFFNESS = (
-    ("axial_N_per_um", 1.0 / um),
-    ("radial_y_N_per_um", 1.0 / um),
-    ("radial_z_N_per_um", 1.0 / um),
-    ("tilt_y_Nm_per_mrad", 1.0 / mrad),
-    ("tilt_z_Nm_per_mrad", 1.0 / mrad),
+    *((f"{name}_N_per_um", 1.0 / um) for name in _STRAIGHT),
+    *((f"{name}_Nm_per_mrad", 1.0 / mrad) for name in _TILTS),
 )
 """Keys of the five channels, and the size of each key's unit in SI."""
 

@@ -26,10 +26,10 @@ from numpy.typing import NDArray
 
 from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS, Entry
-from qsbearing.judgement import Choice, LeftOut, judge
+from qsbearing.judgement import judge
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import solver
-from qsbearing.solution.solution import Solution
+from qsbearing.solution.solution import Choice, LeftOut, Solution
 
 DEFAULT_TOLERANCE = 0.01
 FINEST, COARSEST = 1e-12, 1.0

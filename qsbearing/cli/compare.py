@@ -44,7 +44,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
     Exit codes: 0 all solved, 1 some is not, 2 bad input.
     """
     from qsbearing.design.compare import compare as side_by_side
-    from qsbearing.io.csv_table import csv_text
+    from qsbearing.io.csv_table import csv_bytes
     from qsbearing.io.output_file import output_file
     from qsbearing.validation import SceneError
 
@@ -67,7 +67,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
         print_table(_tables(found))
         try:
             if "--csv" in writers:
-                writers["--csv"](csv_text({**_columns(found)}).encode())
+                writers["--csv"](csv_bytes(_columns(found)))
             if "--plot" in writers and plot_target is not None:
                 writers["--plot"](_picture(found, plot_target))
         except OSError as error:

@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Mapping
 
     from rich.console import RenderableType
 
+    from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
+NO_SOLUTION = "there is no solution to write"
 
 
 def refuse(message: str) -> NoReturn:
@@ -67,6 +69,21 @@ def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
 
     whole = {"version": found["version"], "input": input_tables(of), **found}
     print_text(json.dumps(whole, indent=1, allow_nan=False) + "\n")
+
+
+def write_files(
+    targets: Mapping[str, str], write: Mapping[str, Writer], make: Mapping[str, Callable[[], bytes]], lacks: str
+) -> None:
+    """Write the files asked for, by their options; where nothing is solved, end and say that what they need lacks."""
+    if lacks:
+        for target in targets.values():
+            note(f"{target} is not written: {lacks}")
+        sys.exit(UNSOLVED)
+    try:
+        for option in targets:
+            write[option](make[option]())
+    except OSError as error:  # a disk that filled up meanwhile
+        refuse(f"cannot write: {error}")
 
 
 def print_text(text: str) -> None:

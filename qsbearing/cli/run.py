@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import importlib.util
 import os
-import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
+from qsbearing.cli.output import NO_SOLUTION, print_result, print_table, refuse, write_files
 from qsbearing.cli.picture_file import PICTURES, drawn, form_of
 from qsbearing.cli.run_points import run_points
 from qsbearing.cli.run_set import run_set
@@ -97,23 +96,16 @@ def run(
         if is_spectrum:
             show_spectrum(solution, asked, as_json, targets, write)
             return
+        from qsbearing.io.csv_table import csv_bytes
         from qsbearing.io.readings_record import all_columns, taken
 
         readings = taken(solution)
         _show(solution, readings, loaded, asked, as_json)
-        if not solution.converged:
-            for target in targets.values():
-                note(f"{target} is not written: there is no solution to write")
-            sys.exit(UNSOLVED)
-        try:
-            if csv_target is not None:
-                from qsbearing.io.csv_table import csv_bytes
-
-                write["--csv"](csv_bytes(all_columns(solution, readings)))
-            if plot_target is not None:
-                write["--plot"](drawn(solution, plot_target))
-        except OSError as error:  # a disk that filled up meanwhile
-            refuse(f"cannot write: {error}")
+        make = {
+            "--csv": lambda: csv_bytes(all_columns(solution, readings)),
+            "--plot": lambda: drawn(solution, targets["--plot"]),
+        }
+        write_files(targets, write, make, "" if solution.converged else NO_SOLUTION)
 
 
 def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, Writer]:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
+from qsbearing.cli.output import NO_SOLUTION, print_result, print_table, refuse, write_files
 from qsbearing.cli.picture_file import drawn
 from qsbearing.cli.scene import solving
 
@@ -19,6 +18,7 @@ def run_set(
     of: BearingSet, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer], accuracy: float | None
 ) -> None:
     """Solve a set and show it; ends with the exit code where it is not solved."""
+    from qsbearing.io.csv_table import csv_bytes
     from qsbearing.io.readings_record import taken
     from qsbearing.io.set_record import set_columns, set_record
     from qsbearing.sets.solve import solve_set
@@ -34,16 +34,8 @@ def run_set(
         from qsbearing.io.set_report import set_result
 
         print_table(set_result(solution, readings))
-    if not solution.converged:
-        for target in targets.values():
-            note(f"{target} is not written: there is no solution to write")
-        sys.exit(UNSOLVED)
-    try:
-        if "--csv" in targets:
-            from qsbearing.io.csv_table import csv_bytes
-
-            write["--csv"](csv_bytes(set_columns(solution, readings)))
-        if "--plot" in targets:
-            write["--plot"](drawn(solution, targets["--plot"]))
-    except OSError as error:  # a disk that filled up meanwhile
-        refuse(f"cannot write: {error}")
+    make = {
+        "--csv": lambda: csv_bytes(set_columns(solution, readings)),
+        "--plot": lambda: drawn(solution, targets["--plot"]),
+    }
+    write_files(targets, write, make, "" if solution.converged else NO_SOLUTION)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
+from qsbearing.cli.output import print_result, print_table, write_files
 
 if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
@@ -18,6 +17,7 @@ def show_spectrum(
     solution: Solution, asked: Scene, as_json: bool, targets: Mapping[str, str], write: Mapping[str, Writer]
 ) -> None:
     """Show a solved spectrum and write its balls; ends with the exit code where some point is not solved."""
+    from qsbearing.io.csv_table import csv_bytes
     from qsbearing.io.readings_record import all_columns, taken
     from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
 
@@ -26,14 +26,5 @@ def show_spectrum(
         print_result(asked, spectrum_record(solution, readings))
     else:
         print_table(spectrum_result(solution, readings))
-    if not solution.converged.all():
-        for target in targets.values():
-            note(f"{target} is not written: not all points are solved")
-        sys.exit(UNSOLVED)
-    if "--csv" in targets:
-        from qsbearing.io.csv_table import csv_bytes
-
-        try:
-            write["--csv"](csv_bytes(all_columns(solution, readings)))
-        except OSError as error:  # a disk that filled up meanwhile
-            refuse(f"cannot write: {error}")
+    make = {"--csv": lambda: csv_bytes(all_columns(solution, readings))}
+    write_files(targets, write, make, "" if solution.converged.all() else "not all points are solved")

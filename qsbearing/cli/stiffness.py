@@ -24,7 +24,7 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None
 
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
-    from qsbearing.io.csv_table import csv_text
+    from qsbearing.io.csv_table import csv_bytes
     from qsbearing.io.output_file import output_file
     from qsbearing.studies.stiffness import stiffness_of
     from qsbearing.validation import SceneError
@@ -38,12 +38,12 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None
             columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored)
         except SceneError as error:
             refuse(str(error))
-        text = csv_text({name: values.tolist() for name, values in columns.items()})
+        text = csv_bytes(columns)
         if write is None:
-            print_text(text)
+            print_text(text.decode())
         else:
             try:
-                write(text.encode("utf-8"))
+                write(text)
             except OSError as error:  # a disk that filled up meanwhile
                 refuse(f"cannot write: {error}")
     if not (columns["status"] == "converged").any():

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.io.csv_table import csv_text, inert
+from qsbearing.io.csv_table import csv_bytes, inert
 from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
 from qsbearing.scene.scene import Scene
 from qsbearing.studies import keys
@@ -217,7 +217,7 @@ def _kept(known: tuple[Result, ...]) -> list[Result]:
 def table_bytes(columns: dict[str, list[Any]], ending: str) -> bytes:
     """The columns as a file of this ending."""
     if ending == ".csv":
-        return csv_text({**columns}).encode("utf-8")
+        return csv_bytes(columns)
     import pandas
 
     data = BytesIO()

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from qsbearing import messages
-from qsbearing.design_report import curves, effects, evidence, inputs, readings
+from qsbearing.design_report import curves, effects, evidence, inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
-from qsbearing.io.readings_record import taken
+from qsbearing.io.readings_record import taken, warnings_of
+from qsbearing.io.readings_report import readings_tables
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
@@ -29,7 +30,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     name = scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     found = taken(solution)
-    warnings = [*messages.warnings(solution), *readings.warnings_of(found)]
+    warnings = [*messages.warnings(solution), *warnings_of(found)]
     return Document(
         name,
         "Design report",
@@ -37,7 +38,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             inputs.section(scene, source),
             effects.section(solution, asked, tolerance),
             _results(solution),
-            *([Section("Readings", readings.tables(found))] if found else []),
+            *([Section("Readings", from_rich(readings_tables(found)))] if found else []),
             curves.section(solution),
             evidence.section([solution]),
         ],

@@ -17,16 +17,7 @@ from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.scene_file import load_scene
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import (
-    BEARING,
-    EFFECTS,
-    MATERIAL,
-    MATERIALS,
-    NUMBERS,
-    OPERATION,
-    PRELOAD,
-    Key,
-)
+from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, Key
 from qsbearing.scene.scene import CHOICES, Scene
 from qsbearing.units import zero_celsius
 from qsbearing.validation import printable

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.documents.model import Group, Table
 from qsbearing.io.report import freedom
 from qsbearing.messages.bearing_set import capital, row_name
+from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
@@ -19,7 +20,6 @@ from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, deg, mrad, um
 
 Line = tuple[str, str]
-HOUR, MILLION = 3600.0, 1e6
 HEADINGS = ("key result", "value")
 NOISE = 1e-10
 """Part of the largest of its kind up to which a displacement or load of the ring is rounding."""

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing import messages
-from qsbearing.design_report import effects, evidence, readings, set_curves, set_inputs
+from qsbearing.design_report import effects, evidence, set_curves, set_inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
-from qsbearing.io.readings_record import Readings, taken
+from qsbearing.io.readings_record import Readings, taken, warnings_of
+from qsbearing.io.readings_report import readings_tables
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.ranked_warning import said_of
@@ -34,7 +35,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     warnings = solution.warnings() + [
         said_of(capital(row_name(of.rows[number], number)), each)
         for number, of_row in enumerate(found)
-        for each in readings.warnings_of(of_row)
+        for each in warnings_of(of_row)
     ]
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
@@ -84,4 +85,4 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     )
     said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))
-    return Section(title, [*tables, drawn, *readings.tables(found), *said], f"row-{number + 1}")
+    return Section(title, [*tables, drawn, *from_rich(readings_tables(found)), *said], f"row-{number + 1}")

@@ -9,13 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from qsbearing.solution.solution import Solution
 
 SMALLEST_ANGLE = radians(1.0)
 """Contact angles below it are judged as if they were this large [rad]."""
@@ -31,7 +28,8 @@ of the others one in ten)."""
 class OperatingPoint:
     """A solution as indicators read it; arrays of shape (*cases) unless said otherwise, SI and radians."""
 
-    solution: Solution
+    solution: Any
+    """A `Solution`, which lies above the effects."""
     asked: Any = None
     """A scene with everything whose influence is asked for, parameters included; None: the solution's own."""
 

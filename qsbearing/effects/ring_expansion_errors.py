@@ -12,8 +12,10 @@ from qsbearing.units import zero_celsius
 from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, first, numeric, within
 
 if TYPE_CHECKING:
-    from qsbearing.effects.ring_expansion import RingExpansion
     from qsbearing.scene.bearing import BallBearing
+
+RingExpansion = Any
+"""A `qsbearing.effects.ring_expansion.RingExpansion`, which asks for its errors."""
 
 LARGEST_FIT = 0.01
 """Of the seat's diameter: ten times any press fit; it catches mistakes of unit."""

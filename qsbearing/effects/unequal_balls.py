@@ -46,6 +46,7 @@ class BallDiameterDeviations:
     deviations: ArrayLike
     """Each ball's diameter less the bearing's, cold, shape (*cases, ball) [m]."""
     name: ClassVar[str] = "unequal_balls"
+    of_each_ball: ClassVar[tuple[str, ...]] = ("deviations",)
 
     def __post_init__(self) -> None:
         field = f"{self.name}.deviations"

@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from io import StringIO
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
 """With these a cell begins that spreadsheets evaluate."""
 
 
-def csv_bytes(columns: dict[str, NDArray]) -> bytes:
-    """Columns of numbers or words as a file holds them."""
-    return csv_text({name: values.tolist() for name, values in columns.items()}).encode("utf-8")
-
-
-def csv_text(columns: dict[str, Iterable[Any]]) -> str:
-    """Columns of equal length under their names; a cell without a number, None or NaN, is empty.
+def csv_bytes(columns: Mapping[str, NDArray | Sequence[Any]]) -> bytes:
+    """Columns of equal length under their names, as a file holds them; a cell without a number, None or NaN, is empty.
 
     Text that a spreadsheet would take for a formula has an apostrophe before it; words of this program's own choices,
     such as +x, stay as they are.
@@ -28,9 +24,10 @@ def csv_text(columns: dict[str, Iterable[Any]]) -> str:
     text = StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
-    for row in zip(*columns.values(), strict=True):
+    cells = [values.tolist() if isinstance(values, np.ndarray) else values for values in columns.values()]
+    for row in zip(*cells, strict=True):
         writer.writerow("" if value != value else inert(value) for value in row)
-    return text.getvalue()
+    return text.getvalue().encode("utf-8")
 
 
 def inert(value: Any) -> Any:

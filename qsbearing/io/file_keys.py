@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from qsbearing.scene.keys import (
     BALL_DEVIATIONS,
+    EFFECT_SECTIONS,
     EFFECT_TABLES,
     IN_PLACE,
     NUMBERS,
@@ -37,9 +38,9 @@ def numbers() -> dict[str, tuple[Key, ...]]:
 
 
 def sections() -> dict[str, tuple[str, ...]]:
-    """Every key a file may hold, by its table, and by the tables within [readings]."""
+    """Every key a file may hold, by its table, and by the tables within [effects] and [readings]."""
     own = {name: (*(key.name for key in it.keys), *it.choices) for name, it in reading_tables().items()}
-    return SECTIONS | {"readings": tuple(own)} | own
+    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | own
 
 
 def find(path: str) -> Key | None:

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.console import RenderableType
+from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.io.tables import plain_table, warning_lines
+from qsbearing.io.tables import digits_of, plain_table, warning_lines
 from qsbearing.readings.asked import READINGS
 from qsbearing.result_keys import Shown, split
 
@@ -22,7 +22,7 @@ NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
 
 
-def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
+def readings_tables(readings: Mapping[str, Any]) -> Group:
     """Tables of each reading: numbers of the bearing; of the contacts' numbers the smallest and the largest."""
     parts: list[RenderableType] = []
     for name, reading in readings.items():
@@ -34,7 +34,7 @@ def readings_tables(readings: Mapping[str, Any]) -> list[RenderableType]:
             what = f"{model.name}: {model.contains}; without {model.lacks}."
             parts.append(Text(f"{what} Range: {model.range}. For heat: {model.heat}."))
         parts += warning_lines(getattr(reading, "warnings", ()))
-    return parts
+    return Group(*parts)
 
 
 def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
@@ -44,7 +44,7 @@ def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
         return None
     table = plain_table(title, ("quantity", "value", "unit"), left=(0, 2))
     for shown, values in found:
-        table.add_row(shown.plain_name, _text(values), _unit(shown))
+        table.add_row(shown.plain_name, digits_of(values), _unit(shown))
     return table
 
 
@@ -70,12 +70,8 @@ def _span(values: NDArray, noise: float) -> tuple[str, str]:
     values = np.where(np.abs(values) < noise, 0.0, values)
     if not np.isfinite(values).any():
         return "-", ""
-    low, high = _text(np.nanmin(values)), _text(np.nanmax(values))
+    low, high = digits_of(np.nanmin(values)), digits_of(np.nanmax(values))
     return (low, "") if low == high else (low, high)
-
-
-def _text(value: Any) -> str:
-    return "-" if not np.isfinite(value) else f"{float(value) + 0.0:.5g}"
 
 
 def _unit(shown: Shown) -> str:

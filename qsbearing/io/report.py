@@ -44,7 +44,7 @@ def result(solution: Solution, readings: Readings) -> Group:
         if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
 
-            parts += readings_tables(readings)
+            parts.append(readings_tables(readings))
     return Group(*parts, *warnings_below(found["warnings"]))
 
 

@@ -46,7 +46,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
             if readings[number]:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
-                parts += readings_tables(readings[number])
+                parts.append(readings_tables(readings[number]))
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     return Group(*parts, *warnings_below(found["warnings"]))
 

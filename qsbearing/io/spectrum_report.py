@@ -13,13 +13,13 @@ from qsbearing import __version__, messages
 from qsbearing.io.json_record import number, record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.report import asked_for, warnings_below
-from qsbearing.io.tables import plain_table
+from qsbearing.io.tables import digits_of, plain_table
 from qsbearing.ranked_warning import RankedWarning, said_of
+from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import LOAD
 from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 
-MILLION, HOUR = 1e6, 3600.0
 NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nNm", "moment z\nNm")
 
 
@@ -68,11 +68,11 @@ def spectrum_result(solution: Solution, readings: Readings) -> Group:
             f"{k + 1}",
             f"{point['share']:.6g}",
             f"{life.speed[k] / rpm:.6g}",
-            *(_text(solution.load[k, i] / LOAD[i][1]) for i in loads),
-            _text(np.nan if np.isnan(largest).all() else np.nanmax(largest)),
-            _text(turns),
-            _text(own),
-            _text(100.0 * (np.nan if point["damage_share"] is None else point["damage_share"])),
+            *(digits_of(solution.load[k, i] / LOAD[i][1]) for i in loads),
+            digits_of(np.nan if np.isnan(largest).all() else np.nanmax(largest)),
+            digits_of(turns),
+            digits_of(own),
+            digits_of(100.0 * (np.nan if point["damage_share"] is None else point["damage_share"])),
         )
     parts: list[RenderableType] = [head, Padding(table, (1, 0, 0, 0))]
     if found["duration_h"] is not None:
@@ -85,7 +85,3 @@ def spectrum_result(solution: Solution, readings: Readings) -> Group:
     sentences = [said_of(f"point {', '.join(points)}", sentence) for sentence, points in said.items()]
     sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
     return Group(*parts, *warnings_below(sentences))
-
-
-def _text(value: Any) -> str:
-    return f"{float(value) + 0.0:.5g}" if np.isfinite(value) else "-"

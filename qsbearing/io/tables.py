@@ -43,6 +43,11 @@ def plain_table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)
     return table
 
 
+def digits_of(value: Any) -> str:
+    """A number to five digits; a dash where there is none."""
+    return f"{float(value) + 0.0:.5g}" if math.isfinite(value) else "-"
+
+
 def warning_lines(warnings: Iterable[str]) -> list[Text]:
     """Each on a line of its own, what matters most first."""
     lines = []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-from functools import cache
 from typing import Any, NamedTuple
 
 from qsbearing.io.file_keys import numbers, reading_tables, sections
@@ -13,11 +12,8 @@ LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
 
-@cache
 def _tables() -> dict[str, tuple[str, ...]]:
-    found = {**sections(), **EFFECT_SECTIONS}
-    within = {name: found.pop(name) for name in reading_tables()}
-    return found | within | {"material": MATERIAL_KEYS, **SET_SECTIONS, "spectrum": tuple(key.name for key in SPECTRUM)}
+    return sections() | {"material": MATERIAL_KEYS, **SET_SECTIONS, "spectrum": tuple(key.name for key in SPECTRUM)}
 
 
 def _keys(section: str) -> tuple[Key, ...]:

@@ -222,7 +222,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
             "Nothing loads the ring: its position is not determined; one possible one is reported.", STATUSES
         ),
     )
-    stiffness, _ = scaled_tangents(solution, part, solution._maker.make(part.start, part.stop))
+    stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)

@@ -41,9 +41,7 @@ from qsbearing.units import MPa, rpm
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
 """Arrays of the balls that their motion in the contacts follows from."""
-
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "max_pressure"), AXIS
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)

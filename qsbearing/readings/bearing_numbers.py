@@ -44,20 +44,19 @@ class BearingNumbers:
         """D cos(alpha)/dm at the nominal angle."""
         return np.asarray(self.ball_diameter * np.cos(self.nominal_angle) / self.pitch_diameter)
 
+    def groove_radius(self, side: float) -> NDArray:
+        """r of a raceway [m]."""
+        return self.inner_groove_radius if side < 0 else self.outer_groove_radius
+
     def groove_coefficient(self, side: float) -> NDArray:
         """f = r/D of a raceway."""
-        radius = self.inner_groove_radius if side < 0 else self.outer_groove_radius
-        return np.asarray(radius / self.ball_diameter)
+        return np.asarray(self.groove_radius(side) / self.ball_diameter)
 
     @cached_property
     def is_hybrid(self) -> NDArray:
         """Whether the balls are clearly stiffer than the rings: ceramic in steel."""
         ball, ring = self.bearing.ball_material, self.bearing.ring_material
         return np.asarray(np.asarray(ball.elastic_modulus) > 1.2 * np.asarray(ring.elastic_modulus))
-
-    def modulus(self) -> NDArray:
-        """E' of ball on ring [Pa]."""
-        return self.bearing.effective_modulus
 
 
 def load_at_pressure(

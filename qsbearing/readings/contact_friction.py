@@ -44,7 +44,6 @@ from qsbearing.units import Nmm, kg_m3
 from qsbearing.validation import DENSITY, RATIO, ErrorDetail, within
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -144,8 +143,7 @@ def _raceway(
     solution: Solution, contacts: RacewayContacts, side: float, mu: ArrayLike, loss: ArrayLike | None
 ) -> RacewayFriction:
     numbers = BearingNumbers(solution.scene.operating_bearing)
-    groove = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    R = deformed_radius(numbers.ball_diameter, groove)
+    R = deformed_radius(numbers.ball_diameter, numbers.groove_radius(side))
     given = of_cases(solution, R, mu, 0.0 if loss is None else loss)
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)

@@ -115,13 +115,9 @@ class Reading:
     """By what source."""
     take: Take
     record: Callable[..., Checked] = NoArguments
-    """Makes the record of its arguments, in SI."""
+    """Makes the record of its arguments, in SI; one named `oil` is that of [readings.lubricant]."""
     table: Table | None = Table()
     """In a scene file; None: it has none there."""
-    takes_oil: bool = False
-    """Whether the oil of [readings.lubricant] is an argument, `oil`, and"""
-    needs_oil: bool = False
-    """whether it cannot do without."""
     needs: tuple[tuple[str, ...], tuple[str, ...]] = (), ()
     """Arrays of contacts and of balls that it takes from the solution."""
     of_case: tuple[Shown, ...] = ()
@@ -133,12 +129,21 @@ class Reading:
     scope: str = ""
     """A sentence below its tables, where its name does not state what it covers."""
 
+    @property
+    def parameters(self) -> Mapping[str, inspect.Parameter]:
+        """Of its record."""
+        return inspect.signature(self.record).parameters
+
+    @property
+    def needs_oil(self) -> bool:
+        """Whether it cannot do without an oil."""
+        return "oil" in self.parameters and self.parameters["oil"].default is inspect.Parameter.empty
+
     def arguments(self, given: Mapping[str, Any], oil: Any) -> Checked:
         """The record of what a scene gives; None stands for what is missing, which the record's check then says."""
-        parameters = inspect.signature(self.record).parameters.values()
-        missing = [each.name for each in parameters if each.default is each.empty and each.kind is not each.VAR_KEYWORD]
-        of_oil = {"oil": oil} if self.takes_oil or self.needs_oil else {}
-        return self.record(**dict.fromkeys(missing) | dict(given) | of_oil)
+        own = self.parameters
+        missing = [name for name, each in own.items() if each.default is each.empty and each.kind != each.VAR_KEYWORD]
+        return self.record(**dict.fromkeys(missing) | dict(given) | ({"oil": oil} if "oil" in own else {}))
 
     def shown(self) -> Iterator[tuple[str, Shown, bool]]:
         """(inner, outer or empty; number; whether each ball has its own) of all its numbers, the bearing's first."""

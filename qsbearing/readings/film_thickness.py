@@ -59,9 +59,7 @@ FACTOR_SPREAD = 0.12
 WARM_INLET = 0.9
 """Reduction by the heat of the inlet, or SKF's factor for it, below which it is said (chosen: 10 %)."""
 
-
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis"), AXIS
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -240,7 +238,7 @@ def _raceway(
         )
         heating = beta * eta / k
     g, *given = of_cases(
-        solution, gamma(solution)[..., 0], numbers.ball_diameter, numbers.modulus(), oil.dynamic_viscosity,
+        solution, gamma(solution)[..., 0], numbers.ball_diameter, numbers.effective_modulus, oil.dynamic_viscosity,
         oil.pressure_viscosity, nan if rough is None else rough, heating,
     )  # fmt: skip
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
@@ -281,7 +279,6 @@ ENTRY = Reading(
     by="Hamrock & Dowson; ASTM D341, D2270",
     take=simply(film),
     record=FilmArguments,
-    needs_oil=True,
     table=Table(
         keys=(
             Key("ball_roughness_um", "ball_roughness", "um", um, LENGTH),

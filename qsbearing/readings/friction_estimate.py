@@ -29,18 +29,7 @@ from qsbearing.scene.bearing import BallBearing, BearingKind
 from qsbearing.scene.keys import DIAMETERS, Key
 from qsbearing.solution.solution import Solution
 from qsbearing.units import N, Nmm, deg, mm, rpm
-from qsbearing.validation import (
-    FORCE,
-    LENGTH,
-    RATIO,
-    SPEED,
-    ErrorDetail,
-    Quantity,
-    choose,
-    first,
-    raise_if_any,
-    within,
-)
+from qsbearing.validation import FORCE, LENGTH, RATIO, SPEED, ErrorDetail, Quantity, choose, first, raise_if_any, within
 
 
 class Series(StrEnum):
@@ -109,7 +98,7 @@ class FrictionEstimates:
         return self.skf.warnings
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class EstimateArguments:
     """What `friction_estimates` takes: those of `skf_torque` and `palmgren_torque`."""
 
@@ -192,15 +181,8 @@ def skf_torque(
     """
     bearing = solution.scene.bearing
     deep = bearing.kind is BearingKind.DEEP_GROOVE
-    given = EstimateArguments(
-        bore_diameter=bore_diameter,
-        outside_diameter=outside_diameter,
-        kinematic_viscosity=kinematic_viscosity,
-        series=series,
-        static_load_rating=static_load_rating,
-        speed_rating=speed_rating,
-    )
-    raise_if_any(given.errors(bearing))
+    size = bore_diameter, outside_diameter, kinematic_viscosity
+    raise_if_any(EstimateArguments(*size, series, static_load_rating, None, speed_rating).errors(bearing))
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore_diameter + outside_diameter) / mm
     nu = np.asarray(kinematic_viscosity, float) / mm**2
@@ -284,14 +266,8 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
-    given = EstimateArguments(
-        bore_diameter=bore_diameter,
-        outside_diameter=outside_diameter,
-        kinematic_viscosity=kinematic_viscosity,
-        static_load_rating=static_load_rating,
-        lubrication_factor=lubrication_factor,
-    )
-    raise_if_any(given.errors(None))
+    size = bore_diameter, outside_diameter, kinematic_viscosity
+    raise_if_any(EstimateArguments(*size, None, static_load_rating, lubrication_factor).errors(None))
     radial, axial, n = _loads(solution)
     dm = 0.5 * (bore_diameter + outside_diameter) / mm
     product = np.asarray(kinematic_viscosity, float) / mm**2 * n
@@ -325,7 +301,6 @@ ENTRY = Reading(
     by="SKF; Palmgren, Schaeffler",
     take=simply(friction_estimates),
     record=_arguments,
-    needs_oil=True,
     table=Table(
         keys=(
             *DIAMETERS,

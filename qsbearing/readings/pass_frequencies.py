@@ -29,12 +29,11 @@ from qsbearing.readings.ball_motion import (
 )
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, simply
-from qsbearing.readings.passes import filled_cases, of_balls
+from qsbearing.readings.passes import filled, of_balls
 from qsbearing.result_keys import Shown
 from qsbearing.solution.solution import Solution
 
 NEEDS = ("load", "sine", "cosine"), AXIS
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +69,7 @@ def frequencies(solution: Solution) -> Frequencies:
     g = gamma(solution)[..., 0]
     solution.read_at_once(*NEEDS)
     loads = of_balls(solution.inner.load, solution.outer.load)
-    orbit, rolled, spread = filled_cases(solution, 3, _add_orbits, motion_arrays(solution), *loads)
+    orbit, rolled, spread = filled(solution, 3, _add_orbits, motion_arrays(solution), *loads, of_cases=True)
     solved = _set(numbers.ball_count, inner[..., 0], outer[..., 0], orbit, rolled, solution.shape)
     cosine = g * np.cos(numbers.nominal_angle)
     nominal_orbit = orbit_at_equal_angles(cosine, inner[..., 0], outer[..., 0])

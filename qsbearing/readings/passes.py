@@ -32,20 +32,13 @@ def of_balls(*arrays: NDArray) -> list[NDArray]:
     return [array.reshape(-1, array.shape[-1]) for array in arrays]
 
 
-def filled(solution: Solution, tables: int, entry: Callable[..., None], *given: Any) -> NDArray:
-    """So many tables (*cases, ball), which a pass fills in threads; it is called with begin, stop and the tables last.
+def filled(solution: Solution, tables: int, entry: Callable[..., None], *given: Any, of_cases: bool = False) -> NDArray:
+    """So many tables, which a pass fills in threads; it is called with begin, stop and the tables last.
 
     Returns:
-        Shape (table, *cases, ball).
+        Shape (table, *cases, ball), or of cases alone (table, *cases).
     """
-    balls = solution.azimuth.shape[-1]
-    out = np.empty((tables, prod(solution.shape), balls))
+    balls = () if of_cases else solution.azimuth.shape[-1:]
+    out = np.empty((tables, prod(solution.shape), *balls))
     in_threads(lambda part: entry(*given, part.start, part.stop, out), out.shape[1], solution.threads)
-    return out.reshape(tables, *solution.shape, balls)
-
-
-def filled_cases(solution: Solution, tables: int, entry: Callable[..., None], *given: Any) -> NDArray:
-    """Likewise of tables over cases alone; shape (table, *cases)."""
-    out = np.empty((tables, prod(solution.shape)))
-    in_threads(lambda part: entry(*given, part.start, part.stop, out), out.shape[1], solution.threads)
-    return out.reshape(tables, *solution.shape)
+    return out.reshape(tables, *solution.shape, *balls)

@@ -72,8 +72,7 @@ def _of_motion(solution: Solution, motion: BallMotion) -> PivotPoints:
 
 def _raceway(solution: Solution, contacts: RacewayContacts, moving: RacewayMotion, side: float) -> RacewayPivots:
     numbers = BearingNumbers(solution.scene.operating_bearing)
-    groove = numbers.inner_groove_radius if side < 0 else numbers.outer_groove_radius
-    R = deformed_radius(numbers.ball_diameter, groove)[..., None]
+    R = deformed_radius(numbers.ball_diameter, numbers.groove_radius(side))[..., None]
     a = contacts.semi_major_axis
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = contacts.semi_minor_axis / a

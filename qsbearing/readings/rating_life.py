@@ -6,7 +6,7 @@ ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -15,10 +15,13 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.compiled import entry
 from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.ranked_warning import good_to_know, wrong_model
+from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.dynamic_rating import (
     INNER_GROOVE_COVERED,
     OUTER_GROOVE_COVERED,
+    RATING_FACTOR,
     THRUST_GROOVE_COVERED,
     Capacity,
     Rating,
@@ -26,25 +29,27 @@ from qsbearing.readings.dynamic_rating import (
     element_load_ratings,
 )
 from qsbearing.readings.dynamic_rating import dynamic_load_rating as rating_of_geometry
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.equivalent_load import equivalent_load
-from qsbearing.readings.life_arguments import LifeArguments
 from qsbearing.readings.life_factors import (
     GREATEST_RATIO,
     LARGEST,
     LEAST_RATIO,
     life_modification_factor,
     reliability_factor,
+    viscosity_ratio,
 )
-from qsbearing.readings.passes import filled_cases, of_balls, of_cases
+from qsbearing.readings.lubricant import OilState
+from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
 from qsbearing.result_keys import Shown
+from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.keys import Key
 from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, N
-from qsbearing.validation import FORCE
+from qsbearing.validation import FORCE, RATIO, ErrorDetail, choose, within
 
 MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
@@ -53,7 +58,6 @@ one that stands tires where it is loaded most."""
 
 
 NEEDS = ("load", "max_pressure"), ()
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +115,77 @@ class Life:
     def _as_time(self, turns: NDArray) -> NDArray:
         with np.errstate(divide="ignore"):
             return turns * 2.0 * pi / np.abs(self.speed)
+
+
+def _reliability_errors(reliability: ArrayLike) -> list[ErrorDetail]:
+    errors = within("reliability", reliability, RATIO, 0.9, 0.9995, "is outside the standard's table")
+    for error in errors:
+        if isinstance(error.value, float | int) and 90.0 <= error.value <= 99.95:
+            cause = f"Given in per cent? {error.value:g} % is {error.value / 100.0:g}"
+            return [replace(error, cause=cause)]
+    return errors
+
+
+@dataclass(frozen=True, kw_only=True)
+class LifeArguments:
+    """What `life` takes."""
+
+    dynamic_load_rating: ArrayLike | None = None
+    rating: Rating = Rating.LUNDBERG_PALMGREN
+    rating_factor: float = RATING_FACTOR
+    capacity: Capacity = Capacity.ISO_16281
+    reliability: ArrayLike = 0.9
+    viscosity_ratio: ArrayLike | None = None
+    contamination_factor: ArrayLike | None = None
+    fatigue_load_limit: ArrayLike | None = None
+    fatigue_limit_by: FatigueLimit = FatigueLimit.HERTZ
+    cleanliness: Cleanliness | None = None
+    oil: OilState | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Everything out of range, and what the modified life lacks."""
+        errors = [] if self.cleanliness is None else choose("cleanliness", self.cleanliness, Cleanliness)[1]
+        if self.cleanliness is not None and self.contamination_factor is not None:
+            cause = "Keep one: the class gives the factor"
+            errors.append(ErrorDetail("cleanliness", "is given beside contamination_factor", cause=cause))
+        for name, choices in (("rating", Rating), ("capacity", Capacity), ("fatigue_limit_by", FatigueLimit)):
+            errors += choose(name, getattr(self, name), choices)[1]
+        errors += within("rating_factor", self.rating_factor, RATIO, 0.5, 2.0)
+        errors += _reliability_errors(self.reliability)
+        for name in ("dynamic_load_rating", "fatigue_load_limit"):
+            if getattr(self, name) is not None:
+                errors += within(name, getattr(self, name), FORCE, 1e-3, 1e9)
+        ratio, contamination = self.viscosity_ratio, self.contamination_factor  # 1: stands for what then follows
+        if self.is_modified:
+            contamination = 1.0 if contamination is None else contamination
+            ratio = 1.0 if ratio is None and self._viscosity is not None else ratio
+        return errors + both_or_neither(
+            {
+                "viscosity_ratio": (ratio, RATIO, 0.0, 1e4),
+                "contamination_factor": (contamination, RATIO, 0.0, 1.0),
+            },
+            "The modified life needs both; leave both out for the basic one",
+        )
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether contamination is told, by its factor or class: kappa may then follow from the oil."""
+        return self.cleanliness is not None or self.contamination_factor is not None
+
+    @property
+    def _viscosity(self) -> ArrayLike | None:
+        return None if self.oil is None else self.oil.kinematic_viscosity
+
+    def lubrication(self, solution: Solution) -> tuple[ArrayLike | None, ArrayLike | None]:
+        """kappa and eC, given or found; None where they are not."""
+        pitch = np.asarray(solution.scene.bearing.pitch_diameter, float)
+        kappa, factor = self.viscosity_ratio, self.contamination_factor
+        if kappa is None and self.is_modified and self._viscosity is not None:
+            inner, outer = ring_speeds(solution)
+            kappa = viscosity_ratio(self._viscosity, (inner - outer)[..., 0], pitch)
+        if self.cleanliness is not None and kappa is not None:
+            factor = contamination_factor(self.cleanliness, kappa, pitch)
+        return kappa, factor
 
 
 @with_arguments(LifeArguments)
@@ -207,7 +282,7 @@ def _damage(solution: Solution, load: NDArray, rating: NDArray, turns: NDArray) 
     """
     ratings = of_balls(np.broadcast_to(rating, (*solution.shape, rating.shape[-1])))[0]
     turning, count = of_cases(solution, turns, BearingNumbers(solution.scene.bearing).ball_count)
-    return np.asarray(filled_cases(solution, 1, _add_damage, turning, count, of_balls(load)[0], ratings)[0])
+    return np.asarray(filled(solution, 1, _add_damage, turning, count, of_balls(load)[0], ratings, of_cases=True)[0])
 
 
 @entry
@@ -277,7 +352,6 @@ ENTRY = Reading(
     by="ISO/TS 16281, ISO 281, Lundberg & Palmgren",
     take=simply(life),
     record=LifeArguments,
-    takes_oil=True,
     table=Table(
         keys=(
             Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE),

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.ranked_warning import wrong_model
-from qsbearing.readings.bearing_numbers import INNER, OUTER
+from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
@@ -34,7 +34,6 @@ from qsbearing.units import deg, mm
 from qsbearing.validation import LENGTH, ErrorDetail, first, numeric
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
-"""Arrays of contacts and balls that are read off the solution."""
 
 
 @dataclass(frozen=True)
@@ -112,19 +111,15 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:
     """h, from a shoulder to the bottom of its groove [m]; side: INNER or OUTER."""
     centre = bearing.inner_groove_centre_radius if side < 0 else bearing.outer_groove_centre_radius
-    bottom = centre + side * _groove_radius(bearing, side)
+    bottom = centre + side * BearingNumbers(bearing).groove_radius(side)
     return np.asarray(side * (bottom - 0.5 * np.asarray(shoulder_diameter, float)))
-
-
-def _groove_radius(bearing: BallBearing, side: float) -> NDArray:
-    return np.asarray(bearing.inner_groove_radius if side < 0 else bearing.outer_groove_radius, float)
 
 
 def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: ArrayLike) -> list[ErrorDetail]:
     array, errors = numeric(field, diameter, LENGTH)
     if array is None:
         return errors
-    r, depth = _groove_radius(bearing, side), groove_depth(bearing, array, side)
+    r, depth = BearingNumbers(bearing).groove_radius(side), groove_depth(bearing, array, side)
     bad = (depth <= 0.0) | (depth > r)
     if not bad.any():
         return []
@@ -138,9 +133,9 @@ def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: Ar
 def _raceway(
     solution: Solution, contacts: RacewayContacts, side: float, shoulder: ArrayLike, other: ArrayLike
 ) -> RacewayOverrun:
-    drawn, r = solution.scene.bearing, _groove_radius(solution.scene.operating_bearing, side)
+    drawn, r = solution.scene.bearing, BearingNumbers(solution.scene.operating_bearing).groove_radius(side)
     depths = (groove_depth(drawn, diameter, side) for diameter in (shoulder, other))
-    edge, far = (np.arccos(1.0 - depth / _groove_radius(drawn, side)) for depth in depths)
+    edge, far = (np.arccos(1.0 - depth / BearingNumbers(drawn).groove_radius(side)) for depth in depths)
     solution.read_at_once(*NEEDS)
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, contacts.semi_major_axis)
     distance, load = filled(solution, 2, _fill, *of_cases(solution, r, edge, far), *arrays)

@@ -20,7 +20,7 @@ from qsbearing.contact.first_yield import STATIC_PRESSURE
 from qsbearing.ranked_warning import good_to_know, wrong_model
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
-from qsbearing.readings.passes import filled_cases, of_balls
+from qsbearing.readings.passes import filled, of_balls
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.result_keys import Shown
 from qsbearing.scene.bearing import BallBearing, BearingKind
@@ -68,7 +68,7 @@ def _weaker_contact(bearing: BallBearing, pressure: float) -> NDArray:
     numbers = BearingNumbers(bearing)
     given = numbers.ball_diameter, numbers.nominal_gamma
     inner, outer = (
-        load_at_pressure(pressure, *given, numbers.groove_coefficient(side), numbers.modulus(), side)
+        load_at_pressure(pressure, *given, numbers.groove_coefficient(side), numbers.effective_modulus, side)
         for side in (INNER, OUTER)
     )
     return np.minimum(inner, outer)
@@ -225,7 +225,7 @@ def largest_pressure(solution: Solution) -> NDArray:
     """The highest contact pressure of each case [Pa]; NaN where a case is not solved."""
     solution.read_at_once(("max_pressure",))
     pressures = of_balls(solution.inner.max_pressure, solution.outer.max_pressure)
-    return np.asarray(filled_cases(solution, 1, _find_largest, *pressures)[0])
+    return np.asarray(filled(solution, 1, _find_largest, *pressures, of_cases=True)[0])
 
 
 @entry

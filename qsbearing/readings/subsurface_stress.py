@@ -44,9 +44,7 @@ SLENDEREST = 1e-3
 NOTICEABLE = 1e-4
 """A dent of this part of the ball's diameter is where ISO 76 sets the static limit."""
 
-
 NEEDS = ("load", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
-"""Arrays of contacts and of balls that it takes from the solution."""
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ tilts included, its assembly is given an element that holds all five coordinates
 from __future__ import annotations
 
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,10 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.rotordynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
 from qsbearing.solution.status import Status
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
-
-if TYPE_CHECKING:
-    from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.solution.solution import Solution
 
 _SPEED_IN_ROSS = {"2": "frequency", "3": "speed"}
 """What a version calls the speed of the shaft, the axis of a table of coefficients. In 3 a frequency is the whirl's."""
@@ -141,7 +137,7 @@ def _stiffness_errors(matrix: NDArray, tilt: Tilt) -> list[ErrorDetail]:
     return []
 
 
-def of_solution(solution: Solution | SetSolution, speed: ArrayLike, n: int, index: Any = None, **arguments: Any) -> Any:
+def of_solution(solution: Any, speed: ArrayLike, n: int, index: Any = None, **arguments: Any) -> Any:
     """`to_ross` with the stiffness of a solution's cases.
 
     Args:
@@ -168,7 +164,7 @@ def of_solution(solution: Solution | SetSolution, speed: ArrayLike, n: int, inde
     return to_ross(solution.stiffness.reshape(-1, 5, 5)[chosen], speeds[chosen], n, **arguments)
 
 
-def _unsolved(solution: Solution | SetSolution, chosen: NDArray) -> list[ErrorDetail]:
+def _unsolved(solution: Any, chosen: NDArray) -> list[ErrorDetail]:
     """How cases ended that are not solved: one error for each way."""
     status = np.ravel(np.asarray(solution.status, str))
     reason = np.ravel(np.asarray(getattr(solution, "reason", np.full(solution.shape, "")), str))

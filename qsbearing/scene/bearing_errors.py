@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import pi
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,19 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.material import material_errors
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.units import mm
-from qsbearing.validation import (
-    ANGLE,
-    COUNT,
-    LENGTH,
-    ErrorDetail,
-    first,
-    numeric,
-    unit_mistake,
-    within,
-)
+from qsbearing.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
 
-if TYPE_CHECKING:
-    from qsbearing.scene.bearing import BallBearing
+BallBearing = Any
+"""A `qsbearing.scene.bearing.BallBearing`, which asks for its errors when it is made."""
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)

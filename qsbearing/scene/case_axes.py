@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.effects import BallDiameterDeviations
 from qsbearing.material import Material
 from qsbearing.validation import ErrorDetail
 
@@ -27,7 +26,7 @@ def shapes_of(named: Iterable[tuple[str, Any]]) -> Shapes:
             elif np.ndim(value):
                 shape = np.shape(value)
                 # the last axis of deviations is the balls'
-                shapes[f"{path}.{name}"] = shape[:-1] if isinstance(holder, BallDiameterDeviations) else shape
+                shapes[f"{path}.{name}"] = shape[:-1] if name in getattr(holder, "of_each_ball", ()) else shape
     return shapes
 
 

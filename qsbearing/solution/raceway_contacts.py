@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from numpy.typing import NDArray
 
 from qsbearing.kernel import results
-
-if TYPE_CHECKING:
-    from qsbearing.solution.solution import Solution
 
 CODES = {
     name: getattr(results, name.upper())
@@ -45,9 +43,8 @@ class RacewayContacts:
     of a ball at rest that touches neither raceway, whose position is undetermined.
     """
 
-    def __init__(self, solution: Solution, row: int) -> None:
-        self._solution = solution
-        self._row = row
+    def __init__(self, read: Callable[[str], NDArray | None]) -> None:
+        self._array = read
         # What has been read the solution holds, not this object: no cycle keeps a large solution alive.
 
     if not TYPE_CHECKING:  # type checkers know the names themselves
@@ -58,9 +55,6 @@ class RacewayContacts:
             meant = [each for each in names if name in each] or get_close_matches(name, names, cutoff=0.5)
             hint = f"did you mean {' or '.join(meant)}?" if meant else f"there are {', '.join(names)}"
             raise AttributeError(f"contacts have no {name!r}: {hint}", name=name, obj=self)
-
-    def _array(self, name: str) -> NDArray | None:
-        return self._solution._array(name, self._row)
 
     angle = Array[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
     sine = Array[NDArray]("Of the angle [-].")

@@ -9,54 +9,48 @@ effective   the reciprocal of the compliance's diagonal: how its load grows whil
 
 from __future__ import annotations
 
-from dataclasses import fields, is_dataclass
-from typing import TYPE_CHECKING, Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.results import stiffness_of_cases
-
-if TYPE_CHECKING:
-    from qsbearing.scene.scene import Scene
-    from qsbearing.solution.solution import Solution
+from qsbearing.solution.solved_cases import SolvedCases
 
 SOFTEST = 1e-9
 """A direction this much softer than the stiffest is resisted by rounding only (chosen: far above the rounding of a
 stiffness, 1e-13, and far below any bearing's ratio of stiffnesses)."""
 
 
-def tangents(solution: Solution, part: slice, cases: NDArray) -> NDArray:
+def tangents(solved: SolvedCases, part: slice, cases: NDArray) -> NDArray:
     """Stiffness (case, 5, 5), SI, of a stretch of flattened cases."""
     out = np.empty((cases.size, 5, 5))
-    stiffness_of_cases(*solution._solved.given(part, cases), out)
+    stiffness_of_cases(*solved.given(part, cases), out)
     return out
 
 
-def scaled_tangents(solution: Solution, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
+def scaled_tangents(solved: SolvedCases, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
     """Stiffness of the free channels with tilts measured at the pitch circle, all in N/m; and the scale of each."""
-    free = solution._free_channels
+    free = solved.maker.free_channels
     scale = np.ones((cases.size, 5))
     scale[:, 3:] = 2.0 / (cases["pitch_diameter"] * cases["length"])[:, None]
     scale = scale[:, free]
-    matrix = tangents(solution, part, cases)[:, free[:, None], free]
+    matrix = tangents(solved, part, cases)[:, free[:, None], free]
     return matrix * scale[:, :, None] * scale[:, None, :], scale
 
 
-def tangents_of_all(solution: Solution) -> NDArray:
+def tangents_of_all(solved: SolvedCases) -> NDArray:
     """Stiffness (case, 5, 5), SI, of all flattened cases."""
-    out = np.empty((solution._maker.count, 5, 5))
-    for part, cases in solution._solved.stretches():
-        out[part] = tangents(solution, part, cases)
+    out = np.empty((solved.maker.count, 5, 5))
+    for part, cases in solved.stretches():
+        out[part] = tangents(solved, part, cases)
     return out
 
 
-def compliance(solution: Solution) -> NDArray:
+def compliance(solved: SolvedCases) -> NDArray:
     """Inverse of the stiffness over the free channels (case, 5, 5), SI, of all flattened cases; else NaN."""
-    out = np.full((solution._maker.count, 5, 5), np.nan)
-    free = solution._free_channels
-    for part, cases in solution._solved.stretches() if free.size else ():
-        scaled, scale = scaled_tangents(solution, part, cases)
+    out = np.full((solved.maker.count, 5, 5), np.nan)
+    free = solved.maker.free_channels
+    for part, cases in solved.stretches() if free.size else ():
+        scaled, scale = scaled_tangents(solved, part, cases)
         out[part, free[:, None], free] = inverse(scaled) * (scale[:, :, None] * scale[:, None, :])
     return out
 
@@ -69,25 +63,3 @@ def inverse(matrices: NDArray) -> NDArray:
     out = np.full(listed.shape, np.nan)
     out[regular] = np.linalg.inv(listed[regular])
     return out.reshape(matrices.shape)
-
-
-def stiffness(scene: Scene, solution: Solution) -> NDArray:
-    """`solution.stiffness`, after a look at whether the solution is one of this scene.
-
-    Raises:
-        ValueError: the solution belongs to another scene.
-    """
-    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
-        raise ValueError(
-            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
-        )
-    return solution.stiffness
-
-
-def _is_equal(one: Any, other: Any) -> bool:
-    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
-    if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(map(_is_equal, one, other))
-    if is_dataclass(one) and type(one) is type(other):
-        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
-    return np.array_equal(one, other)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
-from functools import cached_property
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.columns import columns
+from qsbearing.columns import columns, dataset
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.kernel import results
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from qsbearing.judgement import Choice
-
 CALLED_FOR_BY = {
     "required_friction": "gyroscopic_moment",
     "centrifugal_force": "centrifugal_force",
@@ -40,6 +38,30 @@ CALLED_FOR_BY = {
     ("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"), "raceway_control"
 )
 """The field of the scene without which there is no such array."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """An effect or choice that was left out."""
+
+    effect: str
+    """Its name in `qsbearing.effects.EFFECTS`."""
+    estimated_error: Any
+    """Largest relative error of all that is read, expected of leaving it out; shape (*cases)."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What was asked, what is in the solution and what is not."""
+
+    tolerance: float
+    effects: tuple[str, ...]
+    """Names of the effects and choices that the solution has, at their finest."""
+    added: tuple[str, ...]
+    """Those of them that the scene did not name."""
+    left_out: tuple[LeftOut, ...]
+    solves: int
+    """How often the scene was solved to choose."""
 
 
 class Solution:
@@ -80,12 +102,12 @@ class Solution:
     @property
     def inner(self) -> RacewayContacts:
         """Contacts with the inner raceway."""
-        return RacewayContacts(self, results.AT_INNER)
+        return RacewayContacts(partial(self._array, row=results.AT_INNER))
 
     @property
     def outer(self) -> RacewayContacts:
         """Contacts with the outer raceway."""
-        return RacewayContacts(self, results.AT_OUTER)
+        return RacewayContacts(partial(self._array, row=results.AT_OUTER))
 
     @cached_property
     def operating_point(self) -> OperatingPoint:
@@ -370,7 +392,7 @@ class Solution:
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        return self._shaped(ring_stiffness.tangents_of_all(self), 5, 5)
+        return self._shaped(ring_stiffness.tangents_of_all(self._solved), 5, 5)
 
     @cached_property
     def compliance(self) -> NDArray:
@@ -379,7 +401,7 @@ class Solution:
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        return self._shaped(ring_stiffness.compliance(self), 5, 5)
+        return self._shaped(ring_stiffness.compliance(self._solved), 5, 5)
 
     @property
     def locked_stiffness(self) -> NDArray:
@@ -424,9 +446,7 @@ class Solution:
         The numbers of the scene, under the keys of a scene file, are its coordinates. A case that is not solved holds
         NaN and, in `status` and `reason`, why.
         """
-        from qsbearing import quantities
-
-        return quantities.dataset(self)
+        return dataset(self)
 
     def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
         """A bearing element of ROSS at node n of its shaft, from the stiffness over the speed; needs the `ross` extra.
@@ -445,3 +465,25 @@ class Solution:
         from qsbearing.rotordynamics import ross_bearing
 
         return ross_bearing.of_solution(self, self.scene.operation.speed, n, index, **arguments)
+
+
+def stiffness(scene: Scene, solution: Solution) -> NDArray:
+    """`solution.stiffness`, after a look at whether the solution is one of this scene.
+
+    Raises:
+        ValueError: the solution belongs to another scene.
+    """
+    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
+        raise ValueError(
+            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
+        )
+    return solution.stiffness
+
+
+def _is_equal(one: Any, other: Any) -> bool:
+    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_equal, one, other))
+    if is_dataclass(one) and type(one) is type(other):
+        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
+    return np.array_equal(one, other)

@@ -31,7 +31,7 @@ class SolvedCases:
         controls: NDArray,
         threads: int,
     ) -> None:
-        self._maker = maker
+        self.maker = maker
         self._cases = cases
         self._own: NDArray | None = None
         self._results = results
@@ -44,18 +44,18 @@ class SolvedCases:
         """(slice, case records) of all cases, some at a time."""
         self._keep()
         if self._cases is not None:
-            yield slice(0, self._maker.count), self._cases
+            yield slice(0, self.maker.count), self._cases
             return
-        for start in range(0, self._maker.count, CHUNK):
-            stop = min(start + CHUNK, self._maker.count)
-            yield slice(start, stop), self._maker.make(start, stop)
+        for start in range(0, self.maker.count, CHUNK):
+            stop = min(start + CHUNK, self.maker.count)
+            yield slice(start, stop), self.maker.make(start, stop)
 
     def given(
         self, part: slice, cases: NDArray
     ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
         """What the kernel reads of a stretch of cases."""
-        memory = working_memory(self._maker.ball_axis)
-        own = self._maker.own_balls(cases, part.start) if self._own is None else self._own[part]
+        memory = working_memory(self.maker.ball_axis)
+        own = self.maker.own_balls(cases, part.start) if self._own is None else self._own[part]
         return cases, *memory, self._results[part], self._positions[part], self._controls[part], own
 
     def read(self, row: int, what: int) -> NDArray:
@@ -72,18 +72,18 @@ class SolvedCases:
         tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)
         for table, place in enumerate(missing):
             tables[place] = table
-        out = np.empty((len(missing), self._maker.count, self._maker.ball_axis))
+        out = np.empty((len(missing), self.maker.count, self.maker.ball_axis))
 
         def read_stretch(part: slice) -> None:
-            cases = self._maker.make(part.start, part.stop) if self._cases is None else self._cases[part]
+            cases = self.maker.make(part.start, part.stop) if self._cases is None else self._cases[part]
             readings.read_cases(*self.given(part, cases), tables, out, part.start)
 
-        in_threads(read_stretch, self._maker.count, self._threads)
+        in_threads(read_stretch, self.maker.count, self._threads)
         for place, values in zip(missing, out, strict=True):
-            self._known[place] = values.reshape(*self._maker.shape, self._maker.ball_axis)
+            self._known[place] = values.reshape(*self.maker.shape, self.maker.ball_axis)
 
     def _keep(self) -> None:
-        if self._cases is None and self._maker.count <= KEPT:
-            self._cases = self._maker.make()
+        if self._cases is None and self.maker.count <= KEPT:
+            self._cases = self.maker.make()
         if self._cases is not None and self._own is None:
-            self._own = self._maker.own_balls(self._cases)
+            self._own = self.maker.own_balls(self._cases)

@@ -21,7 +21,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io import output_file
 from qsbearing.io.catalogue import find
-from qsbearing.io.csv_table import csv_text
+from qsbearing.io.csv_table import csv_bytes
 from qsbearing.sets.bearing_set import Direction
 
 COMBINED = """
@@ -251,7 +251,8 @@ def test_no_cell_of_a_csv_is_a_formula(begin: str, tmp_path: Path) -> None:
         rows = list(csv.DictReader(written))
     assert {row["bearing"] for row in rows} == {f"'{begin}cmd"}
     assert {row["speed_rpm"] for row in rows} == {"-5.0"}
-    assert csv_text({"carries": [Direction.PLUS], "of": [f"{begin}1"]}) == f"carries,of\n+x,'{begin}1\n"
+    words = {"carries": np.array([Direction.PLUS], object), "of": np.array([f"{begin}1"], object)}
+    assert csv_bytes(words).decode() == f"carries,of\n+x,'{begin}1\n"
 
 
 def test_plots_are_what_their_names_say(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import qsbearing as qs
 from fem_check.book.published import bearing
-from qsbearing.readings.life_arguments import LifeArguments
+from qsbearing.readings.rating_life import LifeArguments
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 MREV = 1e6

@@ -145,7 +145,7 @@ def test_a_dent_at_the_static_limit_is_of_the_order_that_defines_it() -> None:
     for b in (bearing(15, 10, 80, 15), bearing(16, 22.225, 125.26, 40), bearing(8, 17.5, 72.5, 25)):
         numbers = BearingNumbers(b)
         f = numbers.groove_coefficient(INNER)
-        Q = load_at_pressure(4200e6, numbers.ball_diameter, numbers.nominal_gamma, f, numbers.modulus(), INNER)
+        Q = load_at_pressure(4200e6, numbers.ball_diameter, numbers.nominal_gamma, f, numbers.effective_modulus, INNER)
         load = float(Q) * float(b.ball_count) * np.sin(float(b.free_contact_angle))  # type: ignore[arg-type]
         found = qs.readings.stress(solved(resting(b, axial_load=load * np.array([0.5, 1.0]))))
         dent = found.inner.dent[:, 0] / float(b.ball_diameter)  # type: ignore[arg-type]

@@ -1,0 +1,45 @@
+"""Imports go one way: no file needs one that needs it, those for type checking and inside functions counted."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import qsbearing
+
+ROOT = Path(qsbearing.__file__).parent
+OF_SETS = "messages", "sets"
+"""What a set's solution says of itself, and what it is made of, still know each other."""
+
+
+def name_of(path: Path) -> str:
+    parts = [ROOT.name, *path.relative_to(ROOT).with_suffix("").parts]
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+FILES = {name_of(path): path for path in ROOT.rglob("*.py")}
+
+
+def imported(path: Path) -> Iterator[str]:
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (each.name for each in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            full = [f"{node.module}.{each.name}" for each in node.names]
+            yield from (each if each in FILES else node.module for each in full)
+
+
+def test_no_circle_of_files() -> None:
+    """The package itself loads its public names when they are asked for."""
+    needs = {name: set(imported(path)) & set(FILES) - {name, "qsbearing"} for name, path in FILES.items()}
+    assert sum(map(len, needs.values())) > 1000
+    needs["qsbearing"] = set()
+    reach = {name: set(found) for name, found in needs.items()}
+    for middle in FILES:
+        for found in reach.values():
+            if middle in found:
+                found |= reach[middle]
+    in_circle = {name for name, found in reach.items() if name in found}
+    assert {name for name in in_circle if name.split(".")[1] not in OF_SETS} == set()
+    assert len(in_circle) <= 3
