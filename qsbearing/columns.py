@@ -56,6 +56,7 @@ BALL = (
     ("orbital_speed_rpm", "orbital_speed", rpm),
     ("rotation_speed_rpm", "rotation_speed", rpm),
     ("ball_diameter_deviation_um", "ball_diameter_deviation", um),
+    ("groove_give_um", "groove_give", um),
 )
 """Keys, names of the arrays of a solution, and the size of each key's unit in SI."""
 
@@ -76,6 +77,14 @@ RING_STATE = (
     ("equivalent_stress_MPa", "equivalent_stress", MPa),
 )
 """Keys, names of a `RingState`, and the size of each key's unit in SI."""
+RING_SHAPE = (
+    ("growth_um", "growth", um),
+    ("bending_um", "bending", um),
+    ("seat_pressure_MPa", "seat_pressure", MPa),
+    ("least_seat_pressure_MPa", "least_seat_pressure", MPa),
+    ("largest_seat_pressure_MPa", "largest_seat_pressure", MPa),
+)
+"""Likewise, of a `RingShape`."""
 
 
 def columns(solution: Solution) -> dict[str, NDArray]:
@@ -119,7 +128,7 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     if solution.preload_at_rest is not None:
         for state in ("at_rest", "unmounted", "mounted"):
             out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
-    for name, values in _expansion(solution).items():
+    for name, values in (_expansion(solution) | _shapes(solution)).items():
         out[name] = per_case(np.broadcast_to(values, solution.shape))
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
@@ -137,6 +146,17 @@ def _expansion(solution: Solution) -> dict[str, Any]:
             if state is not None and getattr(state, name) is not None:
                 out[f"{side}_ring_{key}"] = getattr(state, name) / size
     return out
+
+
+def _shapes(solution: Solution) -> dict[str, Any]:
+    """How elastic rings have given way."""
+    shapes = {side: getattr(solution, f"{side}_shape") for side in ("inner", "outer")}
+    return {
+        f"{side}_elastic_{key}": getattr(shape, name) / size
+        for side, shape in shapes.items()
+        for key, name, size in RING_SHAPE
+        if shape is not None and getattr(shape, name) is not None
+    }
 
 
 def scene_numbers(scene: Scene) -> dict[str, Any]:
@@ -158,5 +178,7 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
         for key in keys:
             values = getattr(holder, key.field)
             if values is not None:
-                out[prefix + key.name] = np.vectorize(key.in_file, otypes=[float])(np.asarray(values, float))
+                out[prefix + key.name.replace(".", "_")] = np.vectorize(key.in_file, otypes=[float])(
+                    np.asarray(values, float)
+                )
     return out

@@ -14,7 +14,7 @@ from qsbearing.case_index import Index
 from qsbearing.contact.first_yield import first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
-from qsbearing.expansion_messages import expansion_warnings
+from qsbearing.expansion_messages import expansion_warnings, give_warnings
 from qsbearing.judgement import estimated, lines_to_add
 from qsbearing.kernel.admissibility import (
     CONVERGED,
@@ -201,6 +201,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from data_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
+    yield from give_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield from _pressure_warnings(solution, pressure)
     yield from _sparse_warning(solution, part)

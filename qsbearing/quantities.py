@@ -13,7 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.columns import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, scene_numbers
+from qsbearing.columns import (
+    BALL,
+    CONTACT,
+    DISPLACEMENT,
+    GEOMETRY,
+    LOAD,
+    RING_SHAPE,
+    RING_STATE,
+    STIFFNESS,
+    scene_numbers,
+)
 from qsbearing.scene.keys import READING_TABLES
 from qsbearing.units import deg
 
@@ -77,12 +87,12 @@ def _of_geometry(key: str, own: str, size: float) -> Quantity:
     return Quantity(f"operating_{own}", _unit(key, own), False, read)
 
 
-def _of_ring(side: str, key: str, own: str, size: float) -> Quantity:
+def _of_ring(side: str, key: str, own: str, size: float, what: str = "ring") -> Quantity:
     def read(solution: Solution) -> NDArray | None:
-        values = getattr(getattr(solution, f"{side}_ring"), own, None)
+        values = getattr(getattr(solution, f"{side}_{what}"), own, None)
         return None if values is None else np.broadcast_to(values / size, solution.shape)
 
-    return Quantity(f"{side}_ring_{own}", _unit(key, own), False, read)
+    return Quantity(f"{side}_{'elastic' if what == 'shape' else what}_{own}", _unit(key, own), False, read)
 
 
 def _unit(key: str, name: str) -> str:
@@ -142,6 +152,7 @@ def _all() -> dict[str, Quantity]:
         found += [_of_channel(kind, number, key, size) for number, (key, size) in enumerate(channels)]
     found += [_of_geometry(key, own, size) for key, own, size in GEOMETRY]
     found += [_of_ring(side, key, own, size) for side in ("inner", "outer") for key, own, size in RING_STATE]
+    found += [_of_ring(side, key, own, size, "shape") for side in ("inner", "outer") for key, own, size in RING_SHAPE]
     found.append(Quantity("balls_off_inner", "balls", False, _unloaded))
     found.append(Quantity("least_loaded_azimuth", "deg", False, _least_loaded))
     found.append(Quantity("azimuth", "deg", True, lambda solution: solution.azimuth / deg))

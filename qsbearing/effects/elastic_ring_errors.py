@@ -59,10 +59,10 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
         if lengths[name] is None:
             errors.append(ErrorDetail(f"{path}.{name}", "missing: a ring's stiffness depends on it"))
     if word is not None and str(word) not in words:
-        errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {', '.join(words)}", str(word)))
+        errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {_quoted(words)}", str(word)))
     has_body = lengths[seat_diameter] is not None
     if word is None and not has_body:
-        cause = f"{', '.join(words)}, or a {seat} of some diameter"
+        cause = f"One of {_quoted(words)}, or a {seat} of some diameter"
         errors.append(ErrorDetail(f"{path}.{seat}", "missing: how the ring is held", cause=cause))
     if word is not None and has_body:
         cause = f"Leave one of the two out: {seat_diameter} describes the {seat}"
@@ -74,6 +74,10 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
             if value is not None
         ]
     return errors
+
+
+def _quoted(words: tuple[str, ...]) -> str:
+    return ", ".join(f'"{word}"' for word in words)
 
 
 def _table_errors(field: str, table: Any) -> list[ErrorDetail]:

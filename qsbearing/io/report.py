@@ -13,7 +13,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from qsbearing.columns import GEOMETRY, STIFFNESS
+from qsbearing.columns import GEOMETRY, RING_SHAPE, STIFFNESS
 from qsbearing.flatten import case_arrays
 from qsbearing.io.json_record import record
 from qsbearing.io.tables import plain_table, warning_lines
@@ -212,7 +212,23 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for side, state in rings.items():
             table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
         tables.append(table)
-    return tables + temperature_tables(found)
+    return tables + _shapes(found) + temperature_tables(found)
+
+
+def _shapes(found: dict[str, Any]) -> list[Table]:
+    """How elastic rings have given way."""
+    elastic = found["elastic_rings"]
+    if elastic is None:
+        return []
+    heading = ("", "growth\num", "bending\num", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
+    share = elastic["share_of_axial_displacement"]
+    part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
+    table = plain_table(f"Rings giving way under their balls{part}", heading)
+    for side in ("inner", "outer"):
+        if elastic[side] is not None:
+            cells = (elastic[side][key] for key, _, _ in RING_SHAPE)
+            table.add_row(side, *(digits(value, 1e-9) for value in cells))
+    return [table]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:

@@ -10,9 +10,9 @@ sums of such. With phi_m = cos k psi or sin k psi, w_j = sum of phi_mj z_m, the 
 
     z_m = sum over balls of phi_m (co g + ci h2).
 
-At rest they add a positive quadratic form to the convex energy (`kernel.continuation`). In Newton's step z is eliminated
-once the balls' sums are complete, as the balls were before, which leaves the ring's own system. A case without elastic
-rings has none of this.
+At rest they add a positive quadratic form to the convex energy (`kernel.continuation`). In Newton's step z is
+eliminated once the balls' sums are complete, as the balls were before, which leaves the ring's own system. A case
+without elastic rings has none of this.
 """
 
 from __future__ import annotations

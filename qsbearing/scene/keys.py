@@ -94,6 +94,26 @@ RING_EXPANSION = (
     _celsius("reference_temperature"),
     Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE),
 )
+ELASTIC_RINGS = (
+    Key("outer.outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+    Key("outer.width_mm", "outer_width", "mm", mm, LENGTH),
+    Key("outer.housing.outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
+    Key("outer.housing.elastic_modulus_GPa", "housing_elastic_modulus", "GPa", GPa, MODULUS),
+    Key("outer.housing.poisson_ratio", "housing_poisson_ratio"),
+    Key("inner.bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
+    Key("inner.width_mm", "inner_width", "mm", mm, LENGTH),
+    Key("inner.shaft.bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
+    Key("inner.shaft.elastic_modulus_GPa", "shaft_elastic_modulus", "GPa", GPa, MODULUS),
+    Key("inner.shaft.poisson_ratio", "shaft_poisson_ratio"),
+)
+"""In tables within the effect's own, which the points say."""
+SEATS = {"outer.housing": "housing", "inner.shaft": "shaft"}
+"""What holds a ring, as a word."""
+RING_COMPLIANCES = (
+    Key("outer.housing.compliance_um_per_N", "outer_compliance", "um/N", um, None),
+    Key("inner.shaft.compliance_um_per_N", "inner_compliance", "um/N", um, None),
+)
+"""Lists by harmonic, in place of all else about a ring."""
 BALL_EXPANSION = (_celsius("ball_temperature"), _celsius("reference_temperature"))
 
 _SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter", "inner_open_diameter", "outer_open_diameter")
@@ -155,7 +175,11 @@ SET_NUMBERS = {"rows": ROW, "shaft": SHAFT}
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
-EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
+EFFECT_TABLES = {
+    "ring_expansion": RING_EXPANSION,
+    "ball_expansion": BALL_EXPANSION,
+    "elastic_rings": ELASTIC_RINGS,
+}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
 NUMBERS = {
     "bearing": BEARING,
@@ -199,6 +223,7 @@ EFFECT_SECTIONS = {
     name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
     for name, keys in EFFECT_TABLES.items()
 }
+EFFECT_SECTIONS["elastic_rings"] += (*SEATS, *(key.name for key in RING_COMPLIANCES))
 """Likewise, by the tables within [effects]."""
 
 READING_SECTIONS = {
@@ -212,12 +237,15 @@ SPECTRUM_POINT = "spectrum point"
 MATERIAL_KEYS = tuple(key.name for key in MATERIAL)
 
 _KEY_OF_FIELD = {key.field: key.name for keys in NUMBERS.values() for key in keys} | {"ball_effects": "ball"}
-_FIELD = re.compile(r"\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=True)) + r")\b")
+_FIELD = re.compile(r"(?<!\")\b(" + "|".join(sorted(_KEY_OF_FIELD, key=len, reverse=True)) + r")\b(?!\")")
 
 
 def find(path: str) -> Key | None:
     """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
+    before, _, within = path.partition("elastic_rings.")
     section, _, name = path.rpartition(".")
+    if within and before in ("", "effects."):
+        section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     if table.startswith("row "):
         table = "rows"
@@ -232,10 +260,14 @@ def path_in_file(path: str) -> str:
     key = find(path)
     if key is BALL_DEVIATIONS:
         return f"effects.{key.name}"
+    if path.startswith("elastic_rings."):
+        other = {field: name for name, field in SEATS.items()} | {key.field: key.name for key in RING_COMPLIANCES}
+        field = path.removeprefix("elastic_rings.")
+        return f"effects.elastic_rings.{key.name if key else other.get(field, field)}"
     path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
     return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
 
 
 def with_file_keys(sentence: str) -> str:
-    """A sentence with every Python name replaced by the file's key."""
+    """A sentence with every Python name replaced by the file's key, but for words in quotation marks."""
     return _FIELD.sub(lambda match: _KEY_OF_FIELD[match.group()], sentence)
