@@ -4,6 +4,6 @@ Each takes a solution of a bearing (all but `contact_ellipses` one of a set as w
 index of one case; and returns a figure of matplotlib.
 """
 
-from qsbearing.pictures.sheet import contact_angles, contact_ellipses, load_distribution, overview
+from qsbearing.pictures.sheet import contact_angles, contact_ellipses, load_distribution, overview, ring_shape
 
-__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview"]
+__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview", "ring_shape"]

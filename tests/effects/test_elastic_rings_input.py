@@ -11,11 +11,12 @@ import pytest
 from click.testing import CliRunner
 
 import qsbearing as qs
+from qsbearing import pictures
 from qsbearing.cli import cli
 from qsbearing.effects.elastic_rings import gives_at_balls, grooves_of
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
-from qsbearing.ring_shape import groove_shape, radial_loads
+from qsbearing.ring_shape import AROUND, groove_shape, radial_loads
 
 HEAD = """
 [bearing]
@@ -159,3 +160,13 @@ def test_the_command_prints_it(tmp_path: Path) -> None:
     plain = json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).output)
     assert plain["elastic_rings"] is None
     assert plain["balls"][0]["groove_give_um"] is None
+
+
+def test_its_picture(tmp_path: Path) -> None:
+    """The groove as drawn, over all of the circumference, is the one that is reported."""
+    solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["free"])))
+    axes = pictures.ring_shape(solution).axes[0]
+    drawn = {line.get_label(): np.asarray(line.get_ydata()) for line in axes.get_lines()}["outer raceway"]
+    shape = groove_shape(solution, "outer", AROUND)
+    np.testing.assert_allclose((drawn[:-1] - 1.0) / 0.16, shape / np.abs(shape).max(), atol=1e-9)
+    assert len(pictures.overview(solution).axes) == 4
