@@ -20,6 +20,7 @@ Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housi
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -136,6 +137,11 @@ class ElasticRings:
 
     def gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
         """Of the inner and the outer ring; None for one that does not give way."""
+        if any(np.ndim(each) for each in (*self.numbers.values(), *grooves)):
+            return self._gives(grooves)
+        return _known_gives(self, Grooves(*map(float, grooves)))
+
+    def _gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
         return self._inner(grooves), self._outer(grooves)
 
     def _outer(self, at: Grooves) -> RingGive | None:
@@ -165,6 +171,12 @@ class ElasticRings:
         return _given(give, at.inner_bottom, self.inner_width, at.modulus, None if shaft is None else bore)
 
 
+@lru_cache(maxsize=32)
+def _known_gives(rings: ElasticRings, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
+    """Of a single case: asked for by every solve and reading, and slower to find than to solve the case."""
+    return rings._gives(grooves)
+
+
 def _half(diameter: Any) -> NDArray:
     return 0.5 * np.asarray(diameter, float)
 
@@ -177,12 +189,19 @@ def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:
 
 
 def _given(give: Give, radius: Any, width: Any, modulus: Any, seat: NDArray | None) -> RingGive:
+    cases = np.broadcast_shapes(give.groove.shape[1:], np.shape(radius), np.shape(width))
+    give = Give(*(np.broadcast_to(_with_axes(each, len(cases)), (len(each), *cases)) for each in give))
     moved = by_load(of_section(give.groove, radius, width, modulus), radius, width)
     if seat is None:
         return RingGive(moved, None)
     pressed = give.seat.copy()
     pressed[1] = np.asarray(radius, float) / seat  # the resultant goes through, by pressure alone
     return RingGive(moved, by_load(pressed, radius, width))
+
+
+def _with_axes(by_harmonic: NDArray, cases: int) -> NDArray:
+    """With axes of one case before those it has, so that it has as many."""
+    return by_harmonic.reshape(len(by_harmonic), *(1,) * (cases + 1 - by_harmonic.ndim), *by_harmonic.shape[1:])
 
 
 def _tabled(compliance: tuple[float, ...]) -> RingGive:
