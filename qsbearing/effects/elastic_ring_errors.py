@@ -50,7 +50,7 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     errors = []
     for name, value in lengths.items():
         if value is not None:
-            errors += within(f"{path}.{name}", value, LENGTH, 0.0 if name == "shaft_bore_diameter" else 1e-4, 20.0)
+            errors += within(f"{path}.{name}", value, LENGTH, 0.0 if name == "shaft_bore_diameter" else 1e-5, 20.0)
     if constants["elastic_modulus"] is not None:
         errors += within(f"{path}.{seat}_elastic_modulus", constants["elastic_modulus"], MODULUS, 1e6, 1e25)
     if constants["poisson_ratio"] is not None:
