@@ -90,7 +90,9 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
         for key in keys:
             values = getattr(holder, key.field)
             if values is not None:
-                out[prefix + key.name] = np.vectorize(key.in_file, otypes=[float])(np.asarray(values, float))
+                out[prefix + key.name.replace(".", "_")] = np.vectorize(key.in_file, otypes=[float])(
+                    np.asarray(values, float)
+                )
     return out
 
 

@@ -13,7 +13,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown, split
+from qsbearing.result_keys import (
+    BALL,
+    CONTACT,
+    DISPLACEMENT,
+    GEOMETRY,
+    LOAD,
+    RING_SHAPE,
+    RING_STATE,
+    STIFFNESS,
+    Shown,
+    split,
+)
 from qsbearing.units import deg
 
 Solution = Any
@@ -105,6 +116,9 @@ def _all() -> dict[str, Quantity]:
             )
     found += [_of_case("operating_", shown, _reshaped) for shown in GEOMETRY]
     found += [_of_case(f"{side}_ring_", shown, attrgetter(f"{side}_ring")) for side in sides for shown in RING_STATE]
+    found += [
+        _of_case(f"{side}_elastic_", shown, attrgetter(f"{side}_shape")) for side in sides for shown in RING_SHAPE
+    ]
     found.append(Quantity("balls_off_inner", "balls", "balls_off_inner_balls", False, _unloaded, False))
     found.append(Quantity("least_loaded_azimuth", "deg", "least_loaded_azimuth_deg", False, _least_loaded, False))
     found.append(Quantity("azimuth", "deg", "azimuth_deg", True, lambda solution: solution.azimuth / deg, False))

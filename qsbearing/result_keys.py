@@ -76,6 +76,7 @@ BALL = (
     Shown("orbital_speed_rpm", "orbital_speed", rpm),
     Shown("rotation_speed_rpm", "rotation_speed", rpm),
     Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
+    Shown("groove_give_um", "groove_give", um),
 )
 """Arrays of a solution (*cases, ball), those of contacts for either raceway."""
 
@@ -96,3 +97,11 @@ RING_STATE = (
     Shown("equivalent_stress_MPa", "equivalent_stress", MPa),
 )
 """Of a `RingState`."""
+RING_SHAPE = (
+    Shown("growth_um", "growth", um),
+    Shown("bending_um", "bending", um),
+    Shown("seat_pressure_MPa", "seat_pressure", MPa),
+    Shown("least_seat_pressure_MPa", "least_seat_pressure", MPa),
+    Shown("largest_seat_pressure_MPa", "largest_seat_pressure", MPa),
+)
+"""Of a `RingShape`."""

@@ -50,7 +50,7 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     errors = []
     for name, value in lengths.items():
         if value is not None:
-            errors += within(f"{path}.{name}", value, LENGTH, 0.0 if name == "shaft_bore_diameter" else 1e-4, 20.0)
+            errors += within(f"{path}.{name}", value, LENGTH, 0.0 if name == "shaft_bore_diameter" else 1e-5, 20.0)
     if constants["elastic_modulus"] is not None:
         errors += within(f"{path}.{seat}_elastic_modulus", constants["elastic_modulus"], MODULUS, 1e6, 1e25)
     if constants["poisson_ratio"] is not None:
@@ -59,10 +59,10 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
         if lengths[name] is None:
             errors.append(ErrorDetail(f"{path}.{name}", "missing: a ring's stiffness depends on it"))
     if word is not None and str(word) not in words:
-        errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {', '.join(words)}", str(word)))
+        errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {_quoted(words)}", str(word)))
     has_body = lengths[seat_diameter] is not None
     if word is None and not has_body:
-        cause = f"{', '.join(words)}, or a {seat} of some diameter"
+        cause = f"One of {_quoted(words)}, or a {seat} of some diameter"
         errors.append(ErrorDetail(f"{path}.{seat}", "missing: how the ring is held", cause=cause))
     if word is not None and has_body:
         cause = f"Leave one of the two out: {seat_diameter} describes the {seat}"
@@ -74,6 +74,10 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
             if value is not None
         ]
     return errors
+
+
+def _quoted(words: tuple[str, ...]) -> str:
+    return ", ".join(f'"{word}"' for word in words)
 
 
 def _table_errors(field: str, table: Any) -> list[ErrorDetail]:

@@ -20,7 +20,7 @@ Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housi
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -36,27 +36,18 @@ from qsbearing.effects.ring_compliance import (
     Give,
     by_load,
     inner_ring_give,
-    needed,
+    of_section,
     outer_ring_give,
 )
-from qsbearing.validation import ErrorDetail, choose, raise_if_any
+from qsbearing.validation import ErrorDetail, raise_if_any
 
 if TYPE_CHECKING:
     from qsbearing.scene.bearing import BallBearing
     from qsbearing.scene.operation import Operation
 
 
-class Seat(StrEnum):
-    """What holds a ring, where that is no body of some diameter."""
-
-    RIGID = "rigid"
-    """The ring does not give way."""
-    FREE = "free"
-    """Nothing does."""
-    SOLID = "solid"
-    """A solid shaft."""
-
-
+RIGID, FREE, SOLID = "rigid", "free", "solid"
+"""What holds a ring, where that is no body of some diameter: it does not give way; nothing; a solid shaft."""
 USUAL_SECTION = (0.28, 1.35)
 """Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
 
@@ -101,8 +92,8 @@ class ElasticRings:
     """Of the outer ring [m]."""
     outer_width: ArrayLike | None = None
     """Of the outer ring, axially [m]."""
-    housing: Seat | str | None = None
-    """What holds the outer ring: rigid or free; None with a housing's outside diameter."""
+    housing: str | None = None
+    """What holds the outer ring: "rigid" or "free"; None with a housing's outside diameter."""
     housing_outside_diameter: ArrayLike | None = None
     """[m]"""
     housing_elastic_modulus: ArrayLike | None = None
@@ -114,8 +105,8 @@ class ElasticRings:
     """Of the inner ring [m]."""
     inner_width: ArrayLike | None = None
     """[m]"""
-    shaft: Seat | str | None = None
-    """What the inner ring sits on: rigid, free or solid; None with a shaft's bore."""
+    shaft: str | None = None
+    """What the inner ring sits on: "rigid", "free" or "solid"; None with a shaft's bore."""
     shaft_bore_diameter: ArrayLike | None = None
     """[m]"""
     shaft_elastic_modulus: ArrayLike | None = None
@@ -125,17 +116,11 @@ class ElasticRings:
     name: ClassVar[str] = "elastic_rings"
 
     def __post_init__(self) -> None:
-        errors: list[ErrorDetail] = []
-        for field in ("housing", "shaft"):
-            if getattr(self, field) is not None:
-                word, wrong = choose(f"{self.name}.{field}", getattr(self, field), Seat)
-                object.__setattr__(self, field, word)
-                errors += wrong
         for field in ("outer_compliance", "inner_compliance"):
             given = getattr(self, field)
             if given is not None and np.ndim(given) == 1:
                 object.__setattr__(self, field, tuple(np.asarray(given).tolist()))
-        raise_if_any(errors or parameter_errors(self))
+        raise_if_any(parameter_errors(self))
 
     @property
     def numbers(self) -> dict[str, Any]:
@@ -152,12 +137,17 @@ class ElasticRings:
 
     def gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
         """Of the inner and the outer ring; None for one that does not give way."""
+        if any(np.ndim(each) for each in (*self.numbers.values(), *grooves)):
+            return self._gives(grooves)
+        return _known_gives(self, Grooves(*map(float, grooves)))
+
+    def _gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
         return self._inner(grooves), self._outer(grooves)
 
     def _outer(self, at: Grooves) -> RingGive | None:
         if self.outer_compliance is not None:
             return _tabled(self.outer_compliance)
-        if self.outer_width is None or self.housing == Seat.RIGID:
+        if self.outer_width is None or self.housing == RIGID:
             return None
         outside = _half(self.outside_diameter)
         housing = None
@@ -165,20 +155,26 @@ class ElasticRings:
             material = _material(self.housing_elastic_modulus, self.housing_poisson_ratio, at)
             housing = Annulus(outside, _half(self.housing_outside_diameter), *material)
         give = outer_ring_give(Annulus(at.outer_bottom, outside, at.modulus, at.poisson_ratio), housing)
-        return _given(give, at.outer_bottom, self.outer_width, at.modulus, housing is not None)
+        return _given(give, at.outer_bottom, self.outer_width, at.modulus, None if housing is None else outside)
 
     def _inner(self, at: Grooves) -> RingGive | None:
         if self.inner_compliance is not None:
             return _tabled(self.inner_compliance)
-        if self.inner_width is None or self.shaft == Seat.RIGID:
+        if self.inner_width is None or self.shaft == RIGID:
             return None
         bore, shaft = _half(self.bore_diameter), None
-        if self.shaft != Seat.FREE:
+        if self.shaft != FREE:
             material = _material(self.shaft_elastic_modulus, self.shaft_poisson_ratio, at)
-            hollow = 0.0 if self.shaft == Seat.SOLID else _half(self.shaft_bore_diameter)
+            hollow = 0.0 if self.shaft == SOLID else _half(self.shaft_bore_diameter)
             shaft = Annulus(hollow, bore, *material)
         give = inner_ring_give(Annulus(bore, at.inner_bottom, at.modulus, at.poisson_ratio), shaft)
-        return _given(give, at.inner_bottom, self.inner_width, at.modulus, shaft is not None)
+        return _given(give, at.inner_bottom, self.inner_width, at.modulus, None if shaft is None else bore)
+
+
+@lru_cache(maxsize=32)
+def _known_gives(rings: ElasticRings, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
+    """Of a single case: asked for by every solve and reading, and slower to find than to solve the case."""
+    return rings._gives(grooves)
 
 
 def _half(diameter: Any) -> NDArray:
@@ -192,12 +188,20 @@ def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:
     )
 
 
-def _given(give: Give, radius: Any, width: Any, modulus: Any, is_seated: bool) -> RingGive:
-    which = needed(give.groove, radius, modulus)
-    return RingGive(
-        by_load(np.where(which, give.groove, 0.0), radius, width),
-        by_load(np.where(which, give.seat, 0.0), radius, width) if is_seated else None,
-    )
+def _given(give: Give, radius: Any, width: Any, modulus: Any, seat: NDArray | None) -> RingGive:
+    cases = np.broadcast_shapes(give.groove.shape[1:], np.shape(radius), np.shape(width))
+    give = Give(*(np.broadcast_to(_with_axes(each, len(cases)), (len(each), *cases)) for each in give))
+    moved = by_load(of_section(give.groove, radius, width, modulus), radius, width)
+    if seat is None:
+        return RingGive(moved, None)
+    pressed = give.seat.copy()
+    pressed[1] = np.asarray(radius, float) / seat  # the resultant goes through, by pressure alone
+    return RingGive(moved, by_load(pressed, radius, width))
+
+
+def _with_axes(by_harmonic: NDArray, cases: int) -> NDArray:
+    """With axes of one case before those it has, so that it has as many."""
+    return by_harmonic.reshape(len(by_harmonic), *(1,) * (cases + 1 - by_harmonic.ndim), *by_harmonic.shape[1:])
 
 
 def _tabled(compliance: tuple[float, ...]) -> RingGive:
@@ -246,7 +250,7 @@ def _largest_give(point: OperatingPoint) -> NDArray:
     else:
         thickness, width = (part * np.asarray(bearing.ball_diameter, float) for part in USUAL_SECTION)
         outside = 2.0 * (grooves_of(bearing).outer_bottom + thickness)
-        asked = ElasticRings(outside_diameter=outside, outer_width=width, housing=Seat.FREE)
+        asked = ElasticRings(outside_diameter=outside, outer_width=width, housing=FREE)
     radial = [np.asarray(each.load * each.cosine) for each in (solution.inner, solution.outer)]
     gives = gives_at_balls(asked.gives(grooves_of(bearing)), np.asarray(solution.azimuth), *radial)
     return np.asarray(np.abs(gives).max(axis=-1))
@@ -267,5 +271,6 @@ ENTRY = Entry(
     indicator=_indicator,
     errors=_errors,
     needs="[effects.elastic_rings] with the rings' widths and diameters and what holds them",
-    without_parameters="for a free outer ring of usual section; a stiff housing leaves a tenth of that",
+    without_parameters="for a free outer ring of usual section; a stiff housing leaves less than half",
+    is_bound=True,
 )

@@ -61,6 +61,8 @@ class Entry:
     where nothing can be told without parameters."""
     hypothesis: str = ""
     """Set for a choice among hypotheses, of which the model cannot tell which is true: why not."""
+    is_bound: bool = False
+    """Whether what is estimated without parameters is the most that there can be: no warning to every scene then."""
     saves_time: bool = True
     """Whether a scene is solved faster without it; what saves nothing is never left out."""
 

@@ -6,8 +6,7 @@ Equation      Airy's function cos(n theta) (A r^n + B r^(n+2) + C r^-n + D r^(2-
               shear. A term r^m has sigma_r = (m - n^2) r^(m-2) cos(n theta), tau = n (m - 1) r^(m-2) sin(n theta)
 Assumes       a ring of rectangular section, free to contract along its axis; a smooth seat, on which it may slide but
               from which it does not part: ring and seat move radially as one
-When not      a section that varies much along its axis; its twisting is no part of this. Short waves, n of the order
-              of radius over thickness, are local compression, which Hertz's contact has already
+When not      a section that varies much along its axis; its twisting is no part of this
 
 n = 1 moves a ring as a body: that load its mount carries, and its place holds 0. All arguments are SI and may be arrays
 over cases; harmonics n = 0, 1, 2, ... lie along the first axis of results.
@@ -23,11 +22,7 @@ from numpy.typing import NDArray
 from qsbearing.effects.annulus import Elastic, displacement, stress_by_pressure
 
 MOST_HARMONICS = 24
-"""No more are taken: what is left of a thin ring's series, which falls with n^-3, is 2e-4 of the give under a load."""
-BENDING_ERROR = 1e-3
-"""Of that give, what is left to harmonics beyond those taken: a tenth of the usual tolerance of chosen effects."""
-
-
+"""As many are taken (`of_section` says what is left out)."""
 SOLID = 1e-4
 """A bore this much smaller than the outside hardly counts in bending, whose stress at the centre vanishes or, n = 2, is
 disturbed by the square of that; closer to zero its equations overflow."""
@@ -143,19 +138,19 @@ def _ratio(moved: NDArray, held: NDArray) -> NDArray:
     return np.divide(moved, held, out=np.zeros(np.broadcast(moved, held).shape), where=held != 0.0)
 
 
-def needed(give: NDArray, radius: Any, modulus: Any) -> NDArray:
-    """Which harmonics to take, (harmonic, *cases): what is left out changes the give under a load by BENDING_ERROR.
+def of_section(give: NDArray, radius: Any, width: Any, modulus: Any) -> NDArray:
+    """u_n/p_n by which the section moves as one: less what is local, and without waves shorter than the ring is wide.
 
-    Args:
-        give: u_n/p_n [m/Pa].
-        radius, modulus: of the pressed rim; a half-plane's 2 r/(E n) is local compression, and no bending.
+    Local is a half-plane's compression, 2 r/(E n), which Hertz's contact has already. Waves shorter than the width do
+    not bend the ring all across: finite elements of a sector with 16 balls meet uniform growth within 0.7 points
+    without the wave n = 16, which is such a one for them, and miss it by 1.3 with it. Of the bending under one load on
+    a thin ring, what is beyond n = 12 makes 1.3e-3, beyond 24 2e-4.
     """
     n = np.arange(float(len(give))).reshape(-1, *(1,) * (give.ndim - 1))
-    local = 2.0 * np.asarray(radius, float) / (np.asarray(modulus, float) * np.maximum(n, 1.0))
-    bending = np.where(n < 2.0, 0.0, np.maximum(give - local, 0.0))
-    total = 0.5 * give[:1] + np.cumsum(bending, axis=0)
-    is_last = (bending * n / 3.0 <= BENDING_ERROR * total) & (n >= 2.0)  # the rest of a series that falls with n^-4
-    return np.cumsum(is_last, axis=0) - is_last == 0
+    radius, width = np.asarray(radius, float), np.asarray(width, float)
+    local = 2.0 * radius / (np.asarray(modulus, float) * np.maximum(n, 1.0))
+    is_long = 2.0 * np.pi * radius >= n * width
+    return np.where(n < 2.0, give, np.where(is_long, np.maximum(give - local, 0.0), 0.0))
 
 
 def by_load(give: NDArray, radius: Any, width: Any) -> NDArray:

@@ -12,6 +12,7 @@ from qsbearing.effects import (
     BallDiameterDeviations,
     BallEffect,
     BallExpansion,
+    ElasticRings,
     GyroscopicMoment,
     MomentShares,
     RingEffect,
@@ -31,7 +32,16 @@ from qsbearing.io.table_checks import (
     si,
     table_model,
 )
-from qsbearing.scene.keys import BALL_DEVIATIONS, EFFECT_SECTIONS, EFFECT_TABLES, EFFECTS, MATERIALS, SEAT_MATERIALS
+from qsbearing.scene.keys import (
+    BALL_DEVIATIONS,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    EFFECTS,
+    MATERIALS,
+    RING_COMPLIANCES,
+    SEAT_MATERIALS,
+    SEATS,
+)
 from qsbearing.scene.scene import CHOICES, effect_errors
 from qsbearing.validation import SceneError
 
@@ -46,6 +56,11 @@ _EFFECTS = table_model(
     {"ball": (list[str], []), BALL_DEVIATIONS.name: number_list()} | choice_fields("moment_shares", *CHOICES),
 )
 _EFFECT_TABLES = {name: table_model(name, keys, {}) for name, keys in EFFECT_TABLES.items()}
+_ELASTIC_RINGS = table_model(
+    "elastic_rings",
+    EFFECT_TABLES["elastic_rings"],
+    dict.fromkeys(SEATS, (str | None, None)) | {key.name: number_list() for key in RING_COMPLIANCES},
+)
 _RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
 
 
@@ -119,6 +134,8 @@ def _needed(name: str) -> list[str]:
 def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     """The effect that a table within [effects] names."""
     path = f"effects.{name}"
+    if name == ElasticRings.name:
+        return _elastic_rings(path, table, errors)
     known_materials = [key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]]
     is_table = isinstance(table, dict)
     numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
@@ -138,6 +155,31 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
         errors += map(translate, judged(error))
         return None
     return effect if len(errors) == before else None
+
+
+def _elastic_rings(path: str, table: Any, errors: Errors) -> ElasticRings | None:
+    """The effect whose rings, and what holds them, are tables within its own."""
+    flat = flattened(table) if isinstance(table, dict) else table
+    before = len(errors)
+    good, _ = checked(_ELASTIC_RINGS, path, flat, errors)
+    if not isinstance(table, dict) or len(errors) > before:
+        return None
+    fields: dict[str, Any] = si(EFFECT_TABLES[ElasticRings.name], good)
+    fields |= {field: good[name] for name, field in SEATS.items() if name in good}
+    fields |= {key.field: tuple(key.si(np.asarray(good[key.name]))) for key in RING_COMPLIANCES if key.name in good}
+    try:
+        return ElasticRings(**fields)
+    except SceneError as error:
+        errors += map(translate, error.errors)
+        return None
+
+
+def flattened(table: dict[str, Any], before: str = "") -> dict[str, Any]:
+    """Tables within a table as keys with points."""
+    out: dict[str, Any] = {}
+    for name, value in table.items():
+        out |= flattened(value, f"{before}{name}.") if isinstance(value, dict) else {before + name: value}
+    return out
 
 
 def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:

@@ -12,6 +12,8 @@ from qsbearing.scene.keys import (
     EFFECT_TABLES,
     IN_PLACE,
     NUMBERS,
+    RING_COMPLIANCES,
+    SEATS,
     SECTIONS,
     SET_NUMBERS,
     SPECTRUM,
@@ -45,7 +47,10 @@ def sections() -> dict[str, tuple[str, ...]]:
 
 def find(path: str) -> Key | None:
     """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
+    before, _, within = path.partition("elastic_rings.")
     section, _, name = path.rpartition(".")
+    if within and before in ("", "effects."):
+        section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     if table.startswith("row "):
         table = "rows"
@@ -62,15 +67,19 @@ def path_in_file(path: str) -> str:
     key = find(path)
     if key is BALL_DEVIATIONS:
         return f"effects.{key.name}"
+    if path.startswith("elastic_rings."):
+        other = {field: name for name, field in SEATS.items()} | {key.field: key.name for key in RING_COMPLIANCES}
+        field = path.removeprefix("elastic_rings.")
+        return f"effects.elastic_rings.{key.name if key else other.get(field, field)}"
     path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
     return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
 
 
 def with_file_keys(sentence: str, path: str) -> str:
-    """A sentence on a path with every Python name replaced by the file's key."""
+    """A sentence on a path with every Python name replaced by the file's key, but for words in quotation marks."""
     keys = _key_of_field(_is_of_reading(path))
     names = "|".join(sorted(keys, key=len, reverse=True))
-    return re.sub(rf"\b({names})\b", lambda match: keys[match.group()], sentence)
+    return re.sub(rf'(?<!")\b({names})\b(?!")', lambda match: keys[match.group()], sentence)
 
 
 def _is_of_reading(path: str) -> bool:

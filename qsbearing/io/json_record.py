@@ -10,7 +10,17 @@ from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
 from qsbearing.io.readings_record import Readings, readings_record
-from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, GEOMETRY, LOAD, RING_STATE, STIFFNESS, Shown
+from qsbearing.result_keys import (
+    BALL,
+    CONTACT,
+    DISPLACEMENT,
+    GEOMETRY,
+    LOAD,
+    RING_SHAPE,
+    RING_STATE,
+    STIFFNESS,
+    Shown,
+)
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
@@ -43,6 +53,7 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
+        "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index),
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
@@ -112,6 +123,21 @@ def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | 
         side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
         for side in ("inner", "outer")
     }
+
+
+def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+    """How the rings give way, and what part of the axial displacement that is; None between rigid rings."""
+    if solution.scene.elastic_rings is None:
+        return None
+    share = solution.elastic_share
+    found: dict[str, Any] = {"share_of_axial_displacement": None if share is None else number(np.asarray(share)[index])}
+    for side in ("inner", "outer"):
+        shape = getattr(solution, f"{side}_shape")
+        found[side] = None
+        if shape is not None:
+            amplitudes = [number(value / um) for value in shape.amplitudes[index]]
+            found[side] = _numbers(RING_SHAPE, shape, solution.shape, index) | {"amplitudes_um": amplitudes}
+    return found
 
 
 def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, Any]] | None:

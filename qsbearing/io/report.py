@@ -16,7 +16,7 @@ from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import plain_table, warning_lines
 from qsbearing.judgement import percent
-from qsbearing.result_keys import GEOMETRY, STIFFNESS, split
+from qsbearing.result_keys import GEOMETRY, RING_SHAPE, STIFFNESS, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
 from qsbearing.solution.solution import Solution
@@ -210,7 +210,23 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for side, state in rings.items():
             table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
         tables.append(table)
-    return tables + temperature_tables(found)
+    return tables + _shapes(found) + temperature_tables(found)
+
+
+def _shapes(found: dict[str, Any]) -> list[Table]:
+    """How elastic rings have given way."""
+    elastic = found["elastic_rings"]
+    if elastic is None:
+        return []
+    heading = ("", "growth\num", "bending\num", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
+    share = elastic["share_of_axial_displacement"]
+    part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
+    table = plain_table(f"Rings giving way under their balls{part}", heading)
+    for side in ("inner", "outer"):
+        if elastic[side] is not None:
+            cells = (elastic[side][key] for key, *_ in RING_SHAPE)
+            table.add_row(side, *(digits(value, 1e-9) for value in cells))
+    return [table]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:

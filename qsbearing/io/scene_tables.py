@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.effects import BallDiameterDeviations, BallExpansion, GyroscopicMoment, RingExpansion
+from qsbearing.effects import BallDiameterDeviations, BallExpansion, ElasticRings, GyroscopicMoment, RingExpansion
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED, is_in_radians, label_of
 from qsbearing.io.effects_table import AUTO
@@ -25,8 +25,10 @@ from qsbearing.scene.keys import (
     MATERIALS,
     OPERATION,
     PRELOAD,
+    RING_COMPLIANCES,
     ROW,
     SEAT_MATERIALS,
+    SEATS,
     SHAFT,
     Key,
 )
@@ -138,8 +140,29 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
             tables[BALL_DEVIATIONS.name] = [_number(BALL_DEVIATIONS, value) for value in effect.array]
             continue
         tables[effect.name] = _numbers(EFFECT_TABLES[effect.name], effect)
+        if isinstance(effect, ElasticRings):
+            tables[effect.name] = _elastic_rings(effect, tables[effect.name])
+            continue
         seats = {side: getattr(effect, side, None) for side in SEAT_MATERIALS}
         tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
+    return tables
+
+
+def _elastic_rings(effect: ElasticRings, numbers: Tables) -> Tables:
+    """Tables within tables, as the points in the keys say."""
+    found: Tables = dict(numbers)
+    found |= {name: str(getattr(effect, field)) for name, field in SEATS.items() if getattr(effect, field) is not None}
+    for key in RING_COMPLIANCES:
+        given = getattr(effect, key.field)
+        if given is not None:
+            found[key.name] = [_number(key, value) for value in given]
+    tables: Tables = {}
+    for name, value in found.items():
+        *path, last = name.split(".")
+        table = tables
+        for each in path:
+            table = table.setdefault(each, {})
+        table[last] = value
     return tables
 
 

@@ -21,7 +21,7 @@ from qsbearing.kernel.admissibility import (
     UNSUPPORTED,
 )
 from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
-from qsbearing.messages.expansion import expansion_warnings
+from qsbearing.messages.expansion import expansion_warnings, give_warnings
 from qsbearing.messages.missing_effects import data_warnings, missing_warnings
 from qsbearing.messages.preload import preload_warnings
 from qsbearing.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
@@ -169,6 +169,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from data_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
+    yield from give_warnings(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
     yield from _pressure_warnings(solution, pressure)
     yield from _sparse_warning(solution, part)

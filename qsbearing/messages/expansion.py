@@ -1,16 +1,18 @@
-"""Warnings about expanded rings: fits that are lost, rings that yield, balls that are wedged."""
+"""Warnings about expanded and elastic rings: fits lost, rings that yield or bend far, wedged balls, seats that part."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.effects.elastic_rings import grooves_of
 from qsbearing.messages.balls import Warnings
 from qsbearing.ranked_warning import check_data, wrong_model
 from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, um
 
 HEAT = "how_to#heat-fits-and-rotation"
+GIVE = "elastic_rings"
 
 
 def expansion_warnings(solution: Solution, part: slice) -> Warnings:
@@ -60,3 +62,46 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
             )
 
         yield (interference > 0.0) & (gap > 0.0), lost
+
+
+THIN = 0.5
+"""Of a ring's thickness: a deflection beyond it is no small one any more (the usual limit of linear bending)."""
+
+
+def give_warnings(solution: Solution, part: slice) -> Warnings:
+    """Of elastic rings: a seat that parts from its ring somewhere, deflections that are not small."""
+    rings = solution.scene.elastic_rings
+    if rings is None:
+        return
+    grooves = grooves_of(solution.scene.operating_bearing)
+    for side, seat, bottom, diameter in (
+        ("inner", "shaft", grooves.inner_bottom, rings.bore_diameter),
+        ("outer", "housing", grooves.outer_bottom, rings.outside_diameter),
+    ):
+        shape, state = getattr(solution, f"{side}_shape"), getattr(solution, f"{side}_ring")
+        if shape is None:
+            continue
+        if shape.least_seat_pressure is not None:
+            fitted = 0.0 if state is None or state.seat_pressure is None else state.seat_pressure
+            short = -(shape.least_seat_pressure + fitted).reshape(-1)[part]
+
+            def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> str:
+                return check_data(
+                    f"The {side} ring would lift off the {seat} somewhere, unless its fit presses it by "
+                    f"{short[i] / MPa:.3g} MPa more: it gives way further there than computed.",
+                    GIVE,
+                )
+
+            yield np.asarray(short > 0.0), parts
+        if diameter is None:
+            continue
+        thickness = np.abs(0.5 * np.asarray(diameter, float) - np.asarray(bottom))
+        large = np.asarray(shape.bending / thickness).reshape(-1)[part]
+
+        def bends(i: int, side: str = side, large: NDArray = large) -> str:
+            return wrong_model(
+                f"The {side} ring bends by {large[i]:.2g} of its thickness, too far for small-deflection theory.",
+                GIVE,
+            )
+
+        yield np.asarray(large > THIN), bends

@@ -4,6 +4,13 @@ Each takes a solution of a bearing (all but `contact_ellipses` and `section` one
 case axes, the index of one case; and returns a figure of matplotlib.
 """
 
-from qsbearing.pictures.sheet import contact_angles, contact_ellipses, load_distribution, overview, section
+from qsbearing.pictures.sheet import (
+    contact_angles,
+    contact_ellipses,
+    load_distribution,
+    overview,
+    ring_shape,
+    section,
+)
 
-__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview", "section"]
+__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview", "ring_shape", "section"]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads, load_span
+from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import Span, carry_alike, figure_of_size, legend, write_title, write_title_of_set
 from qsbearing.sets.set_solution import SetSolution
@@ -70,9 +71,14 @@ def section(solution: Solution, index: Index = None, ball: int | None = None) ->
     return _alone(partial(draw_section, ball=ball), (6.4, 5.4), solution, index)
 
 
+def ring_shape(solution: Solution, index: Index = None) -> Figure:
+    """The grooves of elastic rings around the bearing, as they move away from the balls, far larger than they do."""
+    return _alone(draw_shape, (5.6, 5.6), solution, index, "polar")
+
+
 def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
-    """On one sheet loads, angles and ellipses, or, where all balls carry alike, the section and the ellipses; of a
-    set, loads and angles of each row."""
+    """On one sheet loads, angles, ellipses and elastic grooves, or, where all balls carry alike, the section and the
+    ellipses; of a set, loads and angles of each row."""
     if isinstance(solution, SetSolution):
         return _rows([LOADS, ANGLES], solution, index)
     place = solution._place(index)
@@ -83,12 +89,16 @@ def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
         draw_ellipses(right, solution, place)
         write_title(figure, solution, place)
         return figure
-    figure = figure_of_size(11.0, 8.2)
-    grid = figure.add_gridspec(2, 2, width_ratios=(1.0, 1.25), height_ratios=(1.1, 1.0))
+    is_elastic = solution.scene.elastic_rings is not None
+    widths = (1.0, 1.0, 1.25) if is_elastic else (1.0, 1.25)
+    figure = figure_of_size(15.0 if is_elastic else 11.0, 8.2)
+    grid = figure.add_gridspec(2, len(widths), width_ratios=widths, height_ratios=(1.1, 1.0))
     loads = figure.add_subplot(grid[0, 0], projection="polar")
-    angles = figure.add_subplot(grid[0, 1])
+    angles = figure.add_subplot(grid[0, -1])
     draw_loads(loads, solution, place)
     draw_angles(angles, solution, place)
+    if is_elastic:
+        draw_shape(figure.add_subplot(grid[0, 1], projection="polar"), solution, place)
     draw_ellipses(figure.add_subplot(grid[1, :]), solution, place)
     legend(figure, angles, loads)
     write_title(figure, solution, place)

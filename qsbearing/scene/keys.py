@@ -106,6 +106,26 @@ RING_EXPANSION = (
     celsius("reference_temperature"),
     Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE),
 )
+ELASTIC_RINGS = (
+    Key("outer.outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
+    Key("outer.width_mm", "outer_width", "mm", mm, LENGTH),
+    Key("outer.housing.outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
+    Key("outer.housing.elastic_modulus_GPa", "housing_elastic_modulus", "GPa", GPa, MODULUS),
+    Key("outer.housing.poisson_ratio", "housing_poisson_ratio"),
+    Key("inner.bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
+    Key("inner.width_mm", "inner_width", "mm", mm, LENGTH),
+    Key("inner.shaft.bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
+    Key("inner.shaft.elastic_modulus_GPa", "shaft_elastic_modulus", "GPa", GPa, MODULUS),
+    Key("inner.shaft.poisson_ratio", "shaft_poisson_ratio"),
+)
+"""In tables within the effect's own, which the points say."""
+SEATS = {"outer.housing": "housing", "inner.shaft": "shaft"}
+"""What holds a ring, as a word."""
+RING_COMPLIANCES = (
+    Key("outer.housing.compliance_um_per_N", "outer_compliance", "um/N", um, None),
+    Key("inner.shaft.compliance_um_per_N", "inner_compliance", "um/N", um, None),
+)
+"""Lists by harmonic, in place of all else about a ring."""
 BALL_EXPANSION = (celsius("ball_temperature"), celsius("reference_temperature"))
 
 EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
@@ -119,7 +139,11 @@ SET_NUMBERS = {"rows": ROW, "shaft": SHAFT}
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
-EFFECT_TABLES = {"ring_expansion": RING_EXPANSION, "ball_expansion": BALL_EXPANSION}
+EFFECT_TABLES = {
+    "ring_expansion": RING_EXPANSION,
+    "ball_expansion": BALL_EXPANSION,
+    "elastic_rings": ELASTIC_RINGS,
+}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
 NUMBERS = {
     "bearing": BEARING,
@@ -162,6 +186,7 @@ EFFECT_SECTIONS = {
     name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
     for name, keys in EFFECT_TABLES.items()
 }
+EFFECT_SECTIONS["elastic_rings"] += (*SEATS, *(key.name for key in RING_COMPLIANCES))
 """Likewise, by the tables within [effects]."""
 
 SPECTRUM_POINT = "spectrum point"

@@ -30,6 +30,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.case_axes import clash_errors, shapes_of
+from qsbearing.scene.elastic_seats import seat_errors
 from qsbearing.scene.operation import STRAIGHT, Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload, beside_preload
 from qsbearing.units import mm, rpm
@@ -99,7 +100,10 @@ class Scene:
             errors += _beside(self.preload, self.operation)
         clashes = clash_errors(shapes_of(self._parts()))
         raise_if_any([*errors, *clashes] if clashes else [])  # what follows takes them together
-        errors += ring_effect_errors(self.ring_effects, self.bearing)
+        wrong = ring_effect_errors(self.ring_effects, self.bearing)
+        if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
+            wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing, self.operation)
+        errors += wrong
         if self.tolerance is not None:
             errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))

@@ -43,7 +43,9 @@ class Problem:
         warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self.outcome = Outcome.of(self.count)
-        self.found = empty(len(of.rows), self.count, max(maker.ball_axis for maker in self.makers))
+        size = max(maker.position_size for maker in self.makers)
+        balls = max(maker.ball_axis for maker in self.makers)
+        self.found = empty(len(of.rows), self.count, balls, position_size=size)
         """Of all rows: row, case, ball."""
         self._set_unknowns(spring)
         pitch = [self._flat(row.bearing.pitch_diameter) for row in of.rows]

@@ -33,12 +33,12 @@ class Found(NamedTuple):
             mine[which] = new
 
 
-def empty(*shape: int) -> Found:
+def empty(*shape: int, position_size: int = 3) -> Found:
     """Room for cases of so many balls, the last of the numbers; they hold no start."""
     *cases, balls = shape
     results = np.zeros(cases, RESULT)
     results["status"] = UNFINISHED
-    return Found(results, np.empty((*cases, balls, 3)), np.zeros((*cases, balls), np.int8))
+    return Found(results, np.empty((*cases, balls, position_size)), np.zeros((*cases, balls), np.int8))
 
 
 @dataclass

@@ -22,6 +22,7 @@ from qsbearing.solution.case_index import Index, Place, place_of
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.preload_state import PreloadLoads
 from qsbearing.solution.raceway_contacts import CODES, Array, RacewayContacts
+from qsbearing.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.solution.solved_cases import SolvedCases
 from qsbearing.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.units import deg
@@ -375,6 +376,36 @@ class Solution:
     def outer_ring(self) -> RingState | None:
         """Of the outer ring, likewise."""
         return self._ring_state(1)
+
+    @cached_property
+    def inner_shape(self) -> RingShape | None:
+        """How the inner ring gives way under its balls; fields (*cases); None where it does not."""
+        return shape_of(self, "inner")
+
+    @cached_property
+    def outer_shape(self) -> RingShape | None:
+        """How the outer ring does, likewise."""
+        return shape_of(self, "outer")
+
+    @cached_property
+    def groove_give(self) -> NDArray | None:
+        """By how much elastic rings' grooves part at each ball; shape (*cases, ball) [m]; None between rigid rings."""
+        if self.scene.elastic_rings is None:
+            return None
+        out = self._positions[..., 3].copy()
+        for part, cases in self._solved.stretches():
+            out[part] *= cases["length"][:, None]
+        return np.where(np.isnan(self.inner.load), np.nan, out.reshape(*self.shape, -1))
+
+    @cached_property
+    def elastic_share(self) -> Any:
+        """What part of the axial displacement is the rings' give, by a solve between rigid ones; (*cases)."""
+        rings = self.scene.elastic_rings
+        if rings is None or self._solve is None:
+            return None
+        rest = tuple(effect for effect in self.scene.ring_effects if effect is not rings)
+        rigid = self._solve(replace(self.scene, ring_effects=rest, readings={}))
+        return share_of_displacement(self, rigid)[()]
 
     def _ring_state(self, which: int) -> RingState | None:
         effect = self.scene.ring_expansion

@@ -91,8 +91,7 @@ def find(name: str) -> StudyKey | None:
     if one or name == EACH_BALL:
         ball = int(one.group(1)) if one else None
         return StudyKey(name, ("effects", BALL_DEVIATIONS.name), BALL_DEVIATIONS.unit, ball=ball)
-    parts = tuple(name.split("."))
-    return next((key for key in ALL.values() if len(parts) > 1 and key.path[-len(parts) :] == parts), None)
+    return next((key for key in ALL.values() if "." in name and f".{'.'.join(key.path)}".endswith(f".{name}")), None)
 
 
 def known(name: str) -> StudyKey:

@@ -210,3 +210,18 @@ def test_a_start_and_a_rigid_start_lead_to_the_same() -> None:
     assert qs.solve(s.scene, start=s).iterations <= 1
     back = qs.solve(rigid.scene, start=s)
     np.testing.assert_allclose(back.inner.load, rigid.inner.load, rtol=1e-9)
+
+
+def test_rings_that_vary_over_cases() -> None:
+    """Widths, diameters, speeds and materials as arrays: each case as it is alone; readings too."""
+    widths, outsides = np.array([20.0, 30.0]) * qs.mm, np.array([[155.0], [160.0], [170.0]]) * qs.mm
+    loads = {"axial_load": 17800.0, "radial_load_y": 6000.0, "tilt_y": 0.0, "tilt_z": 0.0}
+    rings = qs.ElasticRings(outside_diameter=outsides, outer_width=widths, housing="free")
+    together = qs.solve(qs.Scene(B218, qs.Operation(**loads), ring_effects=(rings,)))
+    assert together.shape == (3, 2)
+    for i, j in np.ndindex(3, 2):
+        one = qs.ElasticRings(outside_diameter=outsides[i, 0], outer_width=widths[j], housing="free")
+        alone = solved(one, loads)
+        np.testing.assert_allclose(together.inner.load[i, j], alone.inner.load, rtol=1e-9)
+        assert together.outer_shape is not None and alone.outer_shape is not None
+        assert together.outer_shape.bending[i, j] == pytest.approx(alone.outer_shape.bending, rel=1e-9)

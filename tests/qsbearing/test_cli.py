@@ -118,7 +118,14 @@ def test_json_has_the_agreed_keys_and_the_solutions_numbers(scene: Any) -> None:
     }
     ball = {
         *("azimuth_deg", "inner", "outer", "centrifugal_force_N", "gyroscopic_moment_Nmm"),
-        *("orbital_speed_rpm", "rotation_speed_rpm", "ball_diameter_deviation_um", "raceway_control", "slips"),
+        *(
+            "orbital_speed_rpm",
+            "rotation_speed_rpm",
+            "ball_diameter_deviation_um",
+            "groove_give_um",
+            "raceway_control",
+            "slips",
+        ),
     }
     assert len(found["balls"]) == 16
     for each in found["balls"]:

@@ -1,0 +1,172 @@
+"""Elastic rings from scene files and back, what is refused, and what is read off their solutions."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing import pictures
+from qsbearing.cli import cli
+from qsbearing.effects.elastic_rings import gives_at_balls, grooves_of
+from qsbearing.io.scene_file import scene_of
+from qsbearing.io.scene_tables import input_tables
+from qsbearing.solution.ring_shape import AROUND, groove_shape, radial_loads
+
+HEAD = """
+[bearing]
+name = "B218"
+[operation]
+axial_load_N = 17800
+radial_load_y_N = 9000
+tilt_y_mrad = 0
+tilt_z_mrad = 0
+"""
+OUTER = {
+    "free": 'outer = {outside_diameter_mm = 160, width_mm = 30, housing = "free"}',
+    "housing": "outer = {outside_diameter_mm = 160, width_mm = 30, housing = {outside_diameter_mm = 220, "
+    "elastic_modulus_GPa = 70, poisson_ratio = 0.33}}",
+    "compliances": "outer = {housing = {compliance_um_per_N = [5e-5, 0, 0.02, 0.003]}}",
+    "rigid": 'outer = {housing = "rigid"}',
+}
+INNER = {
+    "free": 'inner = {bore_diameter_mm = 90, width_mm = 30, shaft = "free"}',
+    "solid": 'inner = {bore_diameter_mm = 90, width_mm = 30, shaft = "solid"}',
+    "hollow": "inner = {bore_diameter_mm = 90, width_mm = 30, shaft = {bore_diameter_mm = 40}}",
+}
+B218 = qs.load_scene("b218").bearing
+PRESSED = {"bore_diameter": 90 * qs.mm, "outside_diameter": 160 * qs.mm}
+
+
+def written(folder: Path, *lines: str, more: str = "") -> Path:
+    path = folder / "scene.toml"
+    path.write_text(HEAD + "[effects.elastic_rings]\n" + "\n".join(lines) + "\n" + more)
+    return path
+
+
+def refused(path: Path) -> str:
+    with pytest.raises(qs.SceneFileError) as error:
+        qs.load_scene(path)
+    return str(error.value)
+
+
+@pytest.mark.parametrize("outer", OUTER.values(), ids=OUTER)
+@pytest.mark.parametrize("inner", INNER.values(), ids=INNER)
+def test_a_file_is_read_written_and_read_again(outer: str, inner: str, tmp_path: Path) -> None:
+    scene = qs.load_scene(written(tmp_path, outer, inner))
+    assert scene.elastic_rings is not None
+    again = scene_of(input_tables(scene), "again", "")
+    assert again == scene
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('outer = {outside_diameter_mm = 140, width_mm = 30, housing = "free"}', "bottom of the outer groove"),
+        ("outer = {outside_diameter_mm = 160, width_mm = 30}", "effects.elastic_rings.outer.housing: missing"),
+        ('outer = {width_mm = 30, housing = "free"}', "effects.elastic_rings.outer.outside_diameter_mm: missing"),
+        ('outer = {outside_diameter_mm = 160, widht_mm = 30, housing = "free"}', "Did you mean outer.width_mm?"),
+        ('outer = {outside_diameter_mm = "160", width_mm = 30, housing = "free"}', "is not a number"),
+        ('outer = {outside_diameter_mm = 160, width_mm = 30, housing = "fre"}', 'not one of "rigid", "free"'),
+        ("inner = {bore_diameter_mm = 90, width_mm = 30, shaft = {bore_diameter_mm = 95}}", "within the ring's bore"),
+        ("inner = {shaft = {compliance_um_per_N = [-1]}}", "is negative"),
+        ("inner = {width_mm = 30, shaft = {compliance_um_per_N = [1e-4]}}", "is given beside"),
+        ("", "describes no ring"),
+    ],
+)  # fmt: skip
+def test_mistakes_are_named(line: str, said: str, tmp_path: Path) -> None:
+    assert said in refused(written(tmp_path, line))
+
+
+FIT = "[effects.ring_expansion]\nbore_diameter_mm = 90\noutside_diameter_mm = {}\nhousing_outside_diameter_mm = 220\n"
+
+
+def test_a_clearance_that_stays_is_refused_and_a_fit_is_not(tmp_path: Path) -> None:
+    """Beside ring expansion there is one seat: interference adds up, a clearance is not modelled, diameters agree."""
+    housing = "outer = {outside_diameter_mm = 160, width_mm = 30, housing = {outside_diameter_mm = 220}}"
+    loose = written(tmp_path, housing, more=FIT.format(160) + "housing_interference_um = -5\n")
+    assert "off its ring in operation" in refused(loose)
+    other = written(tmp_path, housing, more=FIT.format(162) + "housing_interference_um = 20\n")
+    assert "is another than" in refused(other)
+    free = written(tmp_path, OUTER["free"], more=FIT.format(160) + "housing_interference_um = 20\n")
+    assert "is free, but" in refused(free)
+    tight = qs.load_scene(written(tmp_path, housing, more=FIT.format(160) + "housing_interference_um = 60\n"))
+    solution = qs.solve(tight)
+    assert not any("lift off" in each for each in qs.warnings(solution))
+    assert solution.outer_ring is not None and solution.outer_shape is not None
+    assert solution.outer_ring.seat_pressure > 0.0
+
+
+def test_a_seat_that_parts_is_said(tmp_path: Path) -> None:
+    """Without a fit the housing does not pull the ring back on the unloaded side."""
+    solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["housing"])))
+    assert any("outer ring would lift off the housing" in each for each in qs.warnings(solution))
+    assert solution.outer_shape is not None
+    assert solution.outer_shape.least_seat_pressure < 0.0 < solution.outer_shape.seat_pressure
+
+
+def test_seat_carries_the_load(tmp_path: Path) -> None:
+    """The mean pressure is what the balls press outward less what the ring holds by its hoop; n = 1 goes through."""
+    solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["housing"])))
+    give = solution.scene.elastic_rings.gives(grooves_of(B218))[1]  # type: ignore[union-attr]
+    assert give is not None and give.seat is not None
+    radial = radial_loads(solution)[1]
+    azimuth = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
+    n = np.arange(25)[:, None, None]
+    pressure = (give.seat[:, None, None] * radial * np.cos(n * (azimuth[:, None] - solution.azimuth))).sum(axis=(0, 2))
+    carried = (pressure * np.cos(azimuth)).mean() * 2.0 * np.pi * 80 * qs.mm * 30 * qs.mm
+    assert carried == pytest.approx(9000.0, rel=1e-9)
+    assert solution.outer_shape.largest_seat_pressure == pytest.approx(pressure.max(), rel=1e-3)  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("control", ["outer", "per_ball", "minimum_dissipation"])
+def test_gives_are_those_of_the_solver(control: str) -> None:
+    """Reported shape and loads, friction included, against the gives that the solver kept."""
+    rings = qs.ElasticRings(
+        outside_diameter=160 * qs.mm, outer_width=30 * qs.mm, housing="free",
+        bore_diameter=90 * qs.mm, inner_width=30 * qs.mm, shaft="solid",
+    )  # fmt: skip
+    loads: dict[str, Any] = {"axial_load": 17800.0, "radial_load_y": 5000.0, "tilt_y": 0.0, "tilt_z": 0.0}
+    s = qs.solve(
+        qs.Scene(
+            B218, qs.Operation(speed=6000 * qs.rpm, **loads), ring_effects=(rings,), raceway_control=control,  # type: ignore[arg-type]
+            ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.08)),
+        )
+    )  # fmt: skip
+    give = gives_at_balls(rings.gives(grooves_of(B218)), s.azimuth, *radial_loads(s))
+    np.testing.assert_allclose(s.groove_give, give, rtol=1e-9)
+    both = groove_shape(s, "inner", s.azimuth) + groove_shape(s, "outer", s.azimuth)
+    np.testing.assert_allclose(s.groove_give, both, rtol=1e-9)
+    assert s.outer_shape is not None and s.inner_shape is not None
+    assert s.outer_shape.growth + s.inner_shape.growth == pytest.approx(give.mean(), rel=1e-9)
+
+
+def test_the_command_prints_it(tmp_path: Path) -> None:
+    path = written(tmp_path, OUTER["free"], INNER["solid"])
+    found = CliRunner().invoke(cli, ["run", str(path)])
+    assert "Rings giving way under their balls" in found.output
+    record = json.loads(CliRunner().invoke(cli, ["run", str(path), "--json"]).output)
+    elastic = record["elastic_rings"]
+    assert 0.1 < elastic["share_of_axial_displacement"] < 0.3
+    assert elastic["outer"]["growth_um"] > 5.0
+    assert elastic["outer"]["seat_pressure_MPa"] is None
+    assert elastic["inner"]["seat_pressure_MPa"] > 0.0
+    assert record["balls"][0]["groove_give_um"] > 5.0
+    plain = json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).output)
+    assert plain["elastic_rings"] is None
+    assert plain["balls"][0]["groove_give_um"] is None
+
+
+def test_its_picture(tmp_path: Path) -> None:
+    """The groove as drawn, over all of the circumference, is the one that is reported."""
+    solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["free"])))
+    axes = pictures.ring_shape(solution).axes[0]
+    drawn = {line.get_label(): np.asarray(line.get_ydata()) for line in axes.get_lines()}["outer raceway"]
+    shape = groove_shape(solution, "outer", AROUND)
+    np.testing.assert_allclose((drawn[:-1] - 1.0) / 0.16, shape / np.abs(shape).max(), atol=1e-9)
+    assert len(pictures.overview(solution).axes) == 4
