@@ -38,7 +38,8 @@ class Row:
     unit: str
     reference: float
     reference_source: str
-    found: float
+    found: float | None
+    """None: refused, for the reason in `why_tolerance`."""
     uncertainty_percent: float | None
     """Discretisation uncertainty of the comparison, in per cent of the reference (absolute where that is 0); None where
     nothing is discretised."""
@@ -50,7 +51,10 @@ class Row:
 
     @property
     def deviation_percent(self) -> float:
-        """(found - reference)/reference in per cent; 100 (found - reference) where the reference is zero."""
+        """(found - reference)/reference in per cent; 100 (found - reference) where the reference is zero; NaN where
+        nothing was found."""
+        if self.found is None:
+            return math.nan
         scale = abs(self.reference) or 1.0
         return 100.0 * (self.found - self.reference) / scale
 
@@ -61,7 +65,9 @@ class Row:
 
     @property
     def verdict(self) -> str:
-        """pass where deviation and uncertainty together stay within the tolerance; else fail; or finding."""
+        """pass where deviation and uncertainty together stay within the tolerance, else fail; finding; refused."""
+        if self.found is None:
+            return "refused"
         if self.tolerance_percent is None:
             return "finding" if math.isfinite(self.found) else "fail"
         return "pass" if self.reach_percent <= self.tolerance_percent else "fail"  # NaN fails too
@@ -72,7 +78,7 @@ class Row:
         entries = {
             name: ordered[name] for name in ("case", "quantity", "unit", "reference", "reference_source", "found")
         }
-        entries["deviation_percent"] = self.deviation_percent
+        entries["deviation_percent"] = None if self.found is None else self.deviation_percent
         entries |= {name: ordered[name] for name in ("uncertainty_percent", "tolerance_percent", "why_tolerance")}
         return entries | {"verdict": self.verdict, "worst_at": self.worst_at}
 

@@ -57,6 +57,8 @@ def of_row(row: Row) -> RowText:
     """All numbers of a row."""
     factor, unit = in_unit(row)
     reference, found = (None if row[name] is None else number(row[name] * factor) for name in ("reference", "found"))
+    if found is None:
+        return RowText(reference or "", "", "", "", "")
     deviation, uncertainty = rounded(row["deviation_percent"], row["uncertainty_percent"])
     tolerance = row["tolerance_percent"]
     if row["reference"] == 0.0:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
 from math import asin, pi, sin
@@ -16,6 +18,9 @@ from fem_check.contact_problem import ElasticConstants
 from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
 from fem_check.ring_growth import Annulus, elastic_growth
+from fem_check.ring_sections import DIMENSIONS, RingSections, SectionError
+from qsbearing.io import catalogue
+from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.set_file import load_scene_or_set
 from qsbearing.messages import STATIC_PRESSURE_LIMIT
 
@@ -24,6 +29,9 @@ AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
 
 ROW = "row "
 """The label of a set's row begins so."""
+
+RING_OPTIONS: ContextVar[dict[str, float | None]] = ContextVar("RING_OPTIONS", default={})  # noqa: B039 - never changed
+"""Ring dimensions that the command line gives, by the names of `ring_sections.DIMENSIONS` [m]."""
 
 
 class SceneProblemError(Exception):
@@ -183,6 +191,65 @@ def _ring_growth(
         growth[f"{race}_centre"] = elastic + ring.strain * centres[race]
         growth[f"{race}_radius"] = ring.strain * getattr(drawing, f"{race}_groove_radius")
     return growth
+
+
+def ring_sections(scene: qsbearing.Scene, name: str) -> RingSections:
+    """The bearing's ring sections as far as they are known: by option, by the scene's own tables, by the catalogue.
+
+    Raises:
+        SceneProblemError: they make no rings of this bearing.
+    """
+    own: dict[str, float | None] = {}
+    tables: list[Mapping[str, Any]] = [
+        vars(each) for each in scene.ring_effects if isinstance(each, qsbearing.RingExpansion)
+    ]
+    tables += [scene.readings.get(each, {}) for each in ("friction_estimate", "overrun")]
+    for table in tables:
+        for dimension in DIMENSIONS:
+            if own.get(dimension) is None and table.get(dimension) is not None:
+                own[dimension] = _number(table[dimension], name, dimension)
+    drawing = drawing_at_rest(scene, name)
+    is_symmetric = scene.bearing.kind is qsbearing.BearingKind.DEEP_GROOVE
+    of_catalogue = _of_catalogue(drawing)
+    sections = RingSections.of(
+        ("option", RING_OPTIONS.get()), ("scene", own), ("catalogue", of_catalogue), is_symmetric=is_symmetric
+    )
+    try:
+        return sections.checked(drawing)
+    except SectionError as problem:
+        raise SceneProblemError(f"scene {name}: {problem}") from problem
+
+
+def _of_catalogue(drawing: Drawing) -> dict[str, float]:
+    """Of the entry that a bearing is, whatever its materials and grooves."""
+    entry = catalogue.find(drawing.name.removesuffix(MODIFIED))
+    if entry is None:
+        return {}
+    same = all(
+        abs(entry.bearing[f"{field}_mm"] * qsbearing.mm - getattr(drawing, field)) < 1e-9
+        for field in ("ball_diameter", "pitch_diameter")
+    )
+    known = {name: entry.dimensions.get(f"{name}_mm") for name in DIMENSIONS}
+    return {name: value * qsbearing.mm for name, value in known.items() if value is not None} if same else {}
+
+
+def beyond_thrust(solution: qsbearing.Solution) -> list[str]:
+    """What a bearing carries beside its thrust, and a sector of one ball, the same all round, leaves out."""
+    channels = (("radial load y", "N"), ("radial load z", "N"), ("moment y", "N m"), ("moment z", "N m"))
+    load = np.asarray(solution.load, float).reshape(-1)
+    largest = float(max(solution.inner.load.max(), solution.outer.load.max()))
+    lever = float(np.asarray(solution.scene.bearing.pitch_diameter))
+    found = [
+        f"{name} {value:.4g} {unit}"
+        for (name, unit), value, scale in zip(channels, load[1:], (1.0, 1.0, lever, lever), strict=True)
+        if abs(value) > 1e-6 * largest * scale
+    ]
+    operation = solution.scene.operation
+    if operation.outer_speed is not None and float(np.asarray(operation.outer_speed)) != 0.0:
+        found.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
+    if solution.scene.ball_diameter_deviations is not None:
+        found.append("unequal balls")
+    return found
 
 
 def groove_contact(scene: str, race: str) -> BallInGroove:

@@ -9,11 +9,13 @@ from math import degrees
 
 from fem_check import boundary_element, convergence, meshing
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
+from fem_check.contact import ContactError
 from fem_check.contact_problem import QUANTITIES
 from fem_check.groove import RACES, BallInGroove
+from fem_check.meshing import MeshError
 from fem_check.references import HERTZ_SOURCE, hertz
-from fem_check.scenes import ball_count, groove_contact, operating_loads
-from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle
+from fem_check.scenes import ball_count, drawing_at_rest, groove_contact, load_scene, operating_loads, ring_sections
+from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle, room
 
 FINEST = {Level.QUICK: 6, Level.RELEASE: 8}
 """Elements per semi-axis of the finest of three meshes."""
@@ -73,7 +75,9 @@ def contacts(scene: str, race: str, load: float, elements: tuple[int, ...]) -> l
     grooves = {name: groove_contact(scene, name) for name in RACES}
     angle = loaded_angle(grooves["inner"], grooves["outer"], load)
     groove = replace(grooves[race], contact_angle=angle)
-    return [TrueContact(groove, ball_count(scene), load, count) for count in elements]
+    bearing = load_scene(scene)
+    profile = ring_sections(bearing, scene).profile(drawing_at_rest(bearing, scene), race, room(groove, load))
+    return [TrueContact(groove, ball_count(scene), load, count, profile) for count in elements]
 
 
 def solve(
@@ -197,6 +201,16 @@ def compliance_rows(solved: Solved) -> list[Row]:
     return rows
 
 
+def refused_rows(groove: BallInGroove, load: float, problem: Exception) -> list[Row]:
+    """A contact that could not be solved, and why."""
+    exact = hertz(groove.problem(load))
+    case = f"{groove.name} {groove.race_name}, Q = {load:.0f} N: true contact"
+    return [
+        Row(case, name, QUANTITIES[name], getattr(exact, name), HERTZ_SOURCE, None, None, None, str(problem))
+        for name in READ
+    ]
+
+
 NOTES = [
     "Reference points of the approach: the ball's equator, the plane through its centre normal to the contact (a plane "
     "of symmetry, as between two equal and opposite contacts), and the ring's seat, which is rigid: its bore or its "
@@ -248,11 +262,17 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows: list[Row] = []
     every: dict[str, list[Solved]] = {}
     for race, mesh_load, loads in loads_of(scene, level):
-        solved = solve(scene, race, mesh_load, loads, sequence(FINEST[level]), progress)
+        try:
+            solved = solve(scene, race, mesh_load, loads, sequence(FINEST[level]), progress)
+        except (MeshError, ContactError) as problem:
+            rows += refused_rows(groove_contact(scene, race), mesh_load, problem)
+            continue
         every.setdefault(race, []).extend(solved)
         for each in solved:
             rows += [*gap_rows(each), *true_rows(each), *compliance_rows(each)]
-    last = solved[-1]
+    if not every:
+        raise MeshError(f"no contact was solved: {rows[-1].why_tolerance if rows else 'none carries load'}")
+    last = list(every.values())[-1][-1]
     pictures = {race: series(solved) for race, solved in every.items()}
     return Findings(rows, mesh_entry(last, FINEST[level]), last.solver, {"true_geometry": pictures}, NOTES)
 

@@ -31,6 +31,8 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
     wrong = []
     for entry in record["rows"]:
         row = Row(**{name: entry[name] for name in NAMES})
+        if row.found is None:  # refused: nothing that could contradict itself
+            continue
         name = f"{row.quantity!r} of {row.case!r}"
         rounding = (
             0.0 if digits is None else 10.0 ** (1 - digits) * (1.0 + abs(row.found) / (abs(row.reference) or 1.0))

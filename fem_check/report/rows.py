@@ -15,7 +15,7 @@ SHORT = {
     "max_shear_depth": "depth of τmax", "axial_displacement": "axial displacement",
 }  # fmt: skip
 STATUS = {"pass": "pass", "fail": "fail", "finding": "finding"}
-ORDER = ("fail", "pass", "finding")
+ORDER = ("fail", "pass", "finding", "refused")
 """The verdict of several rows is the first of these that one of them has."""
 
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, pi, radians, sin
+from math import cos, pi, sin
 from typing import Any
 
 import numpy as np
 
 from fem_check.contact_problem import Array
 from fem_check.meshing import MeshError
+from fem_check.ring_sections import HIGH_SHOULDER, LOW_SHOULDER
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.contact_block import Patch, block_face, block_solids
 from fem_check.solids.gmsh_model import gmsh_model, millimetres, revolved
@@ -23,8 +24,6 @@ from fem_check.solids.tetrahedra import meshed
 
 FAR = 0.25
 """Largest element, in ball radii."""
-HIGH_SHOULDER, LOW_SHOULDER = radians(70.0), radians(20.0)
-"""The groove's arc ends here, on the loaded and on the other side of the radial plane."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +39,10 @@ class RingSection:
     width: float
     """[m], centred on the groove."""
     is_inner: bool
+    high_shoulder: float = HIGH_SHOULDER
+    """Angle round the groove to the shoulder on the loaded side of the radial plane [rad]."""
+    low_shoulder: float = LOW_SHOULDER
+    """To the other shoulder."""
 
     @property
     def side(self) -> float:
@@ -115,11 +118,13 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
     """
     angle = float(np.arctan2(section.side * patch.normal[0], section.side * patch.normal[1]))
     reach = patch.half_length / section.groove_radius
-    if angle + reach > HIGH_SHOULDER or angle - reach < -LOW_SHOULDER:
+    if angle + reach > section.high_shoulder or angle - reach < -section.low_shoulder:
         raise MeshError(
-            f"a contact at {np.degrees(angle):.1f} deg that needs {np.degrees(reach):.1f} deg to either side does not "
-            f"fit a groove from -{np.degrees(LOW_SHOULDER):.0f} to {np.degrees(HIGH_SHOULDER):.0f} deg"
+            f"a contact at {np.degrees(angle):.1f} deg whose elements need {np.degrees(reach):.1f} deg to either side "
+            f"does not fit a groove from {-np.degrees(section.low_shoulder):.0f} to "
+            f"{np.degrees(section.high_shoulder):.0f} deg"
         )
+    _refuse_too_thin(section)
     with gmsh_model() as gmsh:
         occ = gmsh.model.occ
         solid = revolved(occ, _section_face(occ, section), np.array([1.0, 0.0, 0.0]), half_pitch)
@@ -132,9 +137,18 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
         return meshed(gmsh, [patch], [position], [1.0], elements, FAR * radius)
 
 
+def _refuse_too_thin(section: RingSection) -> None:
+    widest = section.groove_radius * sin(max(section.high_shoulder, section.low_shoulder))
+    if widest >= 0.5 * section.width:
+        raise MeshError(
+            f"a groove {millimetres(widest):.4g} mm wide to one side does not fit a ring of the width "
+            f"{millimetres(section.width):.4g} mm"
+        )
+
+
 def _section_face(occ: Any, section: RingSection) -> int:
     centre, radius = millimetres(section.groove_centre), millimetres(section.groove_radius)
-    high, low = (centre + radius * section.direction(angle) for angle in (HIGH_SHOULDER, -LOW_SHOULDER))
+    high, low = (centre + radius * section.direction(angle) for angle in (section.high_shoulder, -section.low_shoulder))
     half = 0.5 * section.side * millimetres(section.width)
     back = millimetres(section.back_radius)
     corners = [low, (centre[0] - half, low[1]), (centre[0] - half, back), (centre[0] + half, back)]

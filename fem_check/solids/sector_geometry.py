@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass, field
 from functools import cached_property
 from math import cos, hypot, pi, sin
 
@@ -13,15 +13,12 @@ import numpy as np
 from fem_check import meshing
 from fem_check.contact_problem import Array
 from fem_check.drawing import Drawing
+from fem_check.ring_sections import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH, RingSections
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
-
-# Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
-# B218: what a bearing gets whose ring sections are not known.
-BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH = 17.63 / 22.225, 17.37 / 22.225, 30.0 / 22.225
 
 
 @dataclass(frozen=True)
@@ -30,6 +27,7 @@ class SectorBearing:
 
     drawing: Drawing
     ball_count: int
+    sections: RingSections = field(default_factory=RingSections)
 
     @property
     def ball_radius(self) -> float:
@@ -56,14 +54,16 @@ class SectorBearing:
         return self.free_ball_centre + (beyond if inner else -beyond)
 
     def section(self, groove_centre: Array, *, inner: bool) -> RingSection:
-        """A ring's section by the proportions of the 218 series."""
-        offset = -BORE_BELOW_PITCH if inner else OUTSIDE_ABOVE_PITCH
+        """A ring's section: as far as it is known, else by the proportions of the 218 series."""
+        profile = self.sections.profile(self.drawing, "inner" if inner else "outer")
         return RingSection(
             groove_centre,
             self.groove_radius(inner=inner),
-            0.5 * self.drawing.pitch_diameter + offset * self.drawing.ball_diameter,
-            WIDTH * self.drawing.ball_diameter,
+            profile.back_radius,
+            profile.width,
             inner,
+            profile.high_shoulder,
+            profile.low_shoulder,
         )
 
     @property
@@ -71,7 +71,11 @@ class SectorBearing:
         """All that the meshes depend on."""
         d = self.drawing
         lengths = (d.ball_diameter, d.pitch_diameter, d.inner_groove_radius, d.outer_groove_radius)
-        return [*lengths, d.free_contact_angle, self.ball_count]
+        profiles = [of.profile(d, race) for of in (self.sections, RingSections()) for race in ("inner", "outer")]
+        own, usual = ([length for each in some for length in astuple(each)] for some in (profiles[:2], profiles[2:]))
+        # Sections as the proportions make them, but for rounding, have the same meshes.
+        more = [] if np.allclose(own, usual, rtol=1e-9, atol=0.0) else own
+        return [*lengths, d.free_contact_angle, self.ball_count, *more]
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,11 @@ STRAIGHT = 1e-12
 GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
 """Ends of the edges on which gmsh's nodes 4 to 9 of a tetrahedron lie."""
 
+REMEDIES = ((1.0, 1.0), (1.25, 0.8), (1.5, 0.6), (2.0, 0.45))
+"""While a curved element is folded over, in turn: times as many elements along the contact, where the surface sags
+between two nodes by as much as a slender element is thick; and the size of the largest elements, which fold at a sharp
+edge. (gmsh's own remedy, high-order optimisation, ends the process where it fails.)"""
+
 
 def meshed(
     gmsh: Any, patches: Sequence[Patch], positions: list[Array], inward: list[float], elements: int, far: float
@@ -26,18 +32,28 @@ def meshed(
     solids = sorted((tag for _, tag in model.getEntities(3)), key=lambda tag: model.occ.getMass(3, tag))
     if len(solids) != 2 * len(patches) + 1:
         raise MeshError(f"the body fell into {len(solids)} solids, not into {2 * len(patches)} blocks and a rest")
-    sizes = []
-    for block in solids[:-1]:
-        centre = np.array(model.occ.getCenterOfMass(3, block))[:2]
-        index = int(np.argmin([np.linalg.norm(centre - position) for position in positions]))
-        sizes.append(cut_block(model, block, patches[index], inward[index], elements))
-    field = model.mesh.field
-    smallest = field.add("Min")
-    field.setNumbers(smallest, "FieldsList", sizes)
-    field.setAsBackgroundMesh(smallest)
     for option in ("MeshSizeExtendFromBoundary", "MeshSizeFromPoints", "MeshSizeFromCurvature"):
         gmsh.option.setNumber(f"Mesh.{option}", 0)
-    gmsh.option.setNumber("Mesh.MeshSizeMax", far)
+    field = model.mesh.field
+    for more_along, size in REMEDIES:
+        sizes = []
+        for block in solids[:-1]:
+            centre = np.array(model.occ.getCenterOfMass(3, block))[:2]
+            index = int(np.argmin([np.linalg.norm(centre - position) for position in positions]))
+            patch = replace(patches[index], along=more_along * patches[index].along)
+            sizes.append(cut_block(model, block, patch, inward[index], elements))
+        smallest = field.add("Min")
+        field.setNumbers(smallest, "FieldsList", sizes)
+        field.setAsBackgroundMesh(smallest)
+        gmsh.option.setNumber("Mesh.MeshSizeMax", size * far)
+        model.mesh.clear()
+        _generate(model)
+        if not _is_folded(model):
+            return _read(model)
+    raise MeshError("gmsh made a tetrahedron that is folded over, with more elements too")
+
+
+def _generate(model: Any) -> None:
     model.mesh.generate(3)
     # gmsh cuts the quadrangles between a block and the rest by either diagonal; both sides must take the same.
     split = _split_surfaces(model)
@@ -49,7 +65,11 @@ def meshed(
         if _split_surfaces(model):
             raise MeshError("gmsh's tetrahedra do not fit those of the block under the contact")
     model.mesh.setOrder(2)
-    return _read(model)
+
+
+def _is_folded(model: Any) -> bool:
+    quality = model.mesh.getElementQualities(model.mesh.getElements(3)[1][0], "minSICN")
+    return bool(min(quality) <= 0.0)
 
 
 def _split_surfaces(model: Any) -> list[int]:
@@ -77,9 +97,6 @@ def _read(model: Any) -> BodyMesh:
     kinds, _, nodes = model.mesh.getElements(3)
     if list(kinds) != [11]:
         raise MeshError(f"gmsh made elements of the kinds {list(kinds)}, not 10-node tetrahedra (11) alone")
-    quality = model.mesh.getElementQualities(model.mesh.getElements(3)[1][0], "minSICN")
-    if min(quality) <= 0.0:
-        raise MeshError("gmsh made a tetrahedron that is folded over")
     tetrahedra = np.asarray(nodes[0], dtype=np.int64).reshape(-1, 10).T
     position = np.empty(int(max(tags)) + 1, dtype=np.int64)
     position[np.asarray(tags, dtype=np.int64)] = np.arange(len(tags))

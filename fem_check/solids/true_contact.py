@@ -30,13 +30,20 @@ from fem_check.elastic_body import silent
 from fem_check.groove import BallInGroove
 from fem_check.measuring import central_pressure
 from fem_check.references import hertz
+from fem_check.ring_sections import (
+    BORE_BELOW_PITCH,
+    HIGH_SHOULDER,
+    LOW_SHOULDER,
+    OUTSIDE_ABOVE_PITCH,
+    WIDTH,
+    RingProfile,
+)
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.condensation import NEAR, condense_supported
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
-from fem_check.solids.sector_geometry import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 POSITIONS = 8
@@ -56,6 +63,13 @@ def loaded_angle(inner: BallInGroove, outer: BallInGroove, load: float) -> float
     return round(acos(distance * cos(inner.contact_angle) / stretched), 6)
 
 
+def room(groove: BallInGroove, load: float) -> tuple[float, float]:
+    """The contact's angle, and how far round the groove its elements reach to either side [rad]."""
+    return groove.contact_angle, contact_block.PATCH * hertz(
+        groove.problem(load)
+    ).semi_major_axis / groove.groove_radius
+
+
 @dataclass(frozen=True)
 class TrueContact:
     """The bodies of one contact, meshed for loads near one; SI units, radians."""
@@ -67,6 +81,8 @@ class TrueContact:
     """That the mesh is made for [N]."""
     elements: int
     """Per semi-axis of the ellipse."""
+    profile: RingProfile | None = None
+    """Of the ring; None: by the proportions of the 218 series."""
 
     @cached_property
     def frame(self) -> ContactFrame:
@@ -91,16 +107,21 @@ class TrueContact:
 
     @cached_property
     def section(self) -> RingSection:
-        """The ring's section by the proportions of the 218 series."""
+        """The ring's section."""
         groove = self.groove
         is_inner = groove.race_name == "inner"
         offset = -BORE_BELOW_PITCH if is_inner else OUTSIDE_ABOVE_PITCH
+        profile = self.profile or RingProfile(
+            0.5 * groove.pitch_diameter + offset * groove.ball_diameter, WIDTH * groove.ball_diameter
+        )
         return RingSection(
             self.frame.groove.centre,
             groove.groove_radius,
-            0.5 * groove.pitch_diameter + offset * groove.ball_diameter,
-            WIDTH * groove.ball_diameter,
+            profile.back_radius,
+            profile.width,
             is_inner,
+            profile.high_shoulder,
+            profile.low_shoulder,
         )
 
     def mesh_file(self, body: str) -> str:
@@ -112,6 +133,8 @@ class TrueContact:
             section = self.section
             lengths = (*section.groove_centre, section.groove_radius, section.back_radius, section.width)
             recipe += [self.groove.race_name, self.ball_count, *(f"{length:.6g}" for length in lengths)]
+            shoulders = section.high_shoulder, section.low_shoulder
+            recipe += [f"{angle:.6g}" for angle in shoulders if shoulders != (HIGH_SHOULDER, LOW_SHOULDER)]
         digest = hashlib.sha256(json.dumps(recipe).encode()).hexdigest()[:12]
         return f"true_{body}_{self.elements:02d}-{digest}.npz"
 

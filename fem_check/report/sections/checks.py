@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from fem_check import row_text
-from fem_check.checks import ALL
 from fem_check.report.evidence import Kept
 from fem_check.report.figures.drawn import draw_all
 from fem_check.report.rows import agreement
@@ -22,10 +21,14 @@ def section(name: str, kept: Kept) -> Section:
         Remark(f"{entry['question']} {entry['verdict'].capitalize()} at the {entry['level']} level.", status),
         Facts([*_facts(entry)]),
     ]
-    gated = [row for row in entry["rows"] if row["verdict"] != "finding"]
+    gated = [row for row in entry["rows"] if row["verdict"] not in ("finding", "refused")]
     findings = [row for row in entry["rows"] if row["verdict"] == "finding"]
     for rows, caption in ((gated, "Against the reference"), (findings, "Findings, without a tolerance")):
         blocks += agreement(rows, caption) if rows else []
+    refused = dict.fromkeys(
+        f"{row['case']}: {row['why_tolerance']}" for row in entry["rows"] if row["verdict"] == "refused"
+    )
+    blocks += [Paragraph("Refused:"), Bullets(list(refused))] if refused else []
     blocks += [Paragraph(note) for note in entry["notes"]]
     blocks += draw_all(entry)
     blocks += _reasons(gated)
@@ -33,7 +36,7 @@ def section(name: str, kept: Kept) -> Section:
 
 
 def _facts(entry: dict[str, Any]) -> list[tuple[str, str]]:
-    mesh, pairs = entry["mesh"], [("Kind", str(ALL[entry["check"]].kind)), ("Scene", entry["scene"])]
+    mesh, pairs = entry["mesh"], [("Kind", entry["kind"]), ("Scene", entry["scene"])]
     if mesh.get("dofs"):
         pairs.append(("Unknowns", f"{mesh['dofs']:,}, by {entry['solver']}"))
     if mesh.get("elements_per_semi_axis"):

@@ -24,6 +24,8 @@ class Entry:
     """Likewise of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
     example: dict[str, dict[str, Any]]
     """The [operation] and [effects] tables of a scene that uses it."""
+    dimensions: dict[str, float]
+    """Of its cross-section, by keys with units, as far as a source prints them."""
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -58,4 +60,5 @@ def _entry(data: dict[str, Any]) -> Entry:
     return Entry(
         data["name"], data["description"], data["source"], bearing, data["provenance"],
         data.get("material_provenance", {}), data["example"],
+        {key: value for key, value in data.get("dimensions", {}).items() if key != "source"},
     )  # fmt: skip
