@@ -64,6 +64,8 @@ class BallRow:
     """Axially between the groove centres at the zero of the displacement [m]."""
     diameters: Array | None = None
     """Of unequal balls [m]."""
+    over_hertz: tuple[float, float] = (1.0, 1.0)
+    """Of the inner and the outer contacts' approaches: 1 for half-spaces."""
 
     @cached_property
     def balls(self) -> list[Drawing]:
@@ -130,7 +132,7 @@ class BallRow:
         model, known = self.model, {}
         nodes = np.polynomial.chebyshev.chebpts1(SHAPES) if model.hertz_angle == "actual" else np.ones(1)
         laws: dict[str, Array] = {}
-        for race in ("inner", "outer"):
+        for race, over_hertz in zip(("inner", "outer"), self.over_hertz, strict=True):
             for ball in self.balls:
                 if (race, ball.ball_diameter) not in known:
                     values = []
@@ -138,7 +140,7 @@ class BallRow:
                         problem = ball.groove(race, own_angle(model.hertz_angle, float(np.arccos(node)))).problem(1.0)
                         hertz = references.ellipse(problem, model.hertz_form)
                         second = references.second_kind(problem.curvature_x / problem.curvature_y, model.hertz_form)
-                        values.append([hertz.approach**-1.5, hertz.semi_major_axis * second])
+                        values.append([(over_hertz * hertz.approach) ** -1.5, hertz.semi_major_axis * second])
                     logs = np.log(values)
                     series = np.polynomial.chebyshev.chebfit(nodes, logs, len(nodes) - 1)
                     known[race, ball.ball_diameter] = series.T

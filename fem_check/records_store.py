@@ -13,6 +13,7 @@ from typing import Any
 
 from fem_check import meshing
 from fem_check.agreement import EXAMPLE, Check, Findings, Level
+from fem_check.scenes import RING_OPTIONS
 from qsbearing import __version__, provenance
 
 FOLDER = Path(__file__).parent / "records"
@@ -77,8 +78,14 @@ def record(
 
 def command_of(name: str, level: str, scene: str) -> str:
     """What makes a check's record anew."""
-    bearing = [] if scene == EXAMPLE else ["--scene", scene]
-    return shlex.join(["fem-check", "run", name, "--level", level, *bearing])
+    bearing = [] if scene == EXAMPLE and not any(RING_OPTIONS.get().values()) else ["--scene", scene]
+    rings = [
+        part
+        for dimension, value in RING_OPTIONS.get().items()
+        if value is not None
+        for part in (f"--{dimension.replace('_', '-')}-mm", f"{1e3 * value:.10g}")
+    ]
+    return shlex.join(["fem-check", "run", name, "--level", level, *bearing, *rings])
 
 
 def path_of(name: str, level: str, folder: Path = FOLDER) -> Path:

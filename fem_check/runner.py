@@ -9,7 +9,7 @@ from typing import Any
 
 from fem_check import half_space_contact, memory, records_store, scenes
 from fem_check.agreement import EXAMPLE, Check, Level, Progress
-from fem_check.checks import ALL
+from fem_check.checks import ALL, OF_BEARING, OPTIONAL
 from fem_check.contact import ContactError
 from fem_check.meshing import MeshError
 from fem_check.scenes import SceneProblemError
@@ -19,12 +19,14 @@ class BadInputError(Exception):
     """Something was not run; the message says what and what to change."""
 
 
-def selected(names: tuple[str, ...]) -> list[Check]:
-    """The named checks, all of them for none."""
-    unknown = [name for name in names if name not in ALL]
+def selected(names: tuple[str, ...], of_bearing: bool = False) -> list[Check]:
+    """The named checks; for none all of them, or, of a bearing that is named, its contacts."""
+    known = ALL | OPTIONAL
+    unknown = [name for name in names if name not in known]
     if unknown:
-        raise BadInputError(f"no check named {', '.join(unknown)}; there are: {', '.join(ALL)}")
-    return [ALL[name] for name in names] if names else list(ALL.values())
+        raise BadInputError(f"no check named {', '.join(unknown)}; there are: {', '.join(known)}")
+    usual = OF_BEARING if of_bearing else ALL
+    return [known[name] for name in names or usual]
 
 
 def refuse_too_large(dofs: int, what: str) -> None:

@@ -3,6 +3,7 @@
 from fem_check.checks import (
     ball_in_inner_groove,
     ball_in_outer_groove,
+    bearing_contacts,
     bearing_sector,
     body_size,
     conformity,
@@ -40,4 +41,10 @@ ALL = {
 }
 """Every check by name, in the order of the report."""
 
-__all__ = ["ALL"]
+OF_BEARING = {bearing_contacts.CHECK.name: bearing_contacts.CHECK}
+"""What is run of a bearing that is named, unless a check is named too. The example's contacts are those of `ALL`."""
+
+OPTIONAL = OF_BEARING
+"""Checks that no run of all has."""
+
+__all__ = ["ALL", "OF_BEARING", "OPTIONAL"]

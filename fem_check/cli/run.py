@@ -5,34 +5,57 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.console import Console
 
 from fem_check.cli.agreement_table import agreement_table
+from fem_check.cli.contact_table import contact_tables
 from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
+from fem_check.ring_sections import DIMENSIONS
+
+
+def ring_options(command: Any) -> Any:
+    """An option for each dimension of a ring's section."""
+    for name, told in reversed(DIMENSIONS.items()):
+        help_text = f"Of the bearing's rings: {told} [mm]; else the scene's, the catalogue's, or assumed."
+        command = click.option(f"--{name.replace('_', '-')}-mm", name, type=float, default=None, help=help_text)(
+            command
+        )
+    return command
 
 
 @click.command("run")
 @click.argument("names", nargs=-1, metavar="[CHECK ...]")
 @click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
 @click.option("--scene", default=None, help="Your bearing: a scene file (TOML) or a name of the catalogue.")
+@ring_options
 @click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
 @click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
-def run_checks(names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool) -> None:
-    """Run checks, all by default, on B218 or on a bearing of yours.
+def run_checks(
+    names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool, **rings: float | None
+) -> None:
+    """Run checks, all by default, on B218; of a bearing that --scene names, its heaviest contacts unless a check is
+    named.
 
     Prints each comparison with its reference and keeps the records in a folder.
     """
     require(*FEM)
     from fem_check import runner
     from fem_check.agreement import EXAMPLE, Level
+    from fem_check.checks import OF_BEARING
+    from fem_check.scenes import RING_OPTIONS
+
+    if scene is None and any(value is not None for value in rings.values()):
+        refuse("dimensions of rings are those of the bearing that --scene names")
+    RING_OPTIONS.set({name: None if value is None else 1e-3 * value for name, value in rings.items()})
 
     finished: list[str] = []
     failed = False
     console = Console()
     try:
-        chosen = runner.selected(names)
+        chosen = runner.selected(names, scene is not None)
         with progress_bar(as_json) as reporter:
             for entry in runner.run(chosen, Level(level), out, lambda check: reporter(check.name), scene or EXAMPLE):
                 failed |= entry["verdict"] != "pass"
@@ -40,7 +63,7 @@ def run_checks(names: tuple[str, ...], level: str, scene: str | None, out: Path,
                 if as_json:
                     print(json.dumps(entry), flush=True)
                 else:
-                    console.print(agreement_table(entry))
+                    console.print((contact_tables if entry["check"] in OF_BEARING else agreement_table)(entry))
     except runner.BadInputError as problem:
         refuse(str(problem) + _kept(finished, out))
     except KeyboardInterrupt:

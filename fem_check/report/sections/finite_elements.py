@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fem_check.checks import ALL
+from fem_check.checks import ALL, OPTIONAL
 from fem_check.report.evidence import Evidence
 from fem_check.report.missing import missing
 from fem_check.report.sections import checks
@@ -24,8 +24,8 @@ COMPARISON = (
 def section(evidence: Evidence) -> Section:
     """The level of the finite elements; a check without a record is said."""
     kinds: dict[str, list[Block]] = {"verification": [], "model comparison": []}
-    for name, check in ALL.items():
-        if name in OF_FORMULAS:
+    for name, check in (ALL | OPTIONAL).items():
+        if name in OF_FORMULAS or (name in OPTIONAL and name not in evidence.checks):
             continue
         kept = evidence.checks.get(name)
         kinds[str(check.kind)].append(
