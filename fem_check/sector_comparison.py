@@ -17,7 +17,7 @@ import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array
-from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, solved
+from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, ring_sections, solved
 from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
@@ -102,7 +102,8 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     Raises:
         SceneProblemError: the scene has no single bearing, or cannot be read.
     """
-    return SectorBearing(drawing_of(load_scene(scene_name), scene_name), ball_count(scene_name))
+    scene = load_scene(scene_name)
+    return SectorBearing(drawing_of(scene, scene_name), ball_count(scene_name), ring_sections(scene, scene_name))
 
 
 def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> qsbearing.Solution:

@@ -6,7 +6,6 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import pi
 from types import MappingProxyType
 from typing import Any
 
@@ -14,8 +13,9 @@ import qsbearing
 from fem_check import convergence, meshing, sector_comparison, sector_pictures
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact import ContactError
+from fem_check.scenes import beyond_thrust, solved
 from fem_check.sector_comparison import QUANTITIES, Compared, OperatingPoint, own_point
-from fem_check.solids import bodies, contact_block
+from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
 from fem_check.solids.sector_geometry import SectorGeometry
 
@@ -172,6 +172,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         _support_note(series),
         *(uncertainty_note(series, key, level) for key in series),
         moment_note(series),
+        bearing_note(scene),
         NOTE,
     ]
     mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
@@ -344,9 +345,17 @@ def moment_note(series: dict[str, Any]) -> str:
     )
 
 
+def bearing_note(scene: str) -> str:
+    """The ring sections, each given or assumed; and what of a scene's own loads the sector leaves out."""
+    bearing = sector_comparison.sector_bearing(scene)
+    profiles = {race: bearing.sections.profile(bearing.drawing, race) for race in ("inner", "outer")}
+    beside = [] if scene == EXAMPLE else beyond_thrust(solved(scene)[0].solution)
+    left_out = f" One ball knows thrust and speed alone; left out: {', '.join(beside)}." if beside else ""
+    return f"{bearing.sections.told(bearing.drawing, profiles)}{left_out}"
+
+
 NOTE = (
-    "Ring sections follow the 218 series (bore 90, outside diameter 160, width 30 mm), shoulders at "
-    f"{bodies.HIGH_SHOULDER * 180.0 / pi:.0f} and {bodies.LOW_SHOULDER * 180.0 / pi:.0f} degrees. The axial "
+    "The axial "
     "displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and largest "
     "pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is exact: what "
     "the mesh does to both cancels. Without the step 'gyroscopic moment', model and elements have the centrifugal "
