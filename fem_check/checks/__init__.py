@@ -14,6 +14,7 @@ from fem_check.checks import (
     manufactured_solution,
     other_contacts,
     patch_test,
+    permanent_dent,
     solution_contacts,
     sphere_on_plane,
     true_geometry,
@@ -44,7 +45,7 @@ ALL = {
 OF_BEARING = {bearing_contacts.CHECK.name: bearing_contacts.CHECK}
 """What is run of a bearing that is named, unless a check is named too. The example's contacts are those of `ALL`."""
 
-OPTIONAL = OF_BEARING
+OPTIONAL = OF_BEARING | {permanent_dent.CHECK.name: permanent_dent.CHECK}
 """Checks that no run of all has."""
 
 __all__ = ["ALL", "OF_BEARING", "OPTIONAL"]
