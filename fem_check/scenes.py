@@ -229,8 +229,8 @@ def _of_catalogue(drawing: Drawing) -> dict[str, float]:
         abs(entry.bearing[f"{field}_mm"] * qsbearing.mm - getattr(drawing, field)) < 1e-9
         for field in ("ball_diameter", "pitch_diameter")
     )
-    printed = {key.removesuffix("_mm"): value * qsbearing.mm for key, value in entry.dimensions.items()}
-    return {name: printed[name] for name in DIMENSIONS if name in printed} if same else {}
+    known = {name: entry.dimensions.get(f"{name}_mm") for name in DIMENSIONS}
+    return {name: value * qsbearing.mm for name, value in known.items() if value is not None} if same else {}
 
 
 def beyond_thrust(solution: qsbearing.Solution) -> list[str]:

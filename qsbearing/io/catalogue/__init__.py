@@ -82,7 +82,7 @@ def nearest(name: str) -> str:
 def _entry(data: dict[str, Any]) -> Entry:
     # The kind stands beside the name in the data, where a reader looks for it, and in the bearing in a scene file.
     bearing = {"kind": data["kind"].replace(" ", "_"), **data["bearing"]}
-    rings = data.get("rings", {})
+    rings = data.get("dimensions", {})
     return Entry(
         data["name"], data["description"], data["source"], bearing, data["provenance"],
         data.get("material_provenance", {}), data["example"],
