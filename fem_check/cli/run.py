@@ -49,7 +49,8 @@ def run_checks(
 
     if scene is None and any(value is not None for value in rings.values()):
         refuse("dimensions of rings are those of the bearing that --scene names")
-    RING_OPTIONS.set({name: None if value is None else 1e-3 * value for name, value in rings.items()})
+    given = RING_OPTIONS.set({name: None if value is None else 1e-3 * value for name, value in rings.items()})
+    click.get_current_context().call_on_close(lambda: RING_OPTIONS.reset(given))
 
     finished: list[str] = []
     failed = False

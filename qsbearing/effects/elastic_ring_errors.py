@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +11,8 @@ from qsbearing.effects.ring_compliance import MOST_HARMONICS
 from qsbearing.units import mm
 from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, first, within
 
-if TYPE_CHECKING:
-    from qsbearing.effects.elastic_rings import ElasticRings
+ElasticRings = Any
+"""An `effects.elastic_rings.ElasticRings`, which lies above: it asks for what is here."""
 
 SIDES = {
     "outer": ("outside_diameter", "housing", "housing_outside_diameter", ("rigid", "free")),

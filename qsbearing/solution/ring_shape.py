@@ -5,7 +5,7 @@ From the balls' radial loads on each ring, by the compliances of `effects.elasti
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from qsbearing.effects.elastic_rings import RingGive, grooves_of
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
 
-if TYPE_CHECKING:
-    from qsbearing.solution.solution import Solution
+Solution = Any
+"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
 
 AROUND = np.linspace(0.0, 2.0 * np.pi, 361)[:-1]
 """Azimuths at which extremes around a ring are looked for [rad]."""

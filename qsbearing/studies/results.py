@@ -63,6 +63,7 @@ def reading_of(name: str) -> str | None:
     full = {
         split(entry.column(side, shown))[0]: reading
         for reading, entry in READINGS.items()
+        if entry.table is not None  # a spectrum is asked for by its points
         for side, shown, _ in entry.shown()
     }
     stem, _, ending = name.rpartition("_")

@@ -61,7 +61,6 @@ def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
     )
     words = {
         "operation.axial_load_N": "too large",
-        "outside_diameter_mm": "missing",
         "shaft_interference_um": "allowed: -900 to 900 um",
         "housing_temperature_C": "housing_interference_um (0 for a fit line to line)",
         "shaft_material": "Did you mean steel?",
@@ -155,8 +154,8 @@ def test_results_say_which_temperatures_were_taken(tmp_path: Path) -> None:
 def test_a_table_in_the_wrong_place(tmp_path: Path) -> None:
     found = refused(tmp_path, HEAD + "[ring_expansion]\nbore_diameter_mm = 90\n")
     assert "Did you mean [effects.ring_expansion]?" in found["[ring_expansion]"]
-    found = refused(tmp_path, HEAD + '[effects]\nball = ["ring_expansion"]\nbore_diameter_mm = 90\n')
-    assert "under [effects.ring_expansion]" in found["effects.bore_diameter_mm"]
+    found = refused(tmp_path, HEAD + '[effects]\nball = ["ring_expansion"]\nshaft_interference_um = 9\n')
+    assert "under [effects.ring_expansion]" in found["effects.shaft_interference_um"]
 
 
 @pytest.mark.parametrize(

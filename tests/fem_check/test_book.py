@@ -182,8 +182,11 @@ def equivalent_load(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def half_modulus(monkeypatch: pytest.MonkeyPatch) -> None:
     """Films with half of E', as contact mechanics often defines it."""
-    right = bearing_numbers.BearingNumbers.modulus
-    monkeypatch.setattr(bearing_numbers.BearingNumbers, "modulus", lambda self: 0.5 * right(self))
+    right = bearing_numbers.BearingNumbers.__getattr__
+    halved = {"effective_modulus": 0.5}
+    monkeypatch.setattr(
+        bearing_numbers.BearingNumbers, "__getattr__", lambda self, name: halved.get(name, 1.0) * right(self, name)
+    )
 
 
 def wider_gap(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -183,7 +183,7 @@ def test_the_catalogue_s_diameters_need_no_typing() -> None:
     rows[1] |= {"bearing": {"name": "71915C"}, "ring_expansion": {"shaft_interference_um": 3.0}}
     of = set_of(tables | {"rows": rows, "operation": {"speed_rpm": 1e4}, "preload": {"rigid_N": 300.0}}, "")
     assert [of.effects_of(row)[0].bore_diameter for row in of.rows] == [0.07, 0.075]
-    tables["bearing"] = {"name": "B218"}
+    tables["bearing"] = {"name": "ISO16281_7ball"}
     with pytest.raises(qs.SceneError, match="bore_diameter_mm: missing"):
         scene_of(tables, "")
 
