@@ -60,9 +60,10 @@ def missing(solution: Solution) -> list[Judgement]:
 
 
 def lacking_data(solution: Solution) -> list[Judgement]:
-    """The effects that the solution's scene lacks and that need numbers of it, where a rough estimate is possible."""
-    scene = solution.scene
-    return [judge(entry, solution) for entry in EFFECTS if entry.without_parameters and not entry.is_in(scene)]
+    """The effects that the solution's scene lacks and that need numbers of it, where a rough estimate is possible, and
+    not a bound alone."""
+    lacking = [each for each in EFFECTS if each.without_parameters and not each.is_in(solution.scene)]
+    return [judge(each, solution) for each in lacking if not each.is_bound]
 
 
 def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:

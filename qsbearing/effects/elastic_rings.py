@@ -245,14 +245,15 @@ def _largest_give(point: OperatingPoint) -> NDArray:
     """Of the scene's rings, or of a free outer ring of usual section, under the loads as they are."""
     bearing, solution = point.bearing, point.solution
     found = [one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings)]
+    at = grooves_of(bearing)
     if found:
-        asked = found[0]
+        rings = found[0].gives(at)
     else:
         thickness, width = (part * np.asarray(bearing.ball_diameter, float) for part in USUAL_SECTION)
-        outside = 2.0 * (grooves_of(bearing).outer_bottom + thickness)
-        asked = ElasticRings(outside_diameter=outside, outer_width=width, housing=FREE)
+        ring = Annulus(at.outer_bottom, at.outer_bottom + thickness, at.modulus, at.poisson_ratio)
+        rings = None, _given(outer_ring_give(ring, None), at.outer_bottom, width, at.modulus, None)
     radial = [np.asarray(each.load * each.cosine) for each in (solution.inner, solution.outer)]
-    gives = gives_at_balls(asked.gives(grooves_of(bearing)), np.asarray(solution.azimuth), *radial)
+    gives = gives_at_balls(rings, np.asarray(solution.azimuth), *radial)
     return np.asarray(np.abs(gives).max(axis=-1))
 
 

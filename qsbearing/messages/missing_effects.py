@@ -36,7 +36,7 @@ def missing_warnings(solution: Solution, part: slice) -> Warnings:
 
 def data_warnings(solution: Solution, part: slice) -> Warnings:
     """Effects that need numbers of the scene, which no choice of effects can add either."""
-    judged = [each for each in lacking_data(solution) if not each.entry.is_bound]
+    judged = lacking_data(solution)
     if not judged:
         return
     matters = _matters(judged, part)

@@ -294,3 +294,12 @@ def test_a_mistaken_request_is_bad_input_together_with_the_rest(tmp_path: Path, 
     assert result.exit_code == 2
     assert said in result.stderr
     assert "wrong_key" in result.stderr
+
+
+def test_a_bound_is_estimated_for_every_bearing_that_can_be() -> None:
+    """A pitch circle of 20 m: the usual ring around it is larger than a scene may name, and estimated all the same."""
+    metres = {"ball_diameter": 0.9, "inner_groove_radius": 0.47, "outer_groove_radius": 0.47, "pitch_diameter": 20.0}
+    bearing = replace(qs.load_scene("b218").bearing, **metres)
+    solution = qs.solve(qs.Scene(bearing, qs.Operation(axial_load=1e6)))
+    (entry,) = [each for each in EFFECTS if each.name == "elastic_rings"]
+    assert 0.0 < float(judge(entry, solution).errors["displacement"]) < 1.0
