@@ -8,6 +8,7 @@ from fem_check.checks import (
     body_size,
     conformity,
     convergence_order,
+    elastic_ring,
     hertz_formula,
     hybrid_contact,
     load_power_law,
@@ -38,6 +39,7 @@ ALL = {
         true_geometry.CHECK,
         conformity.CHECK,
         bearing_sector.CHECK,
+        elastic_ring.CHECK,
     )
 }
 """Every check by name, in the order of the report."""

@@ -334,8 +334,33 @@ PLANTED = {
         "sphere_on_plane",
     ),
 }
+RING = "elastic_ring"
 SECTOR = "bearing_sector"
 PLANTED |= {
+    "a term of Michell's with the wrong displacement": (
+        "qsbearing/effects/ring_compliance.py",
+        "(n + 2.0, 1.0, kappa - 1.0 - n)",
+        "(n + 2.0, 1.0, kappa + 1.0 - n)",
+        RING,
+    ),
+    "a shaft that pulls its ring in": (
+        "qsbearing/effects/ring_compliance.py",
+        "return Give(-(own.outside_by_outside + own.outside_by_bore * seat), seat)",
+        "return Give(-(own.outside_by_outside - own.outside_by_bore * seat), seat)",
+        RING,
+    ),
+    "a ring 5 % wider": (
+        "qsbearing/effects/ring_compliance.py",
+        "(2.0 * np.pi * np.asarray(radius, float) * np.asarray(width, float))",
+        "(2.1 * np.pi * np.asarray(radius, float) * np.asarray(width, float))",
+        RING,
+    ),
+    "a half-plane's part left in the give": (
+        "qsbearing/effects/ring_compliance.py",
+        "local = 2.0 * radius",
+        "local = 0.0 * radius",
+        RING,
+    ),
     # In the model, seen by the sector.
     "elastic modulus x 1.05": (
         "qsbearing/contact/hertz.py",

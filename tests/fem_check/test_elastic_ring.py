@@ -1,0 +1,107 @@
+"""The ring of finite elements obeys what any ring does, judges the model, and sees errors planted in the model."""
+
+import numpy as np
+import pytest
+
+from fem_check.agreement import Level
+from fem_check.checks import elastic_ring
+from fem_check.contact_problem import ElasticConstants
+from fem_check.plane_ring import Body, Ring, harmonics
+from qsbearing.effects import elastic_rings, ring_compliance
+
+STEEL = ElasticConstants(208e9, 0.3)
+GRID = (48, 2)
+
+
+def failing(rows) -> set[str]:
+    """The cases out of tolerance."""
+    return {row.case for row in rows if row.verdict == "fail"}
+
+
+def moved(ring: Ring, n: int, rim: str = "bore_radius") -> np.ndarray:
+    """Harmonics of the ring's movement by a pressure cos(n t)."""
+    radius = getattr(ring.ring, rim)
+    return harmonics(ring.moved(radius, ring.ring.pressed(radius, lambda angle: np.cos(n * angle))))
+
+
+@pytest.mark.parametrize("n", [0, 2, 5])
+def test_a_wave_of_pressure_makes_that_wave_alone(n):
+    found = moved(Ring(Body(0.07, 0.08, STEEL, *GRID)), n)
+    found[1] = 0.0  # the ring's place is arbitrary
+    assert np.abs(np.delete(found, n)).max() < 1e-3 * abs(found[n])
+
+
+def test_uniform_growth_is_that_of_a_thick_cylinder():
+    a, b = 0.06, 0.08
+    exact = a / STEEL.elastic_modulus * ((a**2 + b**2) / (b**2 - a**2) + STEEL.poisson_ratio)
+    assert moved(Ring(Body(a, b, STEEL, *GRID)), 0)[0] == pytest.approx(exact, rel=1e-5)
+
+
+def test_a_seat_that_slides_stiffens_and_that_of_next_to_nothing_does_not():
+    one, soft = Body(0.07, 0.08, STEEL, *GRID), ElasticConstants(1.0, 0.3)
+    free, with_seat, with_soft = (
+        Ring(one, seat) for seat in (None, Body(0.08, 0.09, STEEL, *GRID), Body(0.08, 0.09, soft, *GRID))
+    )
+    for n in (0, 2, 4):
+        assert 0.0 < moved(with_seat, n)[n] < 0.9 * moved(free, n)[n]
+        assert moved(with_soft, n)[n] == pytest.approx(moved(free, n)[n], rel=1e-8)
+
+
+@pytest.mark.parametrize("cut", [True, False])
+def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body(cut):
+    one = Body(0.0739, 0.08, STEEL, *GRID)
+    matrix = elastic_ring.influence(GRID, 16, one, cut)
+    np.testing.assert_allclose(matrix, matrix.T, rtol=1e-12)
+    angle = 2.0 * np.pi * np.arange(16) / 16
+    # Waves n = 15 and 17 are a shift for 16 balls.
+    part = np.cos(angle) @ matrix @ np.cos(angle) / (np.cos(2.0 * angle) @ matrix @ np.cos(2.0 * angle))
+    assert 0.0 < part < 1e-3
+
+
+def test_the_model_is_right():
+    for rows in (elastic_ring.compliance_rows, elastic_ring.opposed_rows, elastic_ring.load_rows):
+        found = rows(Level.QUICK)
+        assert failing(found) == set()
+        assert {row.verdict for row in found} >= {"pass"}
+
+
+def test_waves_that_the_model_cuts_would_make_a_per_cent():
+    found = {row.quantity: row for row in elastic_ring.load_rows(Level.QUICK) if row.verdict == "finding"}
+    assert 0.5 < found["axial_displacement"].deviation_percent < 2.0
+    assert abs(found["largest contact load"].deviation_percent) < 0.1
+
+
+def test_bending_that_is_off_by_half_a_per_cent_is_seen(monkeypatch):
+    right = ring_compliance._michell
+    monkeypatch.setattr(ring_compliance, "_michell", lambda body: 1.005 * right(body))
+    seen = failing(elastic_ring.compliance_rows(Level.QUICK))
+    assert {case for case in seen if case.endswith("n = 0, 2 to 8")} >= {
+        f"{name}, n = 0, 2 to 8" for name in elastic_ring.rings(GRID)
+    }
+
+
+def test_a_seat_of_the_wrong_sign_is_seen(monkeypatch):
+    right = ring_compliance._ratio
+    monkeypatch.setattr(ring_compliance, "_ratio", lambda moved, held: -right(moved, held))
+    seen = failing(elastic_ring.compliance_rows(Level.QUICK))
+    assert {case for case in seen if "sliding" in case} and not {case for case in seen if "free" in case}
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda by_load, of_section: (lambda give, radius, width: by_load(give, radius, 1.05 * width), of_section),
+        lambda by_load, of_section: (by_load, lambda give, radius, width, modulus: give),
+        lambda by_load, of_section: (by_load, lambda *known: -of_section(*known)),
+    ],
+    ids=["width", "local and short waves left in", "sign of the give"],
+)
+def test_an_error_between_ring_and_balls_is_seen(wrong, monkeypatch):
+    by_load, of_section = wrong(elastic_rings.by_load, elastic_rings.of_section)
+    monkeypatch.setattr(elastic_rings, "by_load", by_load)
+    monkeypatch.setattr(elastic_rings, "of_section", of_section)
+    elastic_rings._known_gives.cache_clear()
+    try:
+        assert failing(elastic_ring.load_rows(Level.QUICK))
+    finally:
+        elastic_rings._known_gives.cache_clear()
