@@ -34,7 +34,9 @@ def test_a_wave_of_pressure_makes_that_wave_alone(n):
 def test_uniform_growth_is_that_of_a_thick_cylinder():
     a, b = 0.06, 0.08
     exact = a / STEEL.elastic_modulus * ((a**2 + b**2) / (b**2 - a**2) + STEEL.poisson_ratio)
-    assert moved(Ring(Body(a, b, STEEL, *GRID)), 0)[0] == pytest.approx(exact, rel=1e-5)
+    assert moved(Ring(Body(a, b, STEEL, *GRID)), 0)[0] == pytest.approx(
+        exact, rel=5e-5, abs=0.0
+    )  # two elements through it
 
 
 def test_a_seat_that_slides_stiffens_and_that_of_next_to_nothing_does_not():
@@ -44,7 +46,7 @@ def test_a_seat_that_slides_stiffens_and_that_of_next_to_nothing_does_not():
     )
     for n in (0, 2, 4):
         assert 0.0 < moved(with_seat, n)[n] < 0.9 * moved(free, n)[n]
-        assert moved(with_soft, n)[n] == pytest.approx(moved(free, n)[n], rel=1e-8)
+        assert moved(with_soft, n)[n] == pytest.approx(moved(free, n)[n], rel=1e-8, abs=0.0)
 
 
 @pytest.mark.parametrize("cut", [True, False])
