@@ -40,11 +40,23 @@ def _rendered(template: str, document: Document, **others: Any) -> str:
 @cache
 def _templates() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
 
-    return Environment(
+    environment = Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
+    environment.filters |= {"markup": Markup, "highlighted": lambda code: Markup(_highlighted(**code))}
+    return environment
+
+
+def _highlighted(text: str, language: str, **_: Any) -> str:
+    """Code as HTML, its words in classes of their kind."""
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.lexers import get_lexer_by_name
+
+    return str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
 
 
 def _picture(picture: Picture, number: int) -> str:
