@@ -23,11 +23,21 @@ def html(document: Document) -> str:
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
+    environment.filters |= {"markup": Markup, "highlighted": lambda code: Markup(_highlighted(**code))}
     pictures = [Markup(_picture(picture, number)) for number, picture in enumerate(found["pictures"])]
     style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
     page: Any = environment.get_template("page.html")
     text: str = page.render(document=found | {"pictures": pictures}, style=style, script=script)
     return text
+
+
+def _highlighted(text: str, language: str, **_: Any) -> str:
+    """Code as HTML, its words in classes of their kind."""
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.lexers import get_lexer_by_name
+
+    return str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
 
 
 def _picture(picture: Picture, number: int) -> str:
