@@ -44,8 +44,7 @@ if TYPE_CHECKING:
     from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet, Row
-    from qsbearing.sets.preload_loads import preload_loads
-    from qsbearing.sets.preload_speeds import preload_speeds
+    from qsbearing.sets.preload_limits import preload_loads, preload_speeds
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.sets.shaft import Housing, Shaft, ShaftLoad, ShaftSection, ShaftSupport
     from qsbearing.sets.solve import solve_set
@@ -84,8 +83,7 @@ _HOMES = {
     "solution.raceway_contacts": ("RacewayContacts",),
     "rotordynamics": ("stiffness_table", "to_ross"),
     "sets.bearing_set": ("BearingSet", "Row"),
-    "sets.preload_loads": ("preload_loads",),
-    "sets.preload_speeds": ("preload_speeds",),
+    "sets.preload_limits": ("preload_loads", "preload_speeds"),
     "sets.shaft": ("Housing", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport"),
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.sets.preload_summary import preload_summary
+from qsbearing.sets.preload_limits import preload_summary
 from qsbearing.sets.rigid_shaft import growth_along
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
