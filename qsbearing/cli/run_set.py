@@ -25,7 +25,7 @@ def run_set(
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
-    with solving():
+    with solving(of):
         solution = solve_set(of)
     readings = [taken(row) for row in solution.rows]
     if as_json:

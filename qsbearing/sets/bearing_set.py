@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,9 @@ from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
 
 FARTHEST = 10.0
 """Metres along the shaft; it catches mistakes of unit."""
@@ -106,6 +109,8 @@ class BearingSet:
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     name: str = ""
+    thermal: Thermal | None = None
+    """With it, `qs.solve_set` finds the temperatures at which the set runs."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
