@@ -119,8 +119,13 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     return SectorBearing(drawing_of(scene, scene_name), ball_count(scene_name), ring_sections(scene, scene_name))
 
 
-def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> qsbearing.Solution:
+def model(
+    scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool, free_outer_ring: bool = False
+) -> qsbearing.Solution:
     """The quasi-static model at an operating point: equal balls; at speed outer control and their inertia.
+
+    Args:
+        free_outer_ring: the outer ring gives way as one whose outside diameter is free; else both rings are rigid.
 
     Raises:
         SceneProblemError: the model has no solution there with both raceways loaded.
@@ -131,6 +136,15 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
         effects = (qsbearing.CentrifugalForce(),)
         if gyroscopic_moment:
             effects = (*effects, qsbearing.GyroscopicMoment())
+    left_out = (qsbearing.BallDiameterDeviations, qsbearing.ElasticRings)
+    ring_effects: tuple[Any, ...] = tuple(each for each in scene.ring_effects if not isinstance(each, left_out))
+    if free_outer_ring:
+        bearing = sector_bearing(scene_name)
+        profile = bearing.sections.profile(bearing.drawing, "outer")
+        ring = qsbearing.ElasticRings(
+            outside_diameter=2.0 * profile.back_radius, outer_width=profile.width, housing="free"
+        )
+        ring_effects = (*ring_effects, ring)
     solution = qsbearing.solve(
         dataclasses.replace(
             scene,
@@ -139,12 +153,17 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
             raceway_control=qsbearing.RacewayControl.OUTER if effects else None,
             preload=None,
             orbit_radius=qsbearing.OrbitRadius.PITCH_CIRCLE,
-            ring_effects=tuple(each for each in scene.ring_effects if each is not scene.ball_diameter_deviations),
+            ring_effects=ring_effects,
         )
     )
     if not float(solution.inner.load[0]) > 0.0:
         raise SceneProblemError(f"{scene_name} at {point.label}: the model gives the inner raceway no load")
     return solution
+
+
+def with_free_ring(scene_name: str, point: OperatingPoint) -> dict[str, float]:
+    """What the model computes at a point where its outer ring gives way as a free one, by quantity."""
+    return _of_model(model(scene_name, point, gyroscopic_moment=False, free_outer_ring=True))
 
 
 def nearest(solution: qsbearing.Solution) -> qsbearing.Solution:

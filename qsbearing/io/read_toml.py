@@ -35,7 +35,18 @@ def read_toml(path: Path) -> dict[str, Any]:
     Raises:
         SceneFileError: it cannot be read, or is not TOML.
     """
-    text = read_text(path)
+    return tables_of(read_text(path), path)
+
+
+def tables_of(text: str, path: Path) -> dict[str, Any]:
+    """The tables of a text.
+
+    Args:
+        path: what to call it in errors.
+
+    Raises:
+        SceneFileError: it is not TOML, or has too many keys.
+    """
     if not text.strip():
         raise _refused(path, "is empty", "`qsbearing init` prints a scene to start from")
     written = _COMMENT.sub("", text)

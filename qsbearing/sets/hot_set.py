@@ -33,7 +33,11 @@ class HotSet:
             given = self.of.effects_of(row), self.readings[number], self.thermal, temperatures
             effects, readings = hot_row(*given, number, len(self.of.rows))
             rows.append(replace(row, ring_effects=effects, readings=readings))
-        return self._solve(replace(self.of, rows=tuple(rows), operation=at_speed(self.operation, factor)))
+        shaft = self.of.shaft
+        if shaft is not None and "shaft" in temperatures:
+            shaft = replace(shaft, temperature=temperatures["shaft"])
+        operation = at_speed(self.operation, factor)
+        return self._solve(replace(self.of, rows=tuple(rows), operation=operation, shaft=shaft, thermal=None))
 
     def rows(self, solution: SetSolution) -> Sequence[Solution]:
         """Each row's own."""

@@ -1,4 +1,7 @@
-"""A scene at given temperatures: its ring effects and its lubricant take those of the nodes that it has."""
+"""A scene at given temperatures: its ring effects and its lubricant take those of the nodes that it has.
+
+It asks for no heat balance any more: whatever is solved around it, as for a report's curves, keeps its temperatures.
+"""
 
 from __future__ import annotations
 
@@ -60,7 +63,8 @@ class HotBearing:
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Solution:
         effects, readings = hot_row(self.scene.ring_effects, self.scene.readings, self.thermal, temperatures, 0, 1)
         operation = at_speed(self.scene.operation, factor)
-        return self._solve(replace(self.scene, ring_effects=effects, readings=readings, operation=operation))
+        own = {"ring_effects": effects, "readings": readings, "operation": operation}
+        return self._solve(replace(self.scene, **own, thermal=None))
 
     def rows(self, solution: Solution) -> Sequence[Solution]:
         return (solution,)
