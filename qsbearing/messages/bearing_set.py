@@ -22,6 +22,7 @@ from qsbearing.solution.status import STATUS_OF_CODE
 if TYPE_CHECKING:
     from qsbearing.sets.bearing_set import BearingSet, Row
     from qsbearing.sets.outcome import Outcome
+    from qsbearing.thermal.state import ThermalState
 
 
 class SetSolution(Protocol):
@@ -29,6 +30,7 @@ class SetSolution(Protocol):
 
     set: BearingSet
     shape: tuple[int, ...]
+    thermal: ThermalState | None
     _outcome: Outcome
 
     @property

@@ -63,7 +63,7 @@ class HotBearing:
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Solution:
         effects, readings = hot_row(self.scene.ring_effects, self.scene.readings, self.thermal, temperatures, 0, 1)
         operation = at_speed(self.scene.operation, factor)
-        own = {"ring_effects": effects, "readings": readings, "operation": operation}
+        own: dict[str, Any] = {"ring_effects": effects, "readings": readings, "operation": operation}
         return self._solve(replace(self.scene, **own, thermal=None))
 
     def rows(self, solution: Solution) -> Sequence[Solution]:
