@@ -89,8 +89,8 @@ def _why(solution: SetSolution, k: int) -> str:
         why = bearing.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
         name = capital(row_name(solution.set.rows[number], number))
         return f"{name} gives way. {why}{_overloaded(solution, k)}{where}"
-    if outcome.unsupported[k].any():
-        channels = " and ".join(names[i] for i in np.flatnonzero(outcome.unsupported[k]))
+    if outcome.unsupported[k][: len(names)].any():
+        channels = " and ".join(names[i] for i in np.flatnonzero(outcome.unsupported[k][: len(names)]))
         return f"No equilibrium: nothing supports the load in channel {channels}.{_overloaded(solution, k)}{where}"
     kind = "No equilibrium." if outcome.status[k] == NO_EQUILIBRIUM else "Not converged"
     return (

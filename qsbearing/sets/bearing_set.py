@@ -16,10 +16,12 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.shaft import Housing, Shaft, outside
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
 
 FARTHEST = 10.0
@@ -51,6 +53,8 @@ class Row:
     spacer is longer. Below zero it is a gap."""
     sprung: bool = False
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
+    housing: Housing | None = None
+    """What its outer ring sits in; None: rigid."""
     ring_effects: tuple[RingEffect, ...] | None = None
     """Its own; None: those of the set."""
     readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
@@ -63,7 +67,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class BearingSet:
+class BearingSet(InNotebooks):
     """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
 
     The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and
@@ -106,6 +110,8 @@ class BearingSet:
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     name: str = ""
+    shaft: Shaft | None = None
+    """Its sections, loads and supports; None: rigid, and loaded at the reference alone."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
@@ -179,6 +185,12 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
     errors = []
     if of.reference_position is not None:
         errors += within("reference_position", of.reference_position, LENGTH, -FARTHEST, FARTHEST)
+    if of.shaft is not None and not isinstance(of.shaft, Shaft):
+        errors.append(ErrorDetail("shaft", "is not a shaft", of.shaft, cause="Write qs.Shaft(...)"))
+    elif of.shaft is not None:
+        errors += outside(of.shaft, [(f"row {number}", row.position) for number, row in enumerate(of.rows, 1)])
+        if of.reference_position is not None and not errors:
+            errors += outside(of.shaft, [("reference", of.reference_position)])
     for number, row in enumerate(of.rows, 1):
         for before, other in enumerate(of.rows[: number - 1], 1):
             if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:

@@ -9,11 +9,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects import RingExpansion
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.sets.bearing_set import BearingSet, Row
+from qsbearing.sets.shaft import Shaft
 
 UNKNOWNS = 6
 """Of a case: five channels of the shaft, and the slide of the sprung rings towards their balls."""
@@ -29,12 +30,22 @@ def lever(of: BearingSet, number: int) -> NDArray:
     there); with the pitch circle's tilt lever, which leaves the groove centres out, that of the balls' centres.
     """
     row = of.rows[number]
-    place = np.asarray(row.position, float) - of.reference + growth_along(of, number, SHAFT)
+    place = arm_along(of, row.position)
+    return np.asarray(place + own_lever(of, row))
+
+
+def arm_along(of: BearingSet, position: ArrayLike) -> NDArray:
+    """From the reference position to a place on the shaft, as warm as it is [m]."""
+    return np.asarray(np.asarray(position, float) - of.reference + growth_along(of, position, SHAFT))
+
+
+def own_lever(of: BearingSet, row: Row) -> Any:
+    """From the balls' centres of a row to the plane in which its own load and displacement are meant [m]."""
     if of.tilt_lever is not TiltLever.GROOVE_CENTRE:
-        return place
+        return 0.0
     rings = expansion(of, row)
     moved = 0.0 if rings is None else rings.axial_growth(row.bearing)[0]
-    return np.asarray(place + row.sign * (row.bearing.groove_centre_offsets[0] + moved))
+    return row.sign * (row.bearing.groove_centre_offsets[0] + moved)
 
 
 def offset_in_operation(of: BearingSet, number: int, offset: NDArray) -> NDArray:
@@ -43,27 +54,37 @@ def offset_in_operation(of: BearingSet, number: int, offset: NDArray) -> NDArray
     What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from the
     reference position.
     """
-    strain = seat_strains(of, of.rows[number])[SHAFT]
-    apart = growth_along(of, number, SHAFT) - growth_along(of, number, HOUSING)
-    return np.asarray(offset * (1.0 + strain) + of.rows[number].sign * apart)
+    row = of.rows[number]
+    strain = seat_strains(of, row)[SHAFT]
+    apart = growth_along(of, row.position, SHAFT) - growth_along(of, row.position, HOUSING)
+    return np.asarray(offset * (1.0 + strain) + row.sign * apart)
 
 
-def growth_along(of: BearingSet, number: int, body: int) -> NDArray:
-    """By how much heat moves a row in +x on the shaft or in the housing, counted from the reference position [m].
+def growth_along(of: BearingSet, position: ArrayLike, body: int) -> NDArray:
+    """By how much heat moves a place in +x on the shaft or in the housing, counted from the reference position [m].
 
     Between two rows the body grows by the mean of its strains there, beyond the outermost by that there.
     """
+    if body == SHAFT and of.shaft is not None and of.shaft.temperature is not None:
+        return _growth_of_sections(of.shaft, of.reference, np.asarray(position, float))
     if all(expansion(of, row) is None for row in of.rows):
         return np.zeros(())
     positions, heats = zip(*((row.position, seat_strains(of, row)[body]) for row in of.rows), strict=True)
-    numbers = np.array(np.broadcast_arrays(of.reference, *positions, *heats), float)
-    reference, places, strains = numbers[0], numbers[1 : len(of.rows) + 1], numbers[len(of.rows) + 1 :]
-    order, place = np.argsort(places, axis=0), places[number]
+    numbers = np.array(np.broadcast_arrays(of.reference, position, *positions, *heats), float)
+    (reference, place), places, strains = numbers[:2], numbers[2 : len(of.rows) + 2], numbers[len(of.rows) + 2 :]
+    order = np.argsort(places, axis=0)
     places, strains = (np.take_along_axis(each, order, 0) for each in (places, strains))
     between = np.concatenate([strains[:1], 0.5 * (strains[1:] + strains[:-1]), strains[-1:]])
     beyond = np.full_like(places[:1], np.inf)
     low, high = np.concatenate([-beyond, places]), np.concatenate([places, beyond])
     return np.asarray((between * (np.clip(place, low, high) - np.clip(reference, low, high))).sum(axis=0))
+
+
+def _growth_of_sections(shaft: Shaft, reference: NDArray, position: NDArray) -> NDArray:
+    """Between the reference and a position, each section by its own strain."""
+    ends = shaft.ends
+    low, high = (np.clip(each[..., None], ends[:-1], ends[1:]) for each in (reference, position))
+    return np.asarray(((high - low) * shaft.strains()).sum(axis=-1))
 
 
 def seat_strains(of: BearingSet, row: Row) -> tuple[Any, Any]:

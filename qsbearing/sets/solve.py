@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.effects import as_fitted, as_made
 from qsbearing.scene.operation import STRAIGHT, Operation
 from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.elastic_shaft import axial_give
 from qsbearing.sets.problem import Problem
 from qsbearing.sets.set_solution import AtRest, SetSolution
 from qsbearing.solution.solver import TOLERANCE
@@ -53,7 +54,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
 
     seconds = time.perf_counter() - began
     return SetSolution(
-        of, problem.shape, problem.row_solution, problem.matrices, problem.outcome, sides, unloaded, seconds
+        of, problem.shape, problem.row_solution, problem.ground, problem.outcome, sides, unloaded, seconds
     )
 
 
@@ -68,11 +69,13 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
         for row, offset in zip(of.rows, offsets, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
+    shaft = None if of.shaft is None else replace(of.shaft, loads=())
     if effects_at_rest is None:
-        return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={})
+        return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, shaft=shaft, readings={})
+    shaft = None if shaft is None else replace(shaft, temperature=None)
     cold = tuple(replace(row, ring_effects=effects_at_rest(of.effects_of(row))) for row in rows)
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
-    return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, **choices)
+    return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, shaft=shaft, **choices)
 
 
 def _sides(of: BearingSet, threads: int | None, tolerance: float) -> dict[float, SetSolution]:
@@ -85,7 +88,7 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> dict[float,
     sides = {}
     for sign in (1.0, -1.0):
         rows = tuple(
-            replace(row, ring_effects=effects_at_rest(of.effects_of(row)), readings=None)
+            replace(row, ring_effects=effects_at_rest(of.effects_of(row)), housing=None, readings=None)
             for row in of.rows
             if row.sign == sign
         )
@@ -99,7 +102,19 @@ def _offsets(of: BearingSet, sides: dict[float, SetSolution]) -> list[NDArray]:
     common: dict[float, Any] = {1.0: 0.0, -1.0: 0.0}
     if sides:
         common = {sign: sign * side.displacement[..., 0] for sign, side in sides.items()}
+        gives = _give(of, sides)
+        return [np.asarray(row.offset + common[row.sign] + give) for row, give in zip(of.rows, gives, strict=True)]
     elif of.preload is not None and of.preload.kind == "axial_displacement":
         half = 0.5 * np.asarray(of.preload.axial_displacement, float)
         common = {1.0: half, -1.0: half}
     return [np.asarray(row.offset, float) + common[row.sign] for row in of.rows]
+
+
+def _give(of: BearingSet, sides: dict[float, SetSolution]) -> list[Any]:
+    """By how much further each row is pressed for what shaft and housings give way under the preload [m]."""
+    if of.shaft is None and all(row.housing is None for row in of.rows):
+        return [0.0] * len(of.rows)
+    effects_at_rest = as_fitted if of.preload is not None and of.preload.is_given_mounted else as_made
+    cold = without_load(of, [np.zeros(())] * len(of.rows), effects_at_rest)
+    loads = {sign: list(np.moveaxis(side.axial_loads, -1, 0)) for sign, side in sides.items()}
+    return axial_give(cold, [loads[row.sign].pop(0) for row in of.rows])
