@@ -42,12 +42,7 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
     scene = solution.scene
     solved = bool(np.asarray(solution.converged)[index])
     return {
-        "version": __version__,
-        "status": str(np.asarray(solution.status)[index]),
-        "message": messages.message(solution, index),
-        "residual": number(np.asarray(solution.residual)[index]),
-        "iterations": int(np.asarray(solution.iterations)[index]),
-        "seconds": solution.seconds,
+        **how_it_ended(solution, index),
         "bearing": scene.bearing.name,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
@@ -58,15 +53,35 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index),
         "thermal": thermal(solution, index),
+        **motion_and_stiffness(solution, index),
+        "balls": balls(solution, index) if solved else [],
+        "readings": readings_record(solution, readings, index) if solved else None,
+        **_choice(solution, index),
+    }
+
+
+def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of a case of a bearing or set."""
+    return {
+        "version": __version__,
+        "status": str(np.asarray(solution.status)[index]),
+        "message": messages.message(solution, index),
+        "residual": number(np.asarray(solution.residual)[index]),
+        "iterations": int(np.asarray(solution.iterations)[index]),
+        "seconds": solution.seconds,
+    }
+
+
+def motion_and_stiffness(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of the ring, or of a set's shaft."""
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
         "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
-        "stiffness_SI": matrix_rows(solution.stiffness[index]) if solved else None,
-        "compliance_SI": matrix_rows(solution.compliance[index]) if solved else None,
-        "balls": balls(solution, index) if solved else [],
-        "readings": readings_record(solution, readings, index) if solved else None,
-        **_choice(solution, index),
+        "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": _matrix_rows(solution.compliance[index]) if solved else None,
     }
 
 
@@ -201,6 +216,6 @@ def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[s
     return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
 
 
-def matrix_rows(matrix: NDArray) -> list[list[float | None]]:
+def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
     """A matrix as lists."""
     return [[number(value) for value in row] for row in matrix]
