@@ -48,7 +48,7 @@ class SetSolution:
         row_solution: Callable[[int], Solution],
         ground: Ground,
         outcome: Outcome,
-        sides: dict[float, SetSolution],
+        sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
     ) -> None:
