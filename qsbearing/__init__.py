@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from qsbearing import readings
     from qsbearing.chooser.choose import solve
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
+    from qsbearing.design.compare import compare
+    from qsbearing.design.find import find
     from qsbearing.effects import (
         BallDiameterDeviations,
         BallExpansion,
@@ -138,4 +140,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOME, "readings"})
+    return [*__all__, "__version__"]

@@ -16,6 +16,7 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
@@ -66,7 +67,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class BearingSet:
+class BearingSet(InNotebooks):
     """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
 
     The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects import RingEffect, as_fitted, as_made
+from qsbearing.in_notebooks import Plotted
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing_set
 from qsbearing.ranked_warning import RankedWarning
@@ -34,7 +35,7 @@ LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
 
 
-class SetSolution:
+class SetSolution(Plotted):
     """Solved cases of a set. Arrays lead with the case axes: none for a single case.
 
     Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
