@@ -52,7 +52,7 @@ class SetSolution(Plotted):
         row_solution: Callable[[int], Solution],
         ground: Ground,
         outcome: Outcome,
-        sides: dict[float, SetSolution],
+        sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
     ) -> None:
