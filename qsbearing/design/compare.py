@@ -13,7 +13,7 @@ import numpy as np
 
 from qsbearing import quantities
 from qsbearing.chooser.choose import solve as choose
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.io.set_file import is_set, set_of
 from qsbearing.scene.bearing import BallBearing
@@ -99,7 +99,7 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
     count = len(sources)
     if not 2 <= count <= MOST:
-        raise SceneFileError("compare", [FileErrorDetail("", f"{count} bearings: give from two to {MOST}")])
+        raise refused("compare", f"{count} bearings: give from two to {MOST}")
     errors: list[FileErrorDetail] = []
     documents = [_read(source, errors) for source in sources]
     job = documents[0][0] if at is None else _read(at, errors)[0]

@@ -234,8 +234,8 @@ PLANTED = {
     ),
     "rows of a set displaced without their offset": (
         "qsbearing/sets/solve.py",
-        "[np.asarray(row.offset, float) + common[row.sign] for row in of.rows]",
-        "[common[row.sign] + 0.0 * np.asarray(row.offset, float) for row in of.rows]",
+        "np.asarray(row.offset, float) + by + give",
+        "0.0 * np.asarray(row.offset, float) + by + give",
         SOLUTION,
     ),
     "groove of the catalogue, digits swapped": (
