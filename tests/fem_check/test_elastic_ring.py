@@ -66,6 +66,18 @@ def test_the_model_is_right():
         assert {row.verdict for row in found} >= {"pass"}
 
 
+@pytest.mark.heavy
+def test_one_pitch_in_three_dimensions_sees_the_shoulders(monkeypatch):
+    """In bending; with the rectangle that the groove's bottom leaves, the model would deflect four times as far."""
+    assert failing(elastic_ring.pitch_rows(Level.QUICK)) == set()
+    monkeypatch.setattr(elastic_rings, "bending_height", lambda thickness, *shape: np.asarray(thickness))
+    elastic_rings._known_gives.cache_clear()
+    rows = elastic_ring.pitch_rows(Level.QUICK)
+    elastic_rings._known_gives.cache_clear()
+    assert {row.case for row in rows if row.verdict == "fail"} == {row.case for row in rows if row.case[-1] == "3"}
+    assert min(row.reference / row.found for row in rows if row.case[-1] == "3") > 3.0
+
+
 def test_bending_that_is_off_by_half_a_per_cent_is_seen(monkeypatch):
     right = ring_compliance._michell
     monkeypatch.setattr(ring_compliance, "_michell", lambda body: 1.005 * right(body))

@@ -361,6 +361,12 @@ PLANTED |= {
         "local = 0.0 * np.asarray(radius, float)",
         RING,
     ),
+    "shoulders left out": (
+        "qsbearing/effects/ring_section.py",
+        "for shoulder in shoulders:",
+        "for shoulder in (0.0, 0.0):",
+        RING,
+    ),
     # In the model, seen by the sector.
     "elastic modulus x 1.05": (
         "qsbearing/contact/hertz.py",
