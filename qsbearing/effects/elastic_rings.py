@@ -1,7 +1,7 @@
 """Rings that give way under their balls: they grow evenly and bend, each alone, in a housing or on a shaft.
 
 Source        Timoshenko & Goodier (ring_compliance.py has the formulas); found missing by finite elements of a bearing
-              sector whose outside diameter is free: displacement up to a third larger, contact angles 1.5 degrees
+              sector whose outside diameter is free: 7 to 9 um more axial displacement at 17.8 kN, angles 1.1 degrees
 Equation      under the radial loads of the balls on its groove a ring moves by the sum of c_n F cos n(psi - psi_j),
               n = 0 and 2, 3, ...; the grooves part by as much at each ball. Amplitudes are unknowns of the solver
               (kernel/ring_bending.py)

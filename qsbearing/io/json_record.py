@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, um, zero_celsius
 
+if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
+
 
 def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any]:
     """One case as the object that `run --json` prints.
@@ -40,12 +43,7 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
     scene = solution.scene
     solved = bool(np.asarray(solution.converged)[index])
     return {
-        "version": __version__,
-        "status": str(np.asarray(solution.status)[index]),
-        "message": messages.message(solution, index),
-        "residual": number(np.asarray(solution.residual)[index]),
-        "iterations": int(np.asarray(solution.iterations)[index]),
-        "seconds": solution.seconds,
+        **how_it_ended(solution, index),
         "bearing": scene.bearing.name,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
@@ -55,15 +53,35 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "rings": rings(solution, index),
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index),
+        **motion_and_stiffness(solution, index),
+        "balls": balls(solution, index) if solved else [],
+        "readings": readings_record(solution, readings, index) if solved else None,
+        **_choice(solution, index),
+    }
+
+
+def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of a case of a bearing or set."""
+    return {
+        "version": __version__,
+        "status": str(np.asarray(solution.status)[index]),
+        "message": messages.message(solution, index),
+        "residual": number(np.asarray(solution.residual)[index]),
+        "iterations": int(np.asarray(solution.iterations)[index]),
+        "seconds": solution.seconds,
+    }
+
+
+def motion_and_stiffness(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of the ring, or of a set's shaft."""
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
         "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
-        "stiffness_SI": matrix_rows(solution.stiffness[index]) if solved else None,
-        "compliance_SI": matrix_rows(solution.compliance[index]) if solved else None,
-        "balls": balls(solution, index) if solved else [],
-        "readings": readings_record(solution, readings, index) if solved else None,
-        **_choice(solution, index),
+        "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": _matrix_rows(solution.compliance[index]) if solved else None,
     }
 
 
@@ -193,6 +211,6 @@ def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[s
     return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
 
 
-def matrix_rows(matrix: NDArray) -> list[list[float | None]]:
+def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
     """A matrix as lists."""
     return [[number(value) for value in row] for row in matrix]

@@ -145,7 +145,7 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
         cause = did_you_mean(carries, list(Direction)) or 'The axial load on the shaft that presses it: "+x" or "-x"'
         problem = "missing" if carries is None else "is none of the choices"
         errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
-    numbers = {"position": 0.0, "offset": 0.0} | si(ROW, good)
+    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(ROW, good)
     errors += map(translate, placement_errors(path, **numbers))
     sprung = good.get("sprung", False)
     if not isinstance(sprung, bool):

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__
-from qsbearing.io.json_record import choices, matrix_rows, number, of_channels, record
+from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, number, of_channels, record
 from qsbearing.io.readings_record import Readings, all_columns
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
@@ -33,12 +32,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
     scene = solution.rows[0].scene
     rows = [_row(solution, i, found) for i, found in enumerate(readings)]
     return {
-        "version": __version__,
-        "status": str(solution.status),
-        "message": solution.message(),
-        "residual": number(solution.residual),
-        "iterations": int(solution.iterations),
-        "seconds": solution.seconds,
+        **how_it_ended(solution),
         "set": of.name,
         "arrangement": of.arrangement,
         "reference_position_mm": float(of.reference / mm),
@@ -46,12 +40,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "choices": choices(scene),
         "warnings": solution.warnings(),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
-        "displacement": of_channels(DISPLACEMENT, solution.displacement),
-        "load": of_channels(LOAD, solution.load),
-        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness),
-        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness),
-        "stiffness_SI": matrix_rows(solution.stiffness) if solved else None,
-        "compliance_SI": matrix_rows(solution.compliance) if solved else None,
+        **motion_and_stiffness(solution),
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
         "rows": rows,

@@ -28,6 +28,7 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.scene.elastic_seats import seat_errors
@@ -61,7 +62,7 @@ CHOICES: dict[str, type[StrEnum]] = {
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(InNotebooks):
     """All that a solve needs. An effect that is not named here is not evaluated.
 
     Raises:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.columns import columns, dataset
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
+from qsbearing.in_notebooks import Plotted
 from qsbearing.kernel import results
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
 from qsbearing.result_keys import DISPLACEMENT, LOAD
@@ -65,7 +66,7 @@ class Choice:
     """How often the scene was solved to choose."""
 
 
-class Solution:
+class Solution(Plotted):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
