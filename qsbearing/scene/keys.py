@@ -177,8 +177,9 @@ SECTIONS: dict[str, tuple[str, ...]] = {
         *EFFECT_TABLES,
     ),
     "readings": (),
+    "thermal": (),
 }
-"""Every key a file may hold, by its table; those of readings stand with each of them."""
+"""Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
 
 SET_SECTIONS: dict[str, tuple[str, ...]] = {
     "rows": (*(key.name for key in ROW), "carries", "sprung", "bearing", *EFFECT_TABLES, "readings"),
