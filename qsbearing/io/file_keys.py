@@ -11,6 +11,7 @@ from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     EFFECT_TABLES,
     IN_PLACE,
+    NUMBERED,
     NUMBERS,
     RING_COMPLIANCES,
     SEATS,
@@ -52,8 +53,9 @@ def find(path: str) -> Key | None:
     if within and before in ("", "effects."):
         section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
-    if table.startswith("row "):
-        table = "rows"
+    kind, _, number = table.partition(" ")
+    if number.isdigit():
+        table = NUMBERED.get(kind, table)
     known = numbers() if _is_of_reading(path) else NUMBERS
     keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
     keys = (*keys, *IN_PLACE) if table == "bearing" else keys
