@@ -6,6 +6,8 @@ import difflib
 from typing import Any, NamedTuple
 
 from qsbearing.io.file_keys import numbers, reading_tables, sections
+from qsbearing.io.thermal_keys import CONDUCTANCES
+from qsbearing.io.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     MATERIAL_KEYS,
@@ -30,7 +32,7 @@ def _tables() -> dict[str, tuple[str, ...]]:
 
 
 def _keys(section: str) -> tuple[Key, ...]:
-    return (numbers() | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
+    return (numbers() | THERMAL_NUMBERS | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
 
 
 class Suggestion(NamedTuple):
@@ -81,6 +83,8 @@ def _title(table: str) -> str:
         return "[rows.housing_stiffness]"
     if table in ("rows", "spectrum", "spacers", "floating"):
         return f"[[{table}]]"
+    if table in THERMAL_NUMBERS and table != "thermal":
+        return f"[[thermal.{table}]]" if table == CONDUCTANCES else f"[thermal.{table}]"
     outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in reading_tables() else ""
     return f"[{outer}{table}]"
 
