@@ -175,7 +175,7 @@ def _of_set(of: BearingSet, accuracy: float | None) -> Found:
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
-    with solving():
+    with solving(of):
         solution = solve_set(of)
     readings = [taken(row) for row in solution.rows]
 

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, number, of_channels, record
-from qsbearing.io.readings_record import Readings, all_columns
+from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
+from qsbearing.io.readings_record import Readings, all_columns, number
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
 from qsbearing.units import mm, um
 
-OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy")
+OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
 """What a row's own record would only repeat."""
 
 
@@ -43,6 +43,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         **motion_and_stiffness(solution),
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
+        "thermal": thermal(solution),
         "rows": rows,
     }
 
