@@ -29,7 +29,7 @@ COUNTS = {"wild": 400, "realistic": 1000, "mounted": 200}
 FEW = GROUP if COMPILED else 4
 
 
-# Hundreds of scenes ----------------------------------------------------------------------------------------------------
+# Hundreds of scenes ---------------------------------------------------------------------------------------------------
 
 Campaigns = dict[str, tuple[dict[str, Any], Path]]
 
