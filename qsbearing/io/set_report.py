@@ -20,6 +20,7 @@ from qsbearing.io.report import (
     digits,
     distinct,
     ending,
+    heat_tables,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
@@ -47,6 +48,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
                 parts.append(readings_tables(readings[number]))
+        parts += heat_tables(found)
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     return Group(*parts, *warnings_below(found["warnings"]))
 

@@ -22,6 +22,7 @@ from qsbearing.solution.status import STATUS_OF_CODE
 if TYPE_CHECKING:
     from qsbearing.sets.bearing_set import BearingSet, Row
     from qsbearing.sets.outcome import Outcome
+    from qsbearing.thermal.state import ThermalState
 
 
 class SetSolution(Protocol):
@@ -29,10 +30,11 @@ class SetSolution(Protocol):
 
     set: BearingSet
     shape: tuple[int, ...]
+    thermal: ThermalState | None
     _outcome: Outcome
 
     @property
-    def _sides(self) -> Mapping[float, SetSolution]: ...
+    def _sides(self) -> Mapping[tuple[int, ...], SetSolution]: ...
     @property
     def rows(self) -> tuple[Solution, ...]: ...
     @property
@@ -62,16 +64,17 @@ def message(solution: SetSolution, index: Index = None) -> str:
         counts = [f"{(codes == code).sum()} {word}" for code, word in STATUS_OF_CODE.items() if (codes == code).any()]
         return f"{codes.size} cases: {', '.join(counts)}."
     k = solution._flat_index(index)
+    if solution.thermal is not None and solution.thermal.verdict.flat[k] != "stable" and outcome.status[k] != CONVERGED:
+        return solution.thermal.message(index)
     if outcome.status[k] == CONVERGED:
         return (
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "
             f"after {outcome.iterations[k]} iterations of the shaft."
         )
-    for sign, side in solution._sides.items():
+    for which, side in solution._sides.items():
         number = int(np.broadcast_to(np.arange(side._outcome.status.size).reshape(side.shape), solution.shape).flat[k])
         if side._outcome.status[number] != CONVERGED:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
-            which = [n for n, row in enumerate(solution.set.rows) if row.sign == sign]
             names = " and ".join(row_name(solution.set.rows[n], n) for n in which)
             return f"At rest and cold, under the preload alone, {names} cannot carry it. {message(side, place)}"
     return _why(solution, k)
@@ -80,6 +83,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
 def _why(solution: SetSolution, k: int) -> str:
     outcome = solution._outcome
     names = [*(channel.label for channel in CHANNELS), "axial, of the sprung rings"]
+    names += [f"axial, of the floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
         where = f" Followed from rest, the equilibrium ends at {100.0 * outcome.reached[k]:.3g} % of loads and speeds."

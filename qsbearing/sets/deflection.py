@@ -121,8 +121,8 @@ class Deflection:
         parts = {} if places.shaft is None else {"shaft": energy}
         for number, row in enumerate(places.of.rows):
             parts[f"row {number + 1}"] = (pressed[number] * loads[number]).sum(axis=1)
-            if row.housing is not None:
-                sinks = row.housing.compliance @ forces[number]
+            if row.housing_stiffness is not None:
+                sinks = row.housing_stiffness.compliance @ forces[number]
                 parts[f"housing {number + 1}"] = (sinks * forces[number]).sum(axis=1)
         for number, one in enumerate(sunk):
             parts[f"support {number + 1}"] = -(one * forces[count + number]).sum(axis=1)

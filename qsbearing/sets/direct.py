@@ -9,7 +9,6 @@ from qsbearing.kernel.shaft import SHAFT, Shafts, shaft_system
 from qsbearing.kernel.solve_sets import solve_set_cases
 from qsbearing.kernel.workspace import BALL, WORKSPACE
 from qsbearing.sets.equilibrium import Stretch
-from qsbearing.sets.rigid_shaft import UNKNOWNS
 from qsbearing.sets.row_cases import Found
 
 
@@ -21,7 +20,7 @@ def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, 
             row by row, offsets counting from where the row touches in operation.
     """
     rows, _, balls = found.controls.shape
-    shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, UNKNOWNS, s.place.copy(), np.zeros(s.count, SHAFT))
+    shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
     # Of displacements that are prescribed, the kernel looks at which ones vanish.
     moving = ~s.held | (s.place != 0.0)
     cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)

@@ -45,9 +45,11 @@ class Ground:
     """S; shape (case, unknown, unknown), or of no case where all is rigid."""
     load: NDArray
     """Of the shaft's own loads; shape (case, unknown)."""
-    planes: tuple[tuple[int, slice], ...] = ()
+    planes: tuple[tuple[int, slice], ...]
     """(number of the plane in `PLANES`, or -1: all together; its elastic unknowns)."""
-    given: int = UNKNOWNS
+    rigid: int
+    """Up to this unknown they are those of rigid bodies: the shaft, rings and sleeves that slide."""
+    given: int
     """From this unknown on they are held at 1: the columns of the shaft's loads."""
     supports: NDArray = field(default_factory=lambda: np.zeros((0, 1, 5, UNKNOWNS)))
     """What displaces each support; shape (support, case, 5, unknown)."""
@@ -75,9 +77,15 @@ def ground_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Ground
         length: makes tilts lengths; shape (case,) [m].
     """
     rigid = np.stack([row_matrix(of, number, shape) for number in range(len(of.rows))])
-    if of.shaft is None and all(row.housing is None for row in of.rows):
-        return Ground(rigid, np.zeros((0, UNKNOWNS, UNKNOWNS)), np.zeros((rigid.shape[1], UNKNOWNS)))
-    return _elastic(of, shape, rigid, length)
+    springs = np.zeros((rigid.shape[1], rigid.shape[-1]))
+    for number, group in enumerate(of.floating, UNKNOWNS):
+        springs[:, number] = np.broadcast_to(np.asarray(group.spring, float), shape).reshape(-1)
+    if of.shaft is None and all(row.housing_stiffness is None for row in of.rows):
+        none = np.zeros((0, rigid.shape[-1], rigid.shape[-1]))
+        return Ground(rigid, none, springs, (), rigid.shape[-1], rigid.shape[-1])
+    ground = _elastic(of, shape, rigid, length)
+    ground.load[:, : springs.shape[1]] += springs
+    return ground
 
 
 class Places:
@@ -112,8 +120,8 @@ class Places:
         """Of rows and supports, housings included; shape (case or 1, place, place, 5, 5)."""
         out = self.flexibility(self.masters, self.masters)
         for number, row in enumerate(self.of.rows):
-            if row.housing is not None:
-                out[:, number, number] += row.housing.compliance
+            if row.housing_stiffness is not None:
+                out[:, number, number] += row.housing_stiffness.compliance
         return out
 
     def shaft_loads(self) -> NDArray:
@@ -152,7 +160,7 @@ def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDA
     places = Places(of, shape)
     count, first = places.count, rigid.shape[-1]
     flexible = places.own_flexibility()
-    coupled = any(row.housing is not None and _couples(row.housing.compliance) for row in of.rows)
+    coupled = any(row.housing_stiffness is not None and _couples(row.housing_stiffness.compliance) for row in of.rows)
     columns, stiffness, planes = [], [], []
     for number, channels in enumerate(TOGETHER if coupled else PLANES):
         some, resists = _modes(flexible, channels, length)
@@ -185,7 +193,7 @@ def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDA
     load = np.zeros((count, total))
     if places.loads:
         load[:, :5] = np.einsum("klji,klj->ki", rigid_motion(places.loaded), forces)
-    return Ground(matrices, elasticity, load, tuple(planes), first, supports)
+    return Ground(matrices, elasticity, load, tuple(planes), rigid.shape[-1], first, supports)
 
 
 def _couples(compliance: NDArray) -> bool:

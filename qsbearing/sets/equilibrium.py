@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
+from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.sets.row_cases import Found, RowCases
 from qsbearing.solution.ring_stiffness import SOFTEST
 
@@ -47,6 +47,8 @@ class Stretch:
     """The values of those, and where the others begin; likewise."""
     elasticity: NDArray
     """S; shape (case, unknown, unknown), or of no case where all but the rows is rigid."""
+    rigid: int
+    """Up to this unknown they are those of rigid bodies."""
     lever: NDArray
     """Makes forces of moments; shape (case,) [m]."""
     step: NDArray
@@ -151,7 +153,7 @@ def _step(s: Stretch, which: NDArray, imbalance: NDArray) -> NDArray:
     scale, held = s.scale(which), s.held[which]
     matrix = s.tangent(which) / scale[:, :, None] / scale[:, None, :]
     matrix[held[:, :, None] | held[:, None, :]] = 0.0
-    size = np.abs(matrix[:, :UNKNOWNS, :UNKNOWNS]).max(axis=(1, 2))
+    size = np.abs(matrix[:, : s.rigid, : s.rigid]).max(axis=(1, 2))
     softest = REGULARISATION * np.where(size > 0.0, size, 1.0)
     diagonal = np.arange(s.unknowns)
     matrix[:, diagonal, diagonal] += np.where(held, 1.0, softest[:, None])

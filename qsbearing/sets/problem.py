@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
 from qsbearing.scene.operation import CHANNELS, TURNING, Operation
+from qsbearing.sets.axial_growth import offset_in_operation
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, ground_of
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
 from qsbearing.sets.outcome import Outcome
-from qsbearing.sets.rigid_shaft import SLIDE, offset_in_operation
+from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
@@ -32,8 +33,7 @@ class Problem:
         scenes = [of.row_scene(number, Operation(**self._turning)) for number in range(len(of.rows))]
         spring = None if of.preload is None else of.preload.spring
         numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
-        if of.shaft is not None:
-            numbers += [of.shaft.temperature, *(value for load in of.shaft.loads for value in load.values)]
+        numbers += of.numbers_around
         shapes = [np.shape(number) for number in numbers if number is not None]
         try:
             self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes))
@@ -110,8 +110,8 @@ class Problem:
         o = self.outcome
         s = Stretch(
             rows, self._load[part], self._held[part], self._begin(cases, part), self.ground.elasticity[part],
-            self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part], o.iterations[part],
-            np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
+            self.ground.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)
@@ -154,7 +154,7 @@ class Problem:
             matrix += np.einsum("kia,ki,kib->kab", own, springs, own)
         force = self._load[part] - np.einsum("kij,kj->ki", matrix, np.where(held, place, 0.0))
         held = held.copy()
-        held[:, [0, SLIDE, *self.ground.unknowns_in(0)]] = True
+        held[:, [0, *range(SLIDE, self.ground.rigid), *self.ground.unknowns_in(0)]] = True
         matrix[held[:, :, None] | held[:, None, :]] = 0.0
         matrix[:, range(place.shape[1]), range(place.shape[1])] += np.where(held, 1.0, 0.0)
         return place + np.linalg.solve(matrix, np.where(held, 0.0, force)[..., None])[..., 0]

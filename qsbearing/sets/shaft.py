@@ -1,4 +1,4 @@
-"""The shaft of a set as it is drawn: sections, loads, supports and named points; and what an outer ring sits in."""
+"""What is around the rows of a set, as it is drawn: shaft, housing, spacers, sleeves."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.ring_expansion_errors import temperature_errors
 from qsbearing.material import STEEL, Material, material_errors
+from qsbearing.scene.preload import Preload
 from qsbearing.units import zero_celsius
 from qsbearing.validation import FORCE, LENGTH, MOMENT, ErrorDetail, Quantity, raise_if_any, within
 
@@ -21,6 +22,8 @@ SPRINGS = (
     *((name, TILT_STIFFNESS) for name in ("tilt_y", "tilt_z")),
 )
 FARTHEST = 10.0
+REFERENCE_TEMPERATURE = 20.0 + zero_celsius
+"""At which lengths and diameters hold unless another is given [K]."""
 STIFFEST = 1e18
 
 
@@ -70,7 +73,7 @@ class ShaftSupport:
 
 
 @dataclass(frozen=True)
-class Housing:
+class HousingStiffness:
     """What an outer ring sits in, as linear springs about the plane of the balls' centres; None is rigid.
 
     Raises:
@@ -99,23 +102,108 @@ class Housing:
         return np.diag([0.0 if stiffness is None else 1.0 / stiffness for stiffness in each])
 
 
-def _housing_errors(of: Housing) -> list[ErrorDetail]:
+def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
     springs = (("axial", STIFFNESS), ("radial", STIFFNESS), ("tilt", TILT_STIFFNESS))
     given = [(name, quantity) for name, quantity in springs if getattr(of, name) is not None]
     if (of.matrix is None) == (not given):
         problem = "is given beside single stiffnesses" if given else "has no stiffness"
-        return [ErrorDetail("housing", problem, cause="Give axial, radial and tilt, or the whole matrix")]
+        return [ErrorDetail("housing_stiffness", problem, cause="Give axial, radial and tilt, or the whole matrix")]
     errors = []
     for name, quantity in given:
-        errors += within(f"housing.{name}", getattr(of, name), quantity, 1.0, STIFFEST)
+        errors += within(f"housing_stiffness.{name}", getattr(of, name), quantity, 1.0, STIFFEST)
     if of.matrix is None:
         return errors
     matrix = np.asarray(of.matrix, float)
     is_one = matrix.shape == (5, 5) and np.isfinite(matrix).all() and bool(np.allclose(matrix, matrix.T, 1e-9, 0.0))
     if not is_one or np.linalg.eigvalsh(matrix)[0] <= 0.0:
         cause = "A symmetric, positive definite matrix of shape (5, 5), in N/m, N/rad and N m/rad"
-        return [ErrorDetail("housing.matrix", "is no stiffness", cause=cause)]
+        return [ErrorDetail("housing_stiffness.matrix", "is no stiffness", cause=cause)]
     return errors
+
+
+@dataclass(frozen=True)
+class Housing:
+    """The body that outer rings are in, as it grows along the shaft; SI units.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    temperature: ArrayLike | None = None
+    """[K]; None: the reference temperature."""
+    material: Material = STEEL
+    reference_temperature: float = REFERENCE_TEMPERATURE
+
+    def __post_init__(self) -> None:
+        errors = material_errors("housing.material", self.material) + _temperatures("housing", self)
+        if self.temperature is not None and not errors and self.material.thermal_expansion is None:
+            errors.append(ErrorDetail("housing.material.thermal_expansion", "missing: the housing has a temperature"))
+        raise_if_any(errors)
+
+    @property
+    def strain(self) -> NDArray:
+        """alpha dT."""
+        if self.temperature is None:
+            return np.zeros(())
+        warmer = np.asarray(self.temperature, float) - self.reference_temperature
+        return np.asarray(np.asarray(self.material.thermal_expansion, float) * warmer)
+
+
+@dataclass(frozen=True)
+class Spacer:
+    """Sleeves between two rows, on the shaft and in the housing; SI units, lengths and temperatures may be arrays.
+
+    Both lengths given, their difference parts the inner rings further than the outer ones: it presses the pair, or
+    releases it. One of them alone only grows.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    rows: tuple[int, int]
+    """The two rows, which count from 1."""
+    inner_length: ArrayLike | None = None
+    """[m]; None: there is none, the shaft parts the rows."""
+    outer_length: ArrayLike | None = None
+    """[m]; None: likewise, the housing."""
+    inner_material: Material = STEEL
+    outer_material: Material = STEEL
+    inner_temperature: ArrayLike | None = None
+    """[K]; None: as the shaft."""
+    outer_temperature: ArrayLike | None = None
+    """[K]; None: as the housing."""
+
+    def __post_init__(self) -> None:
+        errors: list[ErrorDetail] = []
+        for side in ("inner", "outer"):
+            length, temperature = getattr(self, f"{side}_length"), getattr(self, f"{side}_temperature")
+            errors += [] if length is None else within(f"spacer.{side}_length", length, LENGTH, 0.0, FARTHEST)
+            errors += material_errors(f"spacer.{side}_material", getattr(self, f"{side}_material"))
+            errors += [] if temperature is None else temperature_errors(f"spacer.{side}_temperature", temperature)
+        if self.inner_length is None and self.outer_length is None:
+            errors.append(ErrorDetail("spacer", "has no length", cause="Give inner_length, outer_length or both"))
+        raise_if_any(errors)
+
+
+@dataclass(frozen=True)
+class FloatingGroup:
+    """Rows whose outer rings sit in one sleeve that slides along the housing; SI units.
+
+    The housing holds it radially alone: what the rows carry axially adds up to the spring's force.
+
+    Raises:
+        SceneError: a force that is no number.
+    """
+
+    rows: tuple[int, ...]
+    """They count from 1."""
+    spring: ArrayLike = 0.0
+    """Force of a spring on the sleeve, in +x [N]; it stays what it is. 0: the group floats."""
+    preload: Preload | None = None
+    """That of its rows against each other; None: the set's."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(within("floating.spring", self.spring, FORCE, -1e8, 1e8))
 
 
 @dataclass(frozen=True)
@@ -138,7 +226,7 @@ class Shaft:
     """Positions [m] at which deflection and stiffness are asked, by their names, such as the tool's."""
     temperature: ArrayLike | None = None
     """[K]; None: the reference temperature."""
-    reference_temperature: float = 20.0 + zero_celsius
+    reference_temperature: float = REFERENCE_TEMPERATURE
     """At which all lengths and diameters hold [K]."""
 
     def __post_init__(self) -> None:
@@ -156,10 +244,10 @@ class Shaft:
         warmer = np.asarray(self.temperature, float) - self.reference_temperature
         return np.stack([warmer * float(each.material.thermal_expansion) for each in self.sections], axis=-1)  # type: ignore[arg-type]
 
-    def section_at(self, position: float) -> ShaftSection:
-        """That which a position is in; the later one of two that meet there."""
-        number = int(np.searchsorted(self.ends, position, side="right")) - 1
-        return self.sections[min(max(number, 0), len(self.sections) - 1)]
+    def section_number(self, position: ArrayLike) -> int:
+        """Which section, from 0, a position is in; the later one of two that meet there."""
+        number = int(np.searchsorted(self.ends, float(np.ravel(position)[0]), side="right")) - 1
+        return min(max(number, 0), len(self.sections) - 1)
 
 
 def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
@@ -184,9 +272,7 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
         broken |= bool(errors)
         yield from errors
     yield from within("shaft.start", of.start, LENGTH, -FARTHEST, FARTHEST)
-    for name in ("temperature", "reference_temperature"):
-        if getattr(of, name) is not None:
-            yield from temperature_errors(f"shaft.{name}", getattr(of, name))
+    yield from _temperatures("shaft", of)
     numbers: tuple[tuple[str, Any, Any], ...] = (("load", of.loads, LOADS), ("support", of.supports, SPRINGS))
     for kind, each, channels in numbers:
         for number, one in enumerate(each, 1):
@@ -209,3 +295,8 @@ def outside(of: Shaft, positions: list[tuple[str, Any]]) -> list[ErrorDetail]:
         for path, position in positions
         for error in within(f"{path}.position", position, LENGTH, low - slack, high + slack, problem)
     ]
+
+
+def _temperatures(path: str, of: Shaft | Housing) -> list[ErrorDetail]:
+    given = [name for name in ("temperature", "reference_temperature") if getattr(of, name) is not None]
+    return [error for name in given for error in temperature_errors(f"{path}.{name}", getattr(of, name))]

@@ -234,8 +234,8 @@ PLANTED = {
     ),
     "rows of a set displaced without their offset": (
         "qsbearing/sets/solve.py",
-        "[np.asarray(row.offset, float) + common[row.sign] for row in of.rows]",
-        "[common[row.sign] + 0.0 * np.asarray(row.offset, float) for row in of.rows]",
+        "np.asarray(row.offset, float) + by + give",
+        "0.0 * np.asarray(row.offset, float) + by + give",
         SOLUTION,
     ),
     "groove of the catalogue, digits swapped": (
@@ -359,8 +359,14 @@ PLANTED |= {
     ),
     "a half-plane's part left in the give": (
         "qsbearing/effects/ring_compliance.py",
-        "local = 2.0 * radius",
-        "local = 0.0 * radius",
+        "local = 2.0 * np.asarray(radius, float)",
+        "local = 0.0 * np.asarray(radius, float)",
+        RING,
+    ),
+    "shoulders left out": (
+        "qsbearing/effects/ring_section.py",
+        "for shoulder in shoulders:",
+        "for shoulder in (0.0, 0.0):",
         RING,
     ),
     # In the model, seen by the sector.

@@ -32,11 +32,11 @@ def bare(shaft: qs.Shaft, **operation: Any) -> qs.SetSolution:
 
 
 def spindle(
-    of: qs.Shaft | None, *, housing: qs.Housing | None = None, speed: float = 0.0, **parts: Any
+    of: qs.Shaft | None, *, housing: qs.HousingStiffness | None = None, speed: float = 0.0, **parts: Any
 ) -> qs.BearingSet:
     """Two pairs back to back, 150 mm apart."""
     rows = tuple(
-        qs.Row(S6210C, at, carries, housing=housing)
+        qs.Row(S6210C, at, carries, housing_stiffness=housing)
         for at, carries in ((0.0, "+x"), (0.02, "-x"), (0.15, "+x"), (0.17, "-x"))
     )
     choices = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
@@ -117,7 +117,7 @@ def test_a_stepped_shaft_on_springs_agrees_with_finite_elements_of_another_progr
 
 @pytest.mark.parametrize("speed", [0.0, 12_000 * qs.rpm])
 def test_rows_carry_what_is_applied(speed: float) -> None:
-    housing = qs.Housing(axial=4e8, radial=6e8, tilt=5e5)
+    housing = qs.HousingStiffness(axial=4e8, radial=6e8, tilt=5e5)
     found = qs.solve_set(spindle(SHAFT, housing=housing, speed=speed, operation={"radial_load_z": 250.0}))
     forces, moments = np.array([-200.0, 400.0, -150.0 + 250.0]), np.array([0.0, 3.0, 5.0])
     moments = moments + np.cross([-0.07, 0, 0], [-200.0, 400.0, -150.0]) + np.cross([0.085, 0, 0], [0, 0, 250.0])
@@ -132,7 +132,7 @@ def test_rows_carry_what_is_applied(speed: float) -> None:
 
 def test_each_ring_stands_where_shaft_and_housing_have_it() -> None:
     """Recomputed from the deflection line and each row's own load on its housing."""
-    found = qs.solve_set(spindle(SHAFT, housing=qs.Housing(axial=4e8, radial=6e8, tilt=5e5)))
+    found = qs.solve_set(spindle(SHAFT, housing=qs.HousingStiffness(axial=4e8, radial=6e8, tilt=5e5)))
     preloaded = [float(each) for each in found._ground.matrices[:, 0, 0, 0]]
     assert preloaded == [1.0, -1.0, 1.0, -1.0]
     for row, solution in zip(found.set.rows, found.rows, strict=True):
@@ -185,7 +185,7 @@ def test_the_reference_is_only_where_answers_are_meant() -> None:
 
 def test_a_loads_work_is_shared_by_all_that_gives_way_and_is_reciprocal() -> None:
     support = qs.ShaftSupport(0.2, radial_y=2e7, radial_z=2e7)
-    of = spindle(replace(SHAFT, supports=(support,)), housing=qs.Housing(radial=6e8, axial=4e8))
+    of = spindle(replace(SHAFT, supports=(support,)), housing=qs.HousingStiffness(radial=6e8, axial=4e8))
     found = qs.solve_set(of)
     tool = found.points["tool"]
     assert set(tool.shares) == {
@@ -212,13 +212,13 @@ def test_what_a_load_at_one_place_moves_at_another_is_mutual() -> None:
 
 
 def test_a_preload_is_what_rows_carry_however_soft_their_housing() -> None:
-    found = qs.solve_set(spindle(replace(SHAFT, loads=()), housing=qs.Housing(axial=2e7)))
+    found = qs.solve_set(spindle(replace(SHAFT, loads=()), housing=qs.HousingStiffness(axial=2e7)))
     assert found.axial_loads == pytest.approx(np.full(4, 750.0), rel=1e-9)
     assert found.preload_unmounted == pytest.approx(np.full(4, 750.0), rel=1e-9)
 
 
 def test_a_housing_is_in_series_with_its_row() -> None:
-    row = qs.Row(S6210C, 0.0, housing=qs.Housing(axial=5e7))
+    row = qs.Row(S6210C, 0.0, housing_stiffness=qs.HousingStiffness(axial=5e7))
     found = qs.solve_set(qs.BearingSet((row,), qs.Operation(axial_load=800.0)))
     alone = qs.solve_set(qs.BearingSet((qs.Row(S6210C, 0.0),), qs.Operation(axial_load=800.0)))
     assert found.displacement[0] == pytest.approx(alone.displacement[0] + 800.0 / 5e7, rel=1e-9)
@@ -237,8 +237,10 @@ def test_a_housing_that_couples_planes_turns_with_the_load() -> None:
     along_y = replace(SHAFT, loads=(qs.ShaftLoad(-0.07, radial_y=400.0),))
     along_z = replace(SHAFT, loads=(qs.ShaftLoad(-0.07, radial_z=400.0),))
     quarter = qs.Operation(moment_y=0.0, moment_z=0.0, first_ball_azimuth=0.5 * np.pi)
-    one = qs.solve_set(spindle(along_y, housing=qs.Housing(matrix=soft)))
-    other = qs.solve_set(replace(spindle(along_z, housing=qs.Housing(matrix=turn @ soft @ turn.T)), operation=quarter))
+    one = qs.solve_set(spindle(along_y, housing=qs.HousingStiffness(matrix=soft)))
+    other = qs.solve_set(
+        replace(spindle(along_z, housing=qs.HousingStiffness(matrix=turn @ soft @ turn.T)), operation=quarter)
+    )
     assert abs(one.deflection(-0.07)[0, 2]) > 1e-3 * abs(one.deflection(-0.07)[0, 1])
     assert turn @ one.deflection(-0.07)[0] == pytest.approx(other.deflection(-0.07)[0], rel=1e-8, abs=1e-16)
 
@@ -259,7 +261,8 @@ def test_a_spindle_warm_throughout_is_a_larger_one() -> None:
         resting = qs.Operation(moment_y=0.0, moment_z=0.0)
         return qs.solve_set(qs.BearingSet(rows, resting, shaft=shaft, ring_effects=effects))
 
-    warm = pair(B218, 1.0, similarity.warm_fits(), similarity.HOT)
+    rings = dict.fromkeys(("inner_ring", "outer_ring", "housing"), similarity.HOT)
+    warm = pair(B218, 1.0, similarity.warm_fits(**rings), similarity.HOT)
     large = pair(similarity.grown(), s, similarity.cold_fits(), None)
     assert warm.deflection(-0.08)[0] == pytest.approx(large.deflection(-0.08 * s)[0], rel=1e-9, abs=1e-16)
     assert warm.axial_loads == pytest.approx(large.axial_loads, rel=1e-9)
@@ -287,4 +290,4 @@ def test_every_error_of_a_shaft_is_named_at_once() -> None:
         spindle(qs.Shaft((qs.ShaftSection(0.1, 0.05),)))
     for wrong in ({}, {"axial": 1e8, "matrix": np.eye(5)}, {"matrix": -np.eye(5)}, {"radial": -1.0}):
         with pytest.raises(qs.SceneError):
-            qs.Housing(**wrong)
+            qs.HousingStiffness(**wrong)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.sets.axial_growth import growth_along
 from qsbearing.sets.preload_limits import preload_summary
-from qsbearing.sets.rigid_shaft import growth_along
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
 from tests.sets.arrangements import DISTANCE, S6210C, S6210E, pair, printed, rows, solved, spindle, with_load
