@@ -12,6 +12,7 @@ from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.scene_file import document_of, heated, operation_of, preload_of, scene_of
+from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS, SHAFT
@@ -62,6 +63,8 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     Raises:
         SceneFileError: everything that is wrong with it.
     """
+    if "spectrum" in document:
+        return over_spectrum(document, file, label, set_of)
     errors: Errors = []
     document, thermal = heated(with_diameters(document), errors)
     _find_unknown_tables(document, errors)

@@ -84,12 +84,12 @@ def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
 
 
 def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:
-    """One row per ball of every row of a single case, rows counting from 1; the shaft's values follow on each.
+    """One row per ball of every row of every case, rows counting from 1; the shaft's values follow on each.
 
     Rows that differ in what they have leave cells empty.
     """
     shaft = {
-        f"shaft_{kind}_{key}": values[i] / size
+        f"shaft_{kind}_{key}": values[..., i] / size
         for kind, keys, values in (
             ("displacement", DISPLACEMENT, solution.displacement),
             ("load", LOAD, solution.load),
@@ -110,6 +110,8 @@ def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[
     row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
     of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size
-    first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))
+    case = tuple(own[f"case_{axis}"] for axis in range(len(solution.shape)))
+    first = {name: np.full(count, value) for name, value in of_row.items()}
+    last = {name: np.full(count, value[case]) for name, value in shaft.items()}
     first["carries"] = np.array([row.carries] * count, object)
     return first | own | last
