@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from numpy import recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.effects.raceway_control import INNER, MINIMUM_DISSIPATION, weight_slopes
 from qsbearing.kernel.ball_size import ball_inertia, ball_mass
@@ -93,7 +93,7 @@ def axis_by_g(ball: recarray, weight: float) -> float:
     return -1.0 if ball.control == INNER else 1.0
 
 
-@kernel
+@inlined
 def inner_share_slope(case: recarray, ball: recarray) -> float:
     """d lambda_i/dw; what the outer raceway's share loses."""
     if ball.control != MINIMUM_DISSIPATION or not case.gyroscopic:
