@@ -67,7 +67,7 @@ def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
         da1, da2 = inner_groove_step(case, work.step, ball.cosine, ball.sine)
         if case.elastic_rings:
             da2 -= ball.give_step
-        farthest = max(farthest, abs(da1), abs(da2))
+        farthest = max(farthest, max(abs(da1), abs(da2)))
         ball.inner_step1, ball.inner_step2 = ball.closure1 + da1, ball.closure2 + da2
         outer = 0.0
         if not work.at_rest:

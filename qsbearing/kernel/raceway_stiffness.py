@@ -88,4 +88,6 @@ def contact_loads(case: recarray, ball: recarray) -> tuple[float, float]:
     """(Qi, Qo) of a ball between its two contacts."""
     ki, _ = groove_stiffness(case, ball, INNER_SIDE, ball.inner_sine, ball.inner_cosine)
     ko, _ = groove_stiffness(case, ball, OUTER_SIDE, ball.outer_sine, ball.outer_cosine)
-    return contact_load(ki, ball.inner_approach)[0], contact_load(ko, ball.outer_approach)[0]
+    inner, _ = contact_load(ki, ball.inner_approach)
+    outer, _ = contact_load(ko, ball.outer_approach)
+    return inner, outer
