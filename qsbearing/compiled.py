@@ -208,18 +208,23 @@ def entry(function: F) -> F:
     return cast(F, dispatcher)
 
 
+def _load_alone(cache: Any, signature: Any, target: Any) -> Any:
+    """As `load_overload` does, but numba does not first take in all that it can compile: a fifth of a start's time."""
+    with cache._guard_against_spurious_io_errors():
+        return cache._load_overload(signature, target)
+
+
 def _keep_to(folder: str, dispatcher: Any) -> None:
     """Cache there only, for the user alone; a damaged file is said and compiled anew, where numba would end in an error
     of pickle."""
     cache = dispatcher._cache
     if not Path(cache.cache_path).is_relative_to(folder):  # numba's own choice of another, which nobody has looked at
         cache.disable()
-    # `load_overload` would first have numba take in all that it can compile: a fifth of a start's time, for nothing.
-    load, save = cache._load_overload if _BUILDS_PARTS else cache.load_overload, cache.save_overload
+    load, save = _load_alone if _BUILDS_PARTS else type(cache).load_overload, cache.save_overload
 
     def load_or_discard(signature: Any, target: Any) -> Any:
         try:
-            return load(signature, target)
+            return load(cache, signature, target)
         except Exception as error:  # a damaged pickle may raise anything
             what = f"{type(error).__name__}: {error}"
             print(f"qsbearing: a file in {folder} is damaged ({what}): it is compiled again", file=sys.stderr)
