@@ -11,13 +11,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable
 from dataclasses import dataclass
+from math import cos
 from typing import Any
 
 import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array
+from fem_check.drawing import Drawing
 from fem_check.half_space_sector import HalfSpaceSector
+from fem_check.ring_sections import RingProfile
 from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, ring_sections, solved
 from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
@@ -119,8 +122,13 @@ def sector_bearing(scene_name: str) -> SectorBearing:
     return SectorBearing(drawing_of(scene, scene_name), ball_count(scene_name), ring_sections(scene, scene_name))
 
 
-def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> qsbearing.Solution:
+def model(
+    scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool, free_outer_ring: bool = False
+) -> qsbearing.Solution:
     """The quasi-static model at an operating point: equal balls; at speed outer control and their inertia.
+
+    Args:
+        free_outer_ring: the outer ring gives way as one whose outside diameter is free; else both rings are rigid.
 
     Raises:
         SceneProblemError: the model has no solution there with both raceways loaded.
@@ -131,6 +139,12 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
         effects = (qsbearing.CentrifugalForce(),)
         if gyroscopic_moment:
             effects = (*effects, qsbearing.GyroscopicMoment())
+    left_out = (qsbearing.BallDiameterDeviations, qsbearing.ElasticRings)
+    ring_effects: tuple[Any, ...] = tuple(each for each in scene.ring_effects if not isinstance(each, left_out))
+    if free_outer_ring:
+        bearing = sector_bearing(scene_name)
+        profile = bearing.sections.profile(bearing.drawing, "outer")
+        ring_effects = (*ring_effects, free_ring(bearing.drawing, profile))
     solution = qsbearing.solve(
         dataclasses.replace(
             scene,
@@ -139,12 +153,29 @@ def model(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) ->
             raceway_control=qsbearing.RacewayControl.OUTER if effects else None,
             preload=None,
             orbit_radius=qsbearing.OrbitRadius.PITCH_CIRCLE,
-            ring_effects=tuple(each for each in scene.ring_effects if each is not scene.ball_diameter_deviations),
+            ring_effects=ring_effects,
         )
     )
     if not float(solution.inner.load[0]) > 0.0:
         raise SceneProblemError(f"{scene_name} at {point.label}: the model gives the inner raceway no load")
     return solution
+
+
+def free_ring(drawing: Drawing, profile: RingProfile) -> qsbearing.ElasticRings:
+    """The effect that lets the outer ring give way as one whose outside diameter is free."""
+    centre, radius = drawing.outer_groove_centre_radius, drawing.outer_groove_radius
+    shoulder, opposite = (
+        2.0 * (centre + radius * cos(angle)) for angle in (profile.high_shoulder, profile.low_shoulder)
+    )
+    return qsbearing.ElasticRings(
+        outside_diameter=2.0 * profile.back_radius, outer_width=profile.width, housing="free",
+        outer_shoulder_diameter=shoulder, outer_open_diameter=opposite,
+    )  # fmt: skip
+
+
+def with_free_ring(scene_name: str, point: OperatingPoint) -> dict[str, float]:
+    """What the model computes at a point where its outer ring gives way as a free one, by quantity."""
+    return _of_model(model(scene_name, point, gyroscopic_moment=False, free_outer_ring=True))
 
 
 def nearest(solution: qsbearing.Solution) -> qsbearing.Solution:

@@ -35,7 +35,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
 
             near = difflib.get_close_matches(page, pages, 1)
             refuse(f"no topic {page}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
-        text = pages[page].part(section) if section else pages[page].text
+        text = pages[page].plain(section)
         if not text:
             refuse(f"no section {section} in {page}")
     if target is not None or is_opened:

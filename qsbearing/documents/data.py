@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from qsbearing.documents import model
+from qsbearing.documents.formula import forms, split
 from qsbearing.documents.inline import runs
 
 Plain = dict[str, Any]
@@ -57,6 +58,9 @@ def _block(block: model.Block, level: int, pictures: list[model.Picture]) -> Pla
             return {"is": "list", "items": [runs(item) for item in block.items], "numbered": block.numbered}
         case model.Code():
             return {"is": "code", "text": block.text, "language": block.language}
+        case model.Formula():
+            latex, number = split(block.latex)
+            return {"is": "formula", "number": number, **forms(latex, True)}
         case model.Remark():
             return {"is": "remark", "text": runs(block.text), "status": block.status}
         case model.Facts():

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from qsbearing.documents.formula import in_text
 from qsbearing.documents.markdown import Links, sections
 from qsbearing.documents.model import Document, Section, anchor_of
 
@@ -35,9 +36,12 @@ class Page:
             text = text.replace(mark, lines()) if mark in text else text
         return re.sub(r"<!--.*?-->\n?", "", text, flags=re.DOTALL)
 
-    def part(self, section: str) -> str:
-        """One of its sections, by the name that links give it; empty where there is none."""
-        parts = re.split(r"^(?=## )", self.text, flags=re.MULTILINE)
+    def plain(self, section: str = "") -> str:
+        """It, or one of its sections by the name that links give it, with its formulas as lines of text; empty where
+        there is no such section."""
+        if not section:
+            return in_text(self.text)
+        parts = re.split(r"^(?=## )", in_text(self.text), flags=re.MULTILINE)
         return next((each for each in parts if anchor_of(each.partition("\n")[0]) == section), "")
 
 

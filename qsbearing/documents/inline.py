@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from qsbearing.documents.formula import forms
 from qsbearing.documents.model import Md
 
 STYLES = {"strong_open": "strong", "em_open": "emph", "s_open": "strike"}
@@ -13,14 +14,15 @@ Run = dict[str, Any]
 
 @cache
 def parser() -> Any:
-    """The Markdown parser, with tables."""
+    """The Markdown parser, with tables, and with formulas between dollars."""
     from markdown_it import MarkdownIt
+    from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-    return MarkdownIt("commonmark").enable("table")
+    return MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, allow_space=False, allow_digits=False)
 
 
 def runs(text: str) -> list[Run]:
-    """Text as runs: {"text", "styles", "href"}; plain text is one of them."""
+    """Text as runs: {"text", "styles", "href"}, a formula with "math", its forms; plain text is one run."""
     if not isinstance(text, Md):
         return [{"text": text, "styles": [], "href": None}]
     return runs_of(parser().parseInline(text)[0].children)
@@ -40,10 +42,14 @@ def runs_of(tokens: Any) -> list[Run]:
             href = token.attrGet("href")
         elif token.type == "link_close":
             href = None
+        elif token.type == "math_inline":
+            found.append(
+                {"text": forms(token.content)["text"], "styles": [], "href": href, "math": forms(token.content)}
+            )
         elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
             content = token.content if token.content else " "
             kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
-            if found and found[-1]["styles"] == kinds and found[-1]["href"] == href:
+            if found and "math" not in found[-1] and found[-1]["styles"] == kinds and found[-1]["href"] == href:
                 found[-1]["text"] += content
             else:
                 found.append({"text": content, "styles": kinds, "href": href})

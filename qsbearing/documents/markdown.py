@@ -13,6 +13,7 @@ from qsbearing.documents.model import (
     Bullets,
     Cell,
     Code,
+    Formula,
     Md,
     Paragraph,
     Picture,
@@ -23,6 +24,8 @@ from qsbearing.documents.model import (
 )
 
 FORMS = (".svg", ".png")
+LINE = 60
+"""Letters in a row of text beyond which a narrow page stacks its cells."""
 Links = Callable[[str], str | None]
 """From a page's link to where it points in the document; None where the document has no such place."""
 
@@ -87,6 +90,9 @@ class _Page:
         if token.type in ("fence", "code_block"):
             self.at += 1
             return [Code(token.content.rstrip("\n"), token.info.split()[0] if token.info else "")]
+        if token.type == "math_block":
+            self.at += 1
+            return [Formula(token.content.strip())]
         if token.type in ("bullet_list_open", "ordered_list_open"):
             return [self.bullets()]
         if token.type == "table_open":
@@ -137,7 +143,9 @@ class _Page:
         width = len(headings)
         if len(align) != width:  # the page says nothing: numbers to the right
             align = "".join("r" if _are_numbers([row[i] for row in rows[1:]]) else "l" for i in range(width))
-        return Table([Md(heading) for heading in headings], rows[1:], align)
+        longest = max((sum(map(len, map(str, row))) for row in rows), default=0)
+        is_text = longest > LINE and align.count("r") <= width // 2
+        return Table([Md(heading) for heading in headings], rows[1:], align, stack=is_text)
 
     def line(self, inline: Any) -> Md:
         """A line's Markdown, its links led into the document; one that leads nowhere there is left as text."""

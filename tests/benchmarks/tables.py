@@ -24,10 +24,10 @@ HARD_CASES = Path(__file__).parents[1] / "hard_cases" / "table.json"
 
 QUANTITIES = {
     "approach": "approach",
-    "semi_major_axis": "a",
-    "semi_minor_axis": "b",
-    "max_pressure": "p0",
-    "max_shear_stress": "τmax",
+    "semi_major_axis": "$a$",
+    "semi_minor_axis": "$b$",
+    "max_pressure": "$p_0$",
+    "max_shear_stress": r"$\tau_{max}$",
 }
 HALF_SPACE_CHECKS = (
     "sphere_on_plane",
@@ -143,12 +143,12 @@ def true_geometry() -> str:
 
 
 SECTOR = {
-    "inner load": "Qi, %",
-    "inner angle": "αi, deg",
-    "outer angle": "αo, deg",
-    "inner semi_major_axis": "a inner, %",
-    "inner semi_minor_axis": "b inner, %",
-    "inner max_pressure": "p0 inner, %",
+    "inner load": r"$Q_i$, %",
+    "inner angle": r"$\alpha_i$, deg",
+    "outer angle": r"$\alpha_o$, deg",
+    "inner semi_major_axis": "$a$ inner, %",
+    "inner semi_minor_axis": "$b$ inner, %",
+    "inner max_pressure": "$p_0$ inner, %",
 }
 
 
@@ -181,7 +181,7 @@ def gyroscopic_moment() -> str:
     for name, each in scenes.items():
         solution = qs.solve(each)
         rows.append([name, *(f"{angle[0] / qs.deg:.2f}" for angle in (solution.inner.angle, solution.outer.angle))])
-    return markdown(["", "αi, deg", "αo, deg"], rows)
+    return markdown(["", r"$\alpha_i$, deg", r"$\alpha_o$, deg"], rows)
 
 
 def campaigns() -> str:

@@ -92,7 +92,8 @@ def bearing_sector() -> dict[str, Any]:
     loads = [load for held in series.values() for one in held.values() for load in one["load_N"]]
 
     def of(held: str, *names: str) -> list[float]:
-        every = [one for name, by_speed in series.items() if name.startswith(held) for one in by_speed.values()]
+        own = [name for name in series if name.startswith(held) and "in the model" not in name]
+        every = [one for name in own for one in series[name].values()]
         return span(x for one in every for name in names for x in one[name]["deviation"])
 
     found: dict[str, Any] = {"load_N": span(loads), "speed_rpm": speeds.pop()}

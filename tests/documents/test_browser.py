@@ -7,12 +7,33 @@ from pathlib import Path
 
 import pytest
 
+from qsbearing.cli.guide import LISTS
+from qsbearing.documents.guide import document as whole_guide
 from qsbearing.documents.html import html
 from tests.documents.browser import Browser, installed
 from tests.documents.example import document
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 
+OVERFLOWS = """
+[...document.querySelectorAll('main *, header *, nav *')].filter(e => {
+  const box = e.getBoundingClientRect();
+  if (!box.width || e.closest('svg') && e.tagName !== 'svg') return false;
+  for (let p = e.parentElement; p; p = p.parentElement) {
+    if (getComputedStyle(p).overflowX !== 'visible') return false;  // scrolls on its own
+    const own = p.getBoundingClientRect();
+    if (p.tagName === 'BODY') return box.right > document.documentElement.clientWidth + 1;
+    if (own.width && (box.right > own.right + 1 || box.left < own.left - 1)
+        && !e.closest('math, .skip') && getComputedStyle(e).display !== 'inline') return true;
+  }
+  return false;
+}).map(e => e.outerHTML.slice(0, 200))
+"""
+"""Elements wider than what holds them, unless that scrolls."""
+DEAD = (
+    "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => a.getAttribute('href').slice(1))"
+    ".filter(name => !document.getElementById(name))"
+)
 NAMES = (
     "[...document.querySelectorAll('table[data-tools] tbody tr')].filter(r => r.checkVisibility())"
     ".map(r => r.cells[0].textContent)"
@@ -71,6 +92,50 @@ def test_a_page_is_whole_without_scripts(browser: Browser, page: Path) -> None:
 def test_no_page_is_wider_than_its_window(browser: Browser, page: Path, width: int) -> None:
     browser.open(page, width=width)
     assert browser.value(WIDE) <= width
+
+
+@pytest.fixture(scope="module")
+def guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("guide") / "guide.html"
+    path.write_text(html(whole_guide("0", lists=LISTS)), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("width", [390, 768, 1280])
+def test_nothing_of_the_guide_is_wider_than_what_holds_it(browser: Browser, guide: Path, width: int) -> None:
+    browser.open(guide, width=width)
+    assert browser.value(WIDE) <= width
+    assert browser.value(OVERFLOWS) == []
+    assert browser.complaints == []
+
+
+def test_formulas_of_the_guide_are_drawn_and_links_lead_somewhere(browser: Browser, guide: Path) -> None:
+    """A numerator is above its denominator, an index lower than its base: the browser knows MathML."""
+    browser.open(guide)
+    assert browser.value(DEAD) == []
+    assert browser.value("document.querySelectorAll('math').length") > 150
+    assert browser.value(
+        "[...document.querySelectorAll('mfrac')].every(e => e.children[0].getBoundingClientRect().bottom"
+        " <= e.children[1].getBoundingClientRect().top + 1)"
+    )
+    assert browser.value(
+        "[...document.querySelectorAll('msub')].every(e => e.children[1].getBoundingClientRect().bottom"
+        " > e.children[0].getBoundingClientRect().bottom - 1)"
+    )
+
+
+def test_the_contents_mark_the_section_being_read(browser: Browser, guide: Path) -> None:
+    browser.open(guide)
+    browser.value("document.getElementById('symbols').scrollIntoView()")
+    browser.value("new Promise(done => setTimeout(done, 100))")
+    marked = "[...document.querySelectorAll('nav a[aria-current]')].map(a => a.hash)"
+    assert browser.value(marked) == ["#symbols"]
+
+
+def test_an_element_that_is_too_wide_is_found(browser: Browser, page: Path) -> None:
+    page.write_text(page.read_text().replace('<main id="start">', '<main id="start"><p style="width: 900px">wide</p>'))
+    browser.open(page, width=390)
+    assert any("wide" in each for each in browser.value(OVERFLOWS))
 
 
 def test_the_browser_hears_complaints(browser: Browser, tmp_path: Path) -> None:

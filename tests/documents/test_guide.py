@@ -35,7 +35,7 @@ def test_topics_are_the_pages() -> None:
 def test_every_page_is_printed(topic: str) -> None:
     result = call(topic)
     assert result.exit_code == 0
-    words = re.findall(r"[a-z]{5,}", topics()[topic].text)
+    words = re.findall(r"[a-z]{5,}", topics()[topic].plain())
     assert words[-1] in result.output
     assert "<!--" not in result.output
 

@@ -151,6 +151,34 @@ def test_the_limit_of_light_loads_can_fail():
     assert set(verdicts(wrong).values()) == {"fail"}
 
 
+def test_what_a_free_ring_adds_is_judged_against_elastic_rings(monkeypatch):
+    """On the release record's displacements; then with a ring that grows 10 % less."""
+    record = json.loads((records_store.FOLDER / "release" / "bearing_sector.json").read_text())
+    name = "axial_displacement"
+    found = {row["case"]: row for row in record["rows"] if row["quantity"] == name}
+
+    def studied(point, support, model):
+        row = found[f"{point.label}, outside diameter {support}"]
+        uncertainty = {name: abs(row["uncertainty_percent"] / 100.0 * row["reference"])}
+        compared = SimpleNamespace(model=model, found={name: row["found"]})
+        return SimpleNamespace(point=point, compared=compared, uncertainty=uncertainty)
+
+    def rows():
+        for point in bearing_sector.POINTS[Level.RELEASE]:
+            rigid = {name: float(sector_comparison.model("b218", point, gyroscopic_moment=False).displacement[0])}
+            grown = sector_comparison.with_free_ring("b218", point)
+            yield bearing_sector.grown_row(
+                *(studied(point, s, m) for s, m in (("rigid", rigid), ("free", rigid), ("free", grown)))
+            )
+
+    judged = list(rows())
+    assert [row.verdict for row in judged] == ["pass"] * 8
+    assert judged[-1].reference > 0.2  # a quarter of the displacement
+    real = qsbearing.ElasticRings
+    monkeypatch.setattr(qsbearing, "ElasticRings", lambda **given: real(**given | {"outer_width": 0.033}))
+    assert {row.verdict for row in list(rows())[4:]} == {"fail"}
+
+
 def test_a_moment_without_friction_is_refused(sector):
     with pytest.raises(ValueError, match="friction"):
         sector.solve(SectorLoad(17800.0, POINT.speed, gyroscopic_moment=True))

@@ -10,8 +10,9 @@ from qsbearing.documents.model import Bullets, Md, Section
 SECTOR = "bearing_sector"
 
 LIMITS = (
-    "Rings are rigid but for their contacts. A loose or thin housing lets the outer ring grow: see "
-    "[the sector with its outside diameter free](#check-bearing-sector), where that matters more than all else.",
+    "Rings are rigid but for their contacts unless the effect elastic_rings describes them. A loose or thin housing "
+    "lets the outer ring grow: see [the sector with its outside diameter free](#check-bearing-sector), where that "
+    "matters more than all else.",
     "Raceway control is a hypothesis, and so is the friction that carries the gyroscopic moment; each result states "
     "the friction coefficient that it needs.",
     "No lubricant film, cage force or friction loss acts on the balls; temperatures are given, not computed.",

@@ -1,5 +1,6 @@
 "use strict";
-// Sorting and filtering of the tables marked for it. Without this script they are whole and in their own order.
+// Sorting and filtering of the tables marked for it, and the section being read marked in the contents. Without this
+// script tables are whole and in their own order.
 (() => {
   const number = (text) => {
     const found = text.replace(/\u2212/g, "-").match(/^\s*[±<>≤]?\s*([+-]?\d[\d,]*\.?\d*(?:e[+-]?\d+)?)/i);
@@ -73,6 +74,20 @@
     filter();
   };
   document.querySelectorAll("table[data-tools]").forEach(prepare);
+  // The contents mark the section being read: the last whose heading has passed the top third of the window.
+  const entries = [...document.querySelectorAll("nav a")].map((link) => [link, document.getElementById(link.hash.slice(1))]);
+  const mark = () => {
+    const passed = entries.filter(([, heading]) => heading.getBoundingClientRect().top < window.innerHeight / 3);
+    const [current] = passed.at(-1) || [];
+    entries.forEach(([link]) => (link === current ? link.setAttribute("aria-current", "true") : link.removeAttribute("aria-current")));
+    const list = document.querySelector("nav");
+    if (current && getComputedStyle(list).position === "sticky") {
+      const [box, own] = [list.getBoundingClientRect(), current.getBoundingClientRect()];
+      if (own.top < box.top || own.bottom > box.bottom) list.scrollTop += own.top - box.top - box.height / 3;
+    }
+  };
+  window.addEventListener("scroll", mark, { passive: true });
+  mark();
   // On a small screen the contents would fill the first page.
   if (window.matchMedia("(max-width: 69.9rem)").matches) document.querySelector("nav details").open = false;
 })();

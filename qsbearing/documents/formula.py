@@ -1,0 +1,176 @@
+r"""Formulas: written once, in LaTeX between dollars, and shown as MathML, by typst, or as a line of text.
+
+latex2mathml reads the LaTeX; the two other forms are written from its tree. `\tag{19.3}` numbers a formula of its own
+line.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Any
+from xml.etree import ElementTree as ET
+
+NAMESPACE = "http://www.w3.org/1998/Math/MathML"
+FUNCTION_SPACE = "0.17em"
+LOWERED = str.maketrans("0123456789aeioruvxhklmnpst", "₀₁₂₃₄₅₆₇₈₉ₐₑᵢₒᵣᵤᵥₓₕₖₗₘₙₚₛₜ")
+RAISED = str.maketrans("0123456789+−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
+NAMED = {
+    "(": " paren.l ", ")": " paren.r ", "[": " bracket.l ", "]": " bracket.r ", "{": " brace.l ", "}": " brace.r ",
+    "⟨": " chevron.l ", "⟩": " chevron.r ", "|": " bar.v ", ",": " comma ", ";": " semi ", "/": " slash ",
+    "′": " prime ",
+}  # fmt: skip
+"""Of typst's letters that would mean something else."""
+VULGAR = {"1/2": "½", "2/5": "⅖"}
+SPACED = set("=<>≤≥≈∼→+−±∓⋅×")
+TAG = re.compile(r"\s*\\tag\{([^}]*)\}\s*$")
+
+
+def split(latex: str) -> tuple[str, str]:
+    """A formula, and its number in brackets; empty where it has none."""
+    found = TAG.search(latex)
+    return (latex[: found.start()].strip(), f"({found[1]})") if found else (latex.strip(), "")
+
+
+@cache
+def forms(latex: str, is_block: bool = False) -> dict[str, str]:
+    """The formula in its forms: {"mathml", "typst", "text"}.
+
+    Raises:
+        ValueError: an element that one of the forms has no rule for.
+    """
+    from latex2mathml.converter import convert
+
+    root = ET.fromstring(convert(latex, display="block" if is_block else "inline").replace("&</mi>", "&amp;</mi>"))
+    for element in root.iter():
+        element.tag = element.tag.removeprefix(f"{{{NAMESPACE}}}")
+    _spaced(root)
+    row = root[0]
+    shown = ET.tostring(root, encoding="unicode").replace("<math", f'<math xmlns="{NAMESPACE}"', 1)
+    return {"mathml": shown, "typst": _typst(row), "text": _tidy(_text(row))}
+
+
+def _spaced(element: ET.Element) -> None:
+    """Put spaces around functions' names; brackets that are letters become brackets."""
+    for place, child in reversed(list(enumerate(element))):
+        _spaced(child)
+        if child.text in ("⟨", "⟩"):
+            child.tag = "mo"
+        after = element[place + 1] if place + 1 < len(element) else None
+        if element.tag == "mrow" and _is_function(child):
+            if after is not None and after.text not in ("(", ")"):
+                element.insert(place + 1, ET.Element("mspace", width=FUNCTION_SPACE))
+            if place and (element[place - 1].tag not in ("mo", "mspace") or element[place - 1].text == ")"):
+                element.insert(place, ET.Element("mspace", width=FUNCTION_SPACE))
+
+
+def _is_function(element: ET.Element) -> bool:
+    base = element[0] if element.tag in ("msup", "msub") else element
+    return base.tag == "mi" and len(base.text or "") > 1
+
+
+def _typst(element: ET.Element) -> str:
+    parts = [_typst(child) for child in element]
+    text = element.text or ""
+    match element.tag:
+        case "mrow" | "mstyle" | "mtd":
+            return f"lr({' '.join(parts)})" if _is_fenced(element) else " ".join(parts)
+        case "mi" | "mo" | "mn":
+            return _escaped(text) if len(text) == 1 or element.tag == "mn" else f'op("{text}")'
+        case "mtext":
+            return f'"{text}"'
+        case "mspace":
+            width = element.get("width", "")
+            return "" if width == FUNCTION_SPACE else f"#h({width})"
+        case "mfrac":
+            return f"frac({parts[0]}, {parts[1]})"
+        case "msqrt":
+            return f"sqrt({' '.join(parts)})"
+        case "msub" | "munder":
+            return f"attach({parts[0]}, b: {parts[1]})"
+        case "msup":
+            return f"attach({parts[0]}, t: {parts[1]})"
+        case "msubsup" | "munderover":
+            return f"attach({parts[0]}, b: {parts[1]}, t: {parts[2]})"
+    raise ValueError(f"no rule for <{element.tag}> in typst")
+
+
+def _is_fenced(row: ET.Element) -> bool:
+    return len(row) > 1 and row[0].get("form") == "prefix" and row[-1].get("form") == "postfix"
+
+
+def _escaped(text: str) -> str:
+    return "".join(NAMED.get(letter, letter) for letter in text)
+
+
+def _text(element: ET.Element) -> str:
+    parts = [_text(child) for child in element]
+    text = element.text or ""
+    match element.tag:
+        case "mrow" | "mstyle" | "mtd":
+            followers = [*element[1:], None]
+            return "".join(
+                f"({part})" if child.tag == "mfrac" and "/" in part and _is_factor(after) else part
+                for part, child, after in zip(parts, element, followers, strict=True)
+            )
+        case "mi" | "mo" if len(text) > 1:
+            return f" {text}"
+        case "mo":
+            return f" {text} " if text in SPACED else f"{text} " if text in (",", ";") else text
+        case "mi" | "mn" | "mtext":
+            return text
+        case "mspace":
+            return "   " if element.get("width", "").startswith(("1em", "2em")) else " "
+        case "mfrac":
+            line = f"{_grouped(parts[0])}/{_grouped(parts[1], below=True)}"
+            return VULGAR.get(line, line)
+        case "msqrt":
+            return f"√{_grouped(''.join(parts))}"
+        case "msub" | "munder":
+            return parts[0] + _script(parts[1], LOWERED, "_")
+        case "msup":
+            return parts[0] + _script(parts[1], RAISED, "^")
+        case "msubsup" | "munderover":
+            return parts[0] + _script(parts[1], LOWERED, "_") + _script(parts[2], RAISED, "^")
+    raise ValueError(f"no rule for <{element.tag}> in a line of text")
+
+
+def _tidy(text: str) -> str:
+    """Without spaces after opening brackets, before closing ones, and side by side."""
+    text = re.sub(r"(?<=\S)  (?=\S)", " ", text).strip()
+    text = re.sub(r"(^|[(\[⟨]|[=,] +) ?− ", r"\1−", text)  # a sign is no difference
+    return re.sub(r"(?<=\S) (?=[)\]⟩])|(?<=[(\[⟨]) +", "", text)
+
+
+def _is_factor(element: ET.Element | None) -> bool:
+    """Whether what follows a fraction would be read as part of its denominator."""
+    return element is not None and (element.tag not in ("mo", "mspace") or element.text in ("(", "[", "|", "⟨"))
+
+
+def _script(text: str, letters: dict[int, Any], mark: str) -> str:
+    text = text.replace(" ", "")
+    if text == "′":
+        return text
+    if all(ord(letter) in letters for letter in text):
+        return text.translate(letters)
+    return f"{mark}{_grouped(text)}" if mark == "^" else f"_{text}"
+
+
+def _grouped(text: str, below: bool = False) -> str:
+    """In brackets, unless it is one factor (below a line: one letter) already."""
+    one = r"[^\W\d_](_\w|[₀-ₜ²³′])*|\d+(\.\d+)?" if below else r"[\w₀-ₜ⁰-⁹²³¹.√⅖½^ ]*"
+    return text if re.fullmatch(one, text.strip()) else f"({text.strip()})"
+
+
+def in_text(markdown: str) -> str:
+    """A page for the terminal: its formulas as lines of text, those of their own line indented as code is."""
+    parts = re.split(r"(^```.*?^```$)", markdown, flags=re.DOTALL | re.MULTILINE)
+    for place in range(0, len(parts), 2):
+        parts[place] = re.sub(r"^\$\$\n(.*?)\n\$\$$", _own_line, parts[place], flags=re.DOTALL | re.MULTILINE)
+        parts[place] = re.sub(r"(?<![\w$])\$([^\s$][^$]*)\$(?!\w)", lambda it: forms(it[1])["text"], parts[place])
+    return "".join(parts)
+
+
+def _own_line(found: re.Match[str]) -> str:
+    latex, number = split(found[1])
+    return f"    {forms(latex, True)['text']}{'    ' if number else ''}{number}"
