@@ -67,6 +67,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
     from qsbearing.studies.sweep import sweep
+    from qsbearing.thermal.network import Conductance, OilFlow, Thermal
     from qsbearing.validation import ErrorDetail, SceneError
 
 # fmt: off
@@ -109,20 +110,22 @@ _HOMES = {
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),
+    "thermal.network": ("Conductance", "OilFlow", "Thermal"),
     "validation": ("ErrorDetail", "SceneError"),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallDiameterDeviations", "BallExpansion", "BearingKind", "BearingSet",
-    "CentrifugalForce", "ElasticRings", "ErrorDetail", "FileErrorDetail", "FloatingGroup", "GPa", "GyroscopicMoment",
-    "HertzAngle", "HertzForm", "Housing", "HousingStiffness", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm",
-    "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts", "RacewayControl", "Reason",
-    "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError", "SetSolution", "Shaft", "ShaftLoad",
-    "ShaftSection", "ShaftSupport", "Solution", "Spacer", "Status", "Study", "TiltLever", "compare", "deg", "find",
-    "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact",
-    "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
-    "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
+    "CentrifugalForce", "Conductance", "ElasticRings", "ErrorDetail", "FileErrorDetail", "FloatingGroup", "GPa",
+    "GyroscopicMoment", "HertzAngle", "HertzForm", "Housing", "HousingStiffness", "MPa", "Material", "MomentShares",
+    "N", "Nm", "Nmm", "OilFlow", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
+    "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
+    "SetSolution", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Solution", "Spacer", "Status", "Study",
+    "Thermal", "TiltLever", "compare", "deg", "find", "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message",
+    "mm", "mrad", "open_results", "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm",
+    "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life",
+    "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

@@ -143,32 +143,8 @@ class BearingSector(Sector):
         kinds = ("normal", "tangent") if friction else ("normal",)
         on_ball = [(inner, "normal"), *((outer, kind) for kind in kinds), (inner, "axis"), (outer, "axis")]
         self.ball = condense_free(ball, _loads(ball, on_ball))
-        self.inner_ring = self._ring("inner", [(inner, "normal"), (inner, "axis")], OuterSupport.RIGID)
-        self.outer_ring = self._ring("outer", [(outer, kind) for kind in (*kinds, "axis")], support)
-
-    def _ring(self, name: str, loads: Sequence[tuple[ContactFrame, str]], support: OuterSupport) -> CondensedSolid:
-        bearing = self.geometry.bearing
-        body = TetrahedralBody(self.geometry.mesh(name), bearing.drawing.ring)
-        section = bearing.section(loads[0][0].groove.centre, inner=name == "inner")
-        half_pitch = pi / bearing.ball_count
-        x, y, z = body.nodes
-        fixed = np.zeros((body.space.count, 3), dtype=bool)
-        fixed[np.abs(z) < NEAR, 2] = True
-        cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
-        fixed[cut, 2] = True
-        if support is OuterSupport.RIGID:
-            fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
-        else:
-            fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
-        # On the second cut plane the third unknown is the displacement across it.
-        turned = np.flatnonzero(cut)
-        turn = sp.lil_matrix(sp.identity(3 * body.space.count))
-        c, s = cos(half_pitch), sin(half_pitch)
-        turn[3 * turned + 1, 3 * turned + 1] = c
-        turn[3 * turned + 2, 3 * turned + 2] = c
-        turn[3 * turned + 2, 3 * turned + 1] = s
-        turn[3 * turned + 1, 3 * turned + 2] = -s
-        return condense_supported(body, _loads(body, loads), fixed, sp.csr_matrix(turn))
+        self.inner_ring = condensed_ring(geometry, "inner", ("normal", "axis"), OuterSupport.RIGID)
+        self.outer_ring = condensed_ring(geometry, "outer", (*kinds, "axis"), support)
 
     def supports(self, results: SectorResults) -> dict[str, Array]:
         """Forces of what holds each body on it, summed over its mesh and over both halves [N].
@@ -223,6 +199,40 @@ class BearingSector(Sector):
         pressure, _, _ = active_set(flexibility, gaps, motions, np.array([0.5 * results.load, 0.0]), start)
         found = contact_results.ellipse(frame, pressure)
         return {name: value / getattr(exact, name) for name, value in found.items()}
+
+
+def condensed_ring(geometry: SectorGeometry, name: str, kinds: Sequence[str], support: OuterSupport) -> CondensedSolid:
+    """A segment of the inner or the outer ring, condensed onto the pressure of its contact.
+
+    Args:
+        geometry: the bodies.
+        name: "inner" or "outer".
+        kinds: directions of the pressure, see `ContactFrame.loads`.
+        support: how the cylinder away from the groove is held.
+    """
+    bearing = geometry.bearing
+    frame = geometry.frames[0 if name == "inner" else 1]
+    body = TetrahedralBody(geometry.mesh(name), bearing.drawing.ring)
+    section = bearing.section(frame.groove.centre, inner=name == "inner")
+    half_pitch = pi / bearing.ball_count
+    x, y, z = body.nodes
+    fixed = np.zeros((body.space.count, 3), dtype=bool)
+    fixed[np.abs(z) < NEAR, 2] = True
+    cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
+    fixed[cut, 2] = True
+    if support is OuterSupport.RIGID:
+        fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
+    else:
+        fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
+    # On the second cut plane the third unknown is the displacement across it.
+    turned = np.flatnonzero(cut)
+    turn = sp.lil_matrix(sp.identity(3 * body.space.count))
+    c, s = cos(half_pitch), sin(half_pitch)
+    turn[3 * turned + 1, 3 * turned + 1] = c
+    turn[3 * turned + 2, 3 * turned + 2] = c
+    turn[3 * turned + 2, 3 * turned + 1] = s
+    turn[3 * turned + 1, 3 * turned + 2] = -s
+    return condense_supported(body, _loads(body, [(frame, kind) for kind in kinds]), fixed, sp.csr_matrix(turn))
 
 
 class _State:

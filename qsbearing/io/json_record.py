@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.io.readings_record import Readings, readings_record
+from qsbearing.io.readings_record import Readings, number, readings_record
 from qsbearing.result_keys import (
     BALL,
     CONTACT,
@@ -53,6 +52,7 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "rings": rings(solution, index),
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index),
+        "thermal": thermal(solution, index),
         **motion_and_stiffness(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
@@ -163,13 +163,23 @@ def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, A
     effect = solution.scene.ring_expansion
     if effect is None or not effect.is_warm:
         return None
+    nodes = () if solution.thermal is None else solution.thermal.thermal.nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": each.taken_from,
+            "from": "heat balance" if body in nodes else each.taken_from,
         }
         for body, each in effect.temperatures.items()
     }
+
+
+def thermal(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any] | None:
+    """Temperatures and heat of the steady state; None where the scene asks for none."""
+    if solution.thermal is None:
+        return None
+    from qsbearing.io.thermal_report import thermal_record  # loaded only where there is heat
+
+    return thermal_record(solution.thermal, index)
 
 
 def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
@@ -191,11 +201,6 @@ def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
         | {"slips": None if slips is None else bool(slips[index][ball])}
         for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
     ]
-
-
-def number(value: Any) -> float | None:
-    """The value as a float; None for NaN and infinity, which JSON has not."""
-    return float(value) if math.isfinite(value) else None
 
 
 def _numbers(numbers: tuple[Shown, ...], holder: Any, shape: tuple[int, ...], index: Place) -> dict[str, float | None]:

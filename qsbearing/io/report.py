@@ -41,11 +41,21 @@ def result(solution: Solution, readings: Readings) -> Group:
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
+        parts += heat_tables(found)
         if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
 
             parts.append(readings_tables(readings))
     return Group(*parts, *warnings_below(found["warnings"]))
+
+
+def heat_tables(found: dict[str, Any]) -> list[RenderableType]:
+    """Of a record's steady state; none where it has none."""
+    if found["thermal"] is None:
+        return []
+    from qsbearing.io.thermal_report import thermal_tables  # loaded only where there is heat
+
+    return [Padding(each, (1, 0, 0, 0)) for each in thermal_tables(found["thermal"])]
 
 
 def warnings_below(warnings: Sequence[str]) -> list[RenderableType]:

@@ -20,12 +20,14 @@ from qsbearing.io.report import (
     digits,
     distinct,
     ending,
+    heat_tables,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
     warnings_below,
 )
 from qsbearing.io.set_record import set_record
+from qsbearing.io.shaft_report import shaft_tables
 from qsbearing.io.tables import plain_table
 from qsbearing.judgement import percent
 from qsbearing.messages.bearing_set import capital, row_name
@@ -47,6 +49,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
                 parts.append(readings_tables(readings[number]))
+        parts += heat_tables(found)
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     return Group(*parts, *warnings_below(found["warnings"]))
 
@@ -63,6 +66,7 @@ def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
     tables = [
         channels_table("Shaft", solution, found, noise, noise),
         *rows_tables(found),
+        *shaft_tables(found["shaft"]),
         stiffness_table(solution, found),
     ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]

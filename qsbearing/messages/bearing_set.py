@@ -22,6 +22,7 @@ from qsbearing.solution.status import STATUS_OF_CODE
 if TYPE_CHECKING:
     from qsbearing.sets.bearing_set import BearingSet, Row
     from qsbearing.sets.outcome import Outcome
+    from qsbearing.thermal.state import ThermalState
 
 
 class SetSolution(Protocol):
@@ -29,6 +30,7 @@ class SetSolution(Protocol):
 
     set: BearingSet
     shape: tuple[int, ...]
+    thermal: ThermalState | None
     _outcome: Outcome
 
     @property
@@ -62,6 +64,8 @@ def message(solution: SetSolution, index: Index = None) -> str:
         counts = [f"{(codes == code).sum()} {word}" for code, word in STATUS_OF_CODE.items() if (codes == code).any()]
         return f"{codes.size} cases: {', '.join(counts)}."
     k = solution._flat_index(index)
+    if solution.thermal is not None and solution.thermal.verdict.flat[k] != "stable" and outcome.status[k] != CONVERGED:
+        return solution.thermal.message(index)
     if outcome.status[k] == CONVERGED:
         return (
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +46,9 @@ from qsbearing.validation import (
     unit_mistake,
     within,
 )
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
@@ -88,6 +91,8 @@ class Scene(InNotebooks):
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
+    thermal: Thermal | None = None
+    """With it, `qs.solve` finds the temperatures at which the bearing runs."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -105,6 +110,8 @@ class Scene(InNotebooks):
         if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
             wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing, self.operation)
         errors += wrong
+        if self.thermal is not None and self.tolerance is not None:
+            errors.append(ErrorDetail("tolerance", "is given beside a heat balance: name the effects"))
         if self.tolerance is not None:
             errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))

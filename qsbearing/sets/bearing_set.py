@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,6 +23,9 @@ from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
 
 FARTHEST = 10.0
 """Metres along the shaft; it catches mistakes of unit."""
@@ -110,6 +113,8 @@ class BearingSet(InNotebooks):
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     name: str = ""
+    thermal: Thermal | None = None
+    """With it, `qs.solve_set` finds the temperatures at which the set runs."""
     shaft: Shaft | None = None
     """Its sections, loads and supports; None: rigid, and loaded at the reference alone."""
     housing: Housing | None = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +27,9 @@ from qsbearing.solution.preload_state import PreloadLoads
 from qsbearing.solution.ring_stiffness import inverse
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.status import STATUS_OF_CODE, Reason
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.state import ThermalState
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
@@ -62,6 +65,14 @@ class SetSolution(Plotted):
         self._unloaded = unloaded
         self.seconds = seconds
         """Wall time of the solve [s]."""
+        self.thermal: ThermalState | None = None
+        """As `Solution.thermal`."""
+
+    def withdraw(self, cases: NDArray, code: int) -> None:
+        """As `Solution.withdraw`."""
+        self._outcome.status[np.reshape(cases, -1)] = code
+        for row in self.rows:
+            row.withdraw(cases, code)
 
     @cached_property
     def rows(self) -> tuple[Solution, ...]:

@@ -41,6 +41,21 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if of.thermal is None:
+        return solve_at_given_temperatures(of, threads, tolerance)
+    from qsbearing.sets.hot_set import HotSet
+    from qsbearing.thermal.solve import at_steady_temperatures
+
+    preload = 0.0 if of.preload is None else getattr(of.preload, of.preload.kind)
+    offsets = [np.asarray(row.offset) + 0.0 * np.asarray(preload) for row in of.rows]
+    shape = Problem(of, offsets, tolerance, 1).shape
+    machine = HotSet(of, shape, lambda each: solve_at_given_temperatures(each, threads, tolerance))
+    solution: SetSolution = at_steady_temperatures(machine)
+    return solution
+
+
+def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: float) -> SetSolution:
+    """Every case of a set, at the temperatures that its rows state."""
     began = time.perf_counter()
     workers = thread_count(threads)
     sides = _sides(of, threads, tolerance)
@@ -52,7 +67,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
 
     def unloaded(effects_at_rest: AtRest | None) -> SetSolution:
-        return solve_set(without_load(of, offsets, effects_at_rest), threads=threads, tolerance=tolerance)
+        return solve_at_given_temperatures(without_load(of, offsets, effects_at_rest), threads, tolerance)
 
     seconds = time.perf_counter() - began
     return SetSolution(

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from qsbearing.thermal.state import ThermalState
+
 CALLED_FOR_BY = {
     "required_friction": "gyroscopic_moment",
     "centrifugal_force": "centrifugal_force",
@@ -100,6 +102,17 @@ class Solution(Plotted):
         """At most so many solved it, and read it off."""
         self.choice: Choice | None = None
         """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
+        self.thermal: ThermalState | None = None
+        """Temperatures and heats, where the scene asks for its steady state."""
+
+    def withdraw(self, cases: NDArray, code: int) -> None:
+        """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
+
+        Args:
+            cases: a mask; shape (*cases).
+            code: of the kernel, for their status.
+        """
+        self._results["status"][np.reshape(cases, -1)] = code
 
     @property
     def inner(self) -> RacewayContacts:

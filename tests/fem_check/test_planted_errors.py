@@ -359,8 +359,14 @@ PLANTED |= {
     ),
     "a half-plane's part left in the give": (
         "qsbearing/effects/ring_compliance.py",
-        "local = 2.0 * radius",
-        "local = 0.0 * radius",
+        "local = 2.0 * np.asarray(radius, float)",
+        "local = 0.0 * np.asarray(radius, float)",
+        RING,
+    ),
+    "shoulders left out": (
+        "qsbearing/effects/ring_section.py",
+        "for shoulder in shoulders:",
+        "for shoulder in (0.0, 0.0):",
         RING,
     ),
     # In the model, seen by the sector.
