@@ -147,28 +147,8 @@ class BearingSector(Sector):
         self.outer_ring = self._ring("outer", [(outer, kind) for kind in (*kinds, "axis")], support)
 
     def _ring(self, name: str, loads: Sequence[tuple[ContactFrame, str]], support: OuterSupport) -> CondensedSolid:
-        bearing = self.geometry.bearing
-        body = TetrahedralBody(self.geometry.mesh(name), bearing.drawing.ring)
-        section = bearing.section(loads[0][0].groove.centre, inner=name == "inner")
-        half_pitch = pi / bearing.ball_count
-        x, y, z = body.nodes
-        fixed = np.zeros((body.space.count, 3), dtype=bool)
-        fixed[np.abs(z) < NEAR, 2] = True
-        cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
-        fixed[cut, 2] = True
-        if support is OuterSupport.RIGID:
-            fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
-        else:
-            fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
-        # On the second cut plane the third unknown is the displacement across it.
-        turned = np.flatnonzero(cut)
-        turn = sp.lil_matrix(sp.identity(3 * body.space.count))
-        c, s = cos(half_pitch), sin(half_pitch)
-        turn[3 * turned + 1, 3 * turned + 1] = c
-        turn[3 * turned + 2, 3 * turned + 2] = c
-        turn[3 * turned + 2, 3 * turned + 1] = s
-        turn[3 * turned + 1, 3 * turned + 2] = -s
-        return condense_supported(body, _loads(body, loads), fixed, sp.csr_matrix(turn))
+        body = TetrahedralBody(self.geometry.mesh(name), self.geometry.bearing.drawing.ring)
+        return condense_supported(body, _loads(body, loads), *ring_support(body, self.geometry, name, support))
 
     def supports(self, results: SectorResults) -> dict[str, Array]:
         """Forces of what holds each body on it, summed over its mesh and over both halves [N].
@@ -315,6 +295,34 @@ class _State:
             self.friction,
             (self.contact.left[:first] / frames[0].basis.forces, self.contact.left[first:] / frames[1].basis.forces),
         )
+
+
+def ring_support(
+    body: TetrahedralBody, geometry: SectorGeometry, name: str, support: OuterSupport
+) -> tuple[Array, sp.csr_matrix]:
+    """Which unknowns of a ring are zero, and the rotation of the unknowns on its second cut plane, as
+    `condense_supported` takes them."""
+    bearing, frame = geometry.bearing, geometry.frames[0 if name == "inner" else 1]
+    section = bearing.section(frame.groove.centre, inner=name == "inner")
+    half_pitch = pi / bearing.ball_count
+    x, y, z = body.nodes
+    fixed = np.zeros((body.space.count, 3), dtype=bool)
+    fixed[np.abs(z) < NEAR, 2] = True
+    cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
+    fixed[cut, 2] = True
+    if support is OuterSupport.RIGID:
+        fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
+    else:
+        fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
+    # On the second cut plane the third unknown is the displacement across it.
+    turned = np.flatnonzero(cut)
+    turn = sp.lil_matrix(sp.identity(3 * body.space.count))
+    c, s = cos(half_pitch), sin(half_pitch)
+    turn[3 * turned + 1, 3 * turned + 1] = c
+    turn[3 * turned + 2, 3 * turned + 2] = c
+    turn[3 * turned + 2, 3 * turned + 1] = s
+    turn[3 * turned + 1, 3 * turned + 2] = -s
+    return fixed, sp.csr_matrix(turn)
 
 
 def motion(ratio: float, inner_angle: float, outer_angle: float) -> tuple[float, float, float]:
