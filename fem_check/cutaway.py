@@ -156,7 +156,7 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
             show_scalar_bar=name == "ball", scalar_bar_args=bar | {"title": "von Mises stress, MPa", "n_labels": 3},
             **look,
         )  # fmt: skip
-    plotter.camera_position = [centre + [-14.0, 9.0, -60.0], centre + [0.0, -1.2, 0.0], (0.0, 1.0, 0.0)]
+    plotter.camera_position = [centre + SIDE, centre + DOWN, (0.0, 1.0, 0.0)]
     plotter.subplot(0, 1)
     half = surfaces["ball"]
     for surface in (half, half.reflect((0.0, 0.0, 1.0), point=(0.0, 0.0, 0.0))):
@@ -169,12 +169,14 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
     line *= 1.003 * np.linalg.norm(contact - centre) / np.linalg.norm(line, axis=1)[:, None]
     plotter.add_mesh(pv.lines_from_points(centre + line), color="black", line_width=3)
     away = (contact - centre) / np.linalg.norm(contact - centre)
-    plotter.camera_position = [contact + 13.0 * away + [0.0, 0.0, 5.0], contact, (0.0, 0.0, 1.0)]
+    plotter.camera_position = [contact + 13.0 * away + ASIDE, contact, (0.0, 0.0, 1.0)]
     seen = Image.fromarray(plotter.screenshot(return_img=True))
     plotter.close()
     seen.save(path, optimize=True)
 
 
+SIDE, DOWN, ASIDE = np.array([[-14.0, 9.0, -60.0], [0.0, -1.2, 0.0], [0.0, 0.0, 5.0]])
+"""Where the eye is from the ball's centre, where it looks, and how far it stands beside the contact [mm]."""
 COLOURS = ["#dde2e5", "#a9c4d3", "#0072b2", "#d55e00", "#7a1f00"]
 
 

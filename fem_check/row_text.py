@@ -19,7 +19,8 @@ class RowText(NamedTuple):
     reference: str
     found: str
     deviation: str
-    """Per cent; empty where the reference is zero."""
+    """Per cent; empty where the reference is zero; of a displacement that is a finding in its own unit, which it names.
+    """
     uncertainty: str
     """Likewise."""
     tolerance: str
@@ -53,6 +54,20 @@ _MOST_DECIMALS = 6
 """Smaller uncertainties are those of rounding, and are written with a power of ten."""
 
 
+def passes_through_zero(row: Row) -> bool:
+    """Whether a per cent of the reference would mislead: a displacement at speed is zero at some load, and what a ring
+    adds to it, 9 µm, is then any per cent. A displacement that is judged has its tolerance in per cent."""
+    return bool(row["quantity"].endswith("displacement") and row["unit"] == "m" and row["tolerance_percent"] is None)
+
+
+def own_difference(row: Row) -> tuple[str, str]:
+    """The difference from the reference and its uncertainty, in the unit that readers see."""
+    factor, _ = in_unit(row)
+    uncertainty = row["uncertainty_percent"]
+    size = 0.01 * abs(row["reference"]) * factor
+    return rounded(factor * (row["found"] - row["reference"]), None if uncertainty is None else size * uncertainty)
+
+
 def of_row(row: Row) -> RowText:
     """All numbers of a row."""
     factor, unit = in_unit(row)
@@ -66,13 +81,21 @@ def of_row(row: Row) -> RowText:
         if row["uncertainty_percent"]:
             found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
         return RowText("0", found or "", "", "", limit)
+    if passes_through_zero(row):
+        deviation, uncertainty = (f"{each} {unit}" if each else "" for each in own_difference(row))
     limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
     return RowText(reference or "", found or "", deviation, uncertainty, limit)
 
 
+def difference_unit(row: Row) -> str:
+    """Of `difference`."""
+    return in_unit(row)[1] if row["reference"] == 0.0 or passes_through_zero(row) else "%"
+
+
 def difference(row: Row) -> str:
-    """The difference from the reference in one text: per cent, or in the row's unit where the reference is zero."""
+    """The difference from the reference in one text, without its unit: see `difference_unit`."""
     told = of_row(row)
     if row["reference"] == 0.0:
         return told.found
-    return told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else "")
+    deviation, uncertainty = own_difference(row) if passes_through_zero(row) else (told.deviation, told.uncertainty)
+    return deviation + (f" ± {uncertainty}" if uncertainty else "")

@@ -11,13 +11,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable
 from dataclasses import dataclass
+from math import cos
 from typing import Any
 
 import numpy as np
 
 import qsbearing
 from fem_check.contact_problem import Array
+from fem_check.drawing import Drawing
 from fem_check.half_space_sector import HalfSpaceSector
+from fem_check.ring_sections import RingProfile
 from fem_check.scenes import SceneProblemError, ball_count, drawing_of, load_scene, ring_sections, solved
 from fem_check.solids import contact_block
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, SectorResults
@@ -141,10 +144,7 @@ def model(
     if free_outer_ring:
         bearing = sector_bearing(scene_name)
         profile = bearing.sections.profile(bearing.drawing, "outer")
-        ring = qsbearing.ElasticRings(
-            outside_diameter=2.0 * profile.back_radius, outer_width=profile.width, housing="free"
-        )
-        ring_effects = (*ring_effects, ring)
+        ring_effects = (*ring_effects, free_ring(bearing.drawing, profile))
     solution = qsbearing.solve(
         dataclasses.replace(
             scene,
@@ -159,6 +159,18 @@ def model(
     if not float(solution.inner.load[0]) > 0.0:
         raise SceneProblemError(f"{scene_name} at {point.label}: the model gives the inner raceway no load")
     return solution
+
+
+def free_ring(drawing: Drawing, profile: RingProfile) -> qsbearing.ElasticRings:
+    """The effect that lets the outer ring give way as one whose outside diameter is free."""
+    centre, radius = drawing.outer_groove_centre_radius, drawing.outer_groove_radius
+    shoulder, opposite = (
+        2.0 * (centre + radius * cos(angle)) for angle in (profile.high_shoulder, profile.low_shoulder)
+    )
+    return qsbearing.ElasticRings(
+        outside_diameter=2.0 * profile.back_radius, outer_width=profile.width, housing="free",
+        outer_shoulder_diameter=shoulder, outer_open_diameter=opposite,
+    )  # fmt: skip
 
 
 def with_free_ring(scene_name: str, point: OperatingPoint) -> dict[str, float]:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from qsbearing import readings
     from qsbearing.chooser.choose import solve
     from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
+    from qsbearing.design.compare import compare
+    from qsbearing.design.find import find
     from qsbearing.effects import (
         BallDiameterDeviations,
         BallExpansion,
@@ -44,9 +46,18 @@ if TYPE_CHECKING:
     from qsbearing.scene.preload import Preload
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet, Row
-    from qsbearing.sets.preload_loads import preload_loads
-    from qsbearing.sets.preload_speeds import preload_speeds
+    from qsbearing.sets.preload_limits import preload_loads, preload_speeds
     from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.sets.shaft import (
+        FloatingGroup,
+        Housing,
+        HousingStiffness,
+        Shaft,
+        ShaftLoad,
+        ShaftSection,
+        ShaftSupport,
+        Spacer,
+    )
     from qsbearing.sets.solve import solve_set
     from qsbearing.sets.system_life import system_life
     from qsbearing.solution.raceway_contacts import RacewayContacts
@@ -56,6 +67,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.store import open_results
     from qsbearing.studies.study import Study
     from qsbearing.studies.sweep import sweep
+    from qsbearing.thermal.network import Conductance, OilFlow, Thermal
     from qsbearing.validation import ErrorDetail, SceneError
 
 # fmt: off
@@ -83,8 +95,10 @@ _HOMES = {
     "solution.raceway_contacts": ("RacewayContacts",),
     "rotordynamics": ("stiffness_table", "to_ross"),
     "sets.bearing_set": ("BearingSet", "Row"),
-    "sets.preload_loads": ("preload_loads",),
-    "sets.preload_speeds": ("preload_speeds",),
+    "sets.preload_limits": ("preload_loads", "preload_speeds"),
+    "sets.shaft": (
+        "FloatingGroup", "Housing", "HousingStiffness", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Spacer",
+    ),
     "sets.set_solution": ("SetSolution",),
     "sets.solve": ("solve_set",),
     "sets.system_life": ("system_life",),
@@ -96,19 +110,22 @@ _HOMES = {
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),
+    "thermal.network": ("Conductance", "OilFlow", "Thermal"),
     "validation": ("ErrorDetail", "SceneError"),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallDiameterDeviations", "BallExpansion", "BearingKind", "BearingSet",
-    "CentrifugalForce", "ElasticRings", "ErrorDetail", "FileErrorDetail", "GPa", "GyroscopicMoment", "HertzAngle",
-    "HertzForm", "MPa", "Material", "MomentShares", "N", "Nm", "Nmm", "Operation", "OrbitRadius", "Pa", "PointContact",
-    "Preload", "RacewayContacts", "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene",
-    "SceneError", "SceneFileError", "SetSolution", "Solution", "Status", "Study", "TiltLever", "compare", "deg", "find",
-    "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact",
-    "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness",
-    "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
+    "CentrifugalForce", "Conductance", "ElasticRings", "ErrorDetail", "FileErrorDetail", "FloatingGroup", "GPa",
+    "GyroscopicMoment", "HertzAngle", "HertzForm", "Housing", "HousingStiffness", "MPa", "Material", "MomentShares",
+    "N", "Nm", "Nmm", "OilFlow", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
+    "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
+    "SetSolution", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Solution", "Spacer", "Status", "Study",
+    "Thermal", "TiltLever", "compare", "deg", "find", "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message",
+    "mm", "mrad", "open_results", "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm",
+    "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life",
+    "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 
@@ -126,4 +143,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOME, "readings"})
+    return [*__all__, "__version__"]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.quantities import ALL, Quantity
+from qsbearing.quantities import ALL, Quantity, Solution
 from qsbearing.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -26,9 +26,6 @@ from qsbearing.units import deg
 
 if TYPE_CHECKING:
     import xarray
-
-Solution = Any
-"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
 
 
 def columns(solution: Solution) -> dict[str, NDArray]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +25,61 @@ from qsbearing.result_keys import (
     Shown,
     split,
 )
+from qsbearing.scene.scene import Scene
 from qsbearing.units import deg
 
-Solution = Any
-"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
+
+class Contacts(Protocol):
+    """All contacts of one raceway, as `qsbearing.solution` has them."""
+
+    @property
+    def load(self) -> NDArray: ...
+    @property
+    def approach(self) -> NDArray: ...
+    @property
+    def sine(self) -> NDArray: ...
+    @property
+    def cosine(self) -> NDArray: ...
+    @property
+    def required_friction(self) -> NDArray | None: ...
+
+
+class Solution(Protocol):
+    """What is read here and in `columns` of a solution, which lies above: its methods call what is here."""
+
+    scene: Scene
+    shape: tuple[int, ...]
+
+    @property
+    def inner(self) -> Contacts: ...
+    @property
+    def outer(self) -> Contacts: ...
+    @property
+    def azimuth(self) -> NDArray: ...
+    @property
+    def displacement(self) -> NDArray: ...
+    @property
+    def stiffness(self) -> NDArray: ...
+    @property
+    def gyroscopic_moment(self) -> NDArray | None: ...
+    @property
+    def raceway_control(self) -> NDArray | None: ...
+    @property
+    def slips(self) -> NDArray | None: ...
+    @property
+    def converged(self) -> Any: ...
+    @property
+    def status(self) -> Any: ...
+    @property
+    def reason(self) -> Any: ...
+    @property
+    def iterations(self) -> Any: ...
+    @property
+    def residual(self) -> Any: ...
+    @property
+    def preload_at_rest(self) -> Any: ...
+
+
 STIFFNESSES = ("locked", "effective")
 
 

@@ -129,7 +129,13 @@ def shown(value: Any) -> str:
 
 
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:
-    """The value as a float array, or the error that says why it is none: not a number, NaN, infinite."""
+    """The value as a float array, or the error that says why it is none: not a number, NaN, infinite.
+
+    A quantity with a unit, of pint or its like, is none: numpy would take its number and drop the unit.
+    """
+    if hasattr(value, "m_as") or hasattr(value, "to_value"):
+        cause = "Python takes plain numbers in SI, such as 10 * qs.kN; of pint value.to_base_units().magnitude"
+        return None, [ErrorDetail(field, "is a quantity with a unit", str(value), quantity, cause=cause)]
     try:
         if value is None or isinstance(value, str | bytes | bool) or np.iscomplexobj(value):
             raise TypeError

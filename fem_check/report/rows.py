@@ -67,7 +67,7 @@ def _headed(name: str, unit: str) -> str:
 
 def _difference_headed(row: Row) -> str:
     """Head of a column of `row_text.difference`."""
-    return _headed(row["quantity"], "%" if row["reference"] != 0.0 else row_text.in_unit(row)[1])
+    return _headed(row["quantity"], row_text.difference_unit(row))
 
 
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:

@@ -143,12 +143,8 @@ class BearingSector(Sector):
         kinds = ("normal", "tangent") if friction else ("normal",)
         on_ball = [(inner, "normal"), *((outer, kind) for kind in kinds), (inner, "axis"), (outer, "axis")]
         self.ball = condense_free(ball, _loads(ball, on_ball))
-        self.inner_ring = self._ring("inner", [(inner, "normal"), (inner, "axis")], OuterSupport.RIGID)
-        self.outer_ring = self._ring("outer", [(outer, kind) for kind in (*kinds, "axis")], support)
-
-    def _ring(self, name: str, loads: Sequence[tuple[ContactFrame, str]], support: OuterSupport) -> CondensedSolid:
-        body = TetrahedralBody(self.geometry.mesh(name), self.geometry.bearing.drawing.ring)
-        return condense_supported(body, _loads(body, loads), *ring_support(body, self.geometry, name, support))
+        self.inner_ring = condensed_ring(geometry, "inner", ("normal", "axis"), OuterSupport.RIGID)
+        self.outer_ring = condensed_ring(geometry, "outer", (*kinds, "axis"), support)
 
     def supports(self, results: SectorResults) -> dict[str, Array]:
         """Forces of what holds each body on it, summed over its mesh and over both halves [N].
@@ -203,6 +199,21 @@ class BearingSector(Sector):
         pressure, _, _ = active_set(flexibility, gaps, motions, np.array([0.5 * results.load, 0.0]), start)
         found = contact_results.ellipse(frame, pressure)
         return {name: value / getattr(exact, name) for name, value in found.items()}
+
+
+def condensed_ring(geometry: SectorGeometry, name: str, kinds: Sequence[str], support: OuterSupport) -> CondensedSolid:
+    """A segment of the inner or the outer ring, condensed onto the pressure of its contact.
+
+    Args:
+        geometry: the bodies.
+        name: "inner" or "outer".
+        kinds: directions of the pressure, see `ContactFrame.loads`.
+        support: how the cylinder away from the groove is held.
+    """
+    frame = geometry.frames[0 if name == "inner" else 1]
+    body = TetrahedralBody(geometry.mesh(name), geometry.bearing.drawing.ring)
+    loads = _loads(body, [(frame, kind) for kind in kinds])
+    return condense_supported(body, loads, *ring_support(body, geometry, name, support))
 
 
 class _State:

@@ -84,6 +84,12 @@ def solve(
         )
     if effects not in (None, "auto"):
         raise ValueError(f'effects = {effects!r}: "auto", or None for those that the scene names')
+    if effects == "auto" and scene.thermal is not None:
+        raise ValueError("effects are not chosen for a scene with a heat balance: name them")
+    if scene.thermal is not None and effects is None:
+        from qsbearing.thermal import solve as hot
+
+        return hot.solve(scene, threads=threads, tolerance=residual_tolerance)
     if effects is None and scene.tolerance is None:
         if tolerance is not None:
             raise ValueError(

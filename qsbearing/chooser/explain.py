@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.chooser import choose
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, Entry
 from qsbearing.judgement import estimated, judge, lines_to_add
@@ -72,7 +73,7 @@ def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
     Raises:
         ValueError: the scene has array fields.
     """
-    solution = solve(scene)
+    solution = choose.solve(scene)
     if solution.shape:
         raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")
     return solution, [_row(entry, solution, tolerance) for entry in EFFECTS]

@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 import click
 
 from qsbearing import __version__
+from qsbearing.cli.app import app
 from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.compare import compare
 from qsbearing.cli.cost import cost
@@ -62,7 +63,22 @@ def cli() -> None:
     """
 
 
-for command in (run, explain, sweep, find, compare, plot, stiffness, figures, cost, init, catalogue, report, guide):
+for command in (
+    run,
+    explain,
+    app,
+    sweep,
+    find,
+    compare,
+    plot,
+    stiffness,
+    figures,
+    cost,
+    init,
+    catalogue,
+    report,
+    guide,
+):
     cli.add_command(command)
 
 

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.output import UNSOLVED, print_table, refuse, warnings_as_notes
-from qsbearing.cli.picture_file import form_of
+from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
-from qsbearing.cli.sweep_problems import picture_problems
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -43,35 +42,23 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
     Exit codes: 0 all solved, 1 some is not, 2 bad input.
     """
-    from qsbearing.design.compare import compare as side_by_side
+    from qsbearing.design.compare import job_of, solved
     from qsbearing.io.csv_table import csv_bytes
-    from qsbearing.io.output_file import output_file
     from qsbearing.validation import SceneError
 
     problems = picture_problems(plot_target)
     with ExitStack() as stack:
-        writers = {}
-        for option, target in (("--csv", csv_target), ("--plot", plot_target)):
-            try:
-                if target is not None and not problems:
-                    writers[option] = stack.enter_context(output_file(target))
-            except (OSError, ValueError) as error:
-                problems.append(f"{option} {target}: {error}")
         try:
-            with warnings_as_notes(), solving():
-                found = side_by_side(scenes, at)
+            with warnings_as_notes():
+                job = job_of(scenes, at)
         except SceneError as error:
-            refuse("\nqsbearing: ".join([*problems, str(error)]))
-        if problems:
-            refuse("\nqsbearing: ".join(problems))
+            problems.append(str(error))
+        writers = claimed(stack, {"--csv": csv_target, "--plot": plot_target}, problems)
+        with solving():
+            found = solved(job)
         print_table(_tables(found))
-        try:
-            if "--csv" in writers:
-                writers["--csv"](csv_bytes(_columns(found)))
-            if "--plot" in writers and plot_target is not None:
-                writers["--plot"](_picture(found, plot_target))
-        except OSError as error:
-            refuse(f"cannot write: {error}")
+        make = {"--csv": lambda: csv_bytes(_columns(found)), "--plot": lambda: _picture(found, plot_target or "")}
+        write_files(writers, make)
     if not found.all_solved:
         sys.exit(UNSOLVED)
 
@@ -118,14 +105,9 @@ def _columns(found: Comparison) -> dict[str, list[object]]:
 
 
 def _picture(found: Comparison, target: str) -> bytes:
-    from io import BytesIO
-
     from qsbearing.pictures.side_by_side import side_by_side
 
     lines = {line.name: line for line in found.results}
     chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
     panels = [(line.name, line.unit, line.values) for line in chosen]
-    data = BytesIO()
-    title = f"At the job of {found.job}"
-    side_by_side(found.labels, panels, title).savefig(data, format=form_of(target)[1:])
-    return data.getvalue()
+    return picture_bytes(side_by_side(found.labels, panels, f"At the job of {found.job}"), target)

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
 
 
-def check_installed(what: str, needed: tuple[str, ...] = NEEDED) -> None:
+def check_installed(what: str, needed: tuple[str, ...] = NEEDED, extra: str = "report") -> None:
     """End with what to install, where something is missing."""
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
     if missing:
-        refuse(f"{what} needs {', '.join(missing)}: pip install 'qsbearing[report]'")
+        refuse(f"{what} needs {', '.join(missing)}: pip install 'qsbearing[{extra}]'")
 
 
 def folder(target: str) -> Path:

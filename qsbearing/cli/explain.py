@@ -1,16 +1,29 @@
-"""`qsbearing explain`: which effects and choices a scene calls for, and why."""
+"""`qsbearing explain`: which effects and choices a scene or set calls for, and why."""
 
 from __future__ import annotations
 
 import json
 import sys
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing.cli.explain_set import show_set
-from qsbearing.cli.explained import remarks, table
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import RenderableType
+    from rich.table import Table
+
+    from qsbearing.chooser.explain import Row
+    from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.solution.solution import Solution
+
+HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nness %")
+"""Of `QUANTITIES`, in their order."""
 
 
 @click.command(short_help="Show which effects a scene calls for, and by how much.")
@@ -41,18 +54,77 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
     loaded = load_one(scene)
-    if not isinstance(loaded, Scene):
-        show_set(loaded, as_json, tolerance)
-        return
-    with solving():
-        solution, rows = explain(replace(loaded, tolerance=None), tolerance)
-    if as_json:
-        found = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
-        print_text(json.dumps(found | {"effects": [vars(row) for row in rows]}, indent=1, allow_nan=False) + "\n")
+    shown: list[RenderableType]
+    solution: Solution | SetSolution
+    if isinstance(loaded, Scene):
+        with solving():
+            solution, rows = explain(replace(loaded, tolerance=None), tolerance)
+        found: dict[str, Any] = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
+        shown = [] if as_json else [_table(rows, tolerance), *_remarks(rows)]
     else:
-        print_table(table(rows, tolerance))
-        for each in remarks(rows):
-            print_table(each)
+        solution, rows, found, shown = _of_set(loaded, as_json, tolerance)
+    if as_json:
+        print_text(json.dumps(found | {"effects": [vars(row) for row in rows]}, indent=1, allow_nan=False) + "\n")
+    for each in shown:
+        print_table(each)
     if not solution.converged:
         note(message(solution))
         sys.exit(UNSOLVED)
+
+
+def _of_set(
+    of: BearingSet, as_json: bool, tolerance: float
+) -> tuple[SetSolution, list[Row], dict[str, Any], list[RenderableType]]:
+    """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
+    from rich.console import Group
+    from rich.padding import Padding
+    from rich.text import Text
+
+    from qsbearing.chooser.explain_set import explain_set
+    from qsbearing.io.report import warnings_below
+    from qsbearing.io.set_record import set_record
+    from qsbearing.io.set_report import heading, rows_tables
+    from qsbearing.sets.preload_limits import preload_summary
+
+    with solving():
+        solution, rows = explain_set(of, tolerance)
+        said = preload_summary(solution) if solution.converged else []
+    found = set_record(solution, [{}] * len(solution.rows))
+    of_set = {key: found[key] for key in ("status", "message", "arrangement", "warnings")}
+    of_set |= {"preload": said, "tolerance": tolerance}
+    parts: list[RenderableType] = []
+    if solution.converged and not as_json:
+        parts = [*rows_tables(found), Text("\n".join(said)), _table(rows, tolerance)]
+        parts += [Group(*_remarks(rows)), *warnings_below(found["warnings"])]
+    whole = Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts))
+    return solution, rows, of_set, [] if as_json else [whole]
+
+
+def _remarks(rows: Sequence[Row]) -> list[RenderableType]:
+    """Why a verdict cannot be given, and how to include what is needed."""
+    from rich.text import Text
+
+    said: list[RenderableType] = []
+    for row in rows:
+        if row.why or (row.add and row.verdict == "needed"):
+            lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
+            said.append(Text(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}"))
+    return said
+
+
+def _table(rows: Sequence[Row], tolerance: float) -> Table:
+    """What leaving each out changes, found by solving; estimated, with ≈, where its parameters are not known."""
+    from qsbearing.chooser.explain import two_digits
+    from qsbearing.effects import QUANTITIES
+    from qsbearing.io.tables import plain_table
+
+    title = f"Effects and choices: what leaving each out changes (≈ estimated); needed above {100 * tolerance:g} %"
+    is_timed = any(row.time_with_over_without is not None for row in rows)  # those of a set are not
+    headings = ("", "in\nscene", *(("indi-\ncator", "time") if is_timed else ()), *HEADINGS, "verdict")
+    found = plain_table(title, headings, left=(0, 1, len(headings) - 1))
+    for row in rows:
+        ratio = two_digits(row.time_with_over_without)
+        cells = (two_digits(row.indicator), "-" if ratio == "-" else f"x{ratio}") if is_timed else ()
+        changes = map(row.change, QUANTITIES)
+        found.add_row(row.effect, "yes" if row.in_scene else "no", *cells, *changes, row.verdict.replace(", ", ",\n"))
+    return found

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from contextlib import ExitStack
 from typing import Any
 
 import click
 
-from qsbearing.cli.output import UNSOLVED, print_table, print_text, refuse, warnings_as_notes
-from qsbearing.cli.picture_file import form_of
-from qsbearing.cli.progress import progress_bar
-from qsbearing.cli.sweep_problems import picture_problems
+from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.output import UNSOLVED, print_table, print_text, progress_bar, refuse, warnings_as_notes
+from qsbearing.cli.vary import pairs_of
 
 MOST_POINTS = 100_000_000
 
@@ -47,39 +47,28 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
     Exit codes: 0 found, 1 no point meets all (the nearest is shown, and what fails), 2 bad input.
     """
     from qsbearing.design import shown
-    from qsbearing.design.find import find as search
-    from qsbearing.io.output_file import output_file
+    from qsbearing.design.find import prepared, searched
     from qsbearing.validation import SceneError
 
     problems = picture_problems(target)
-    varied: dict[str, str] = {}
-    for text in vary:
-        key, equals, values = text.partition("=")
-        if not equals or key.strip() in varied:
-            problems.append(f"--vary {text}: " + ("is varied twice" if equals else "write KEY=LOW:HIGH or KEY=A,B,C"))
-        varied[key.strip()] = values
+    varied = pairs_of(vary, "write KEY=LOW:HIGH or KEY=A,B,C", problems)
+    how = {name: asked.pop(name) for name in ("points", "seed")}
     with ExitStack() as stack:
         try:
-            write = stack.enter_context(output_file(target)) if target is not None and not problems else None
-            with warnings_as_notes(), progress_bar() as progress:
-                found = search(scene, varied, progress=progress, **asked)
-            if problems:
-                refuse("\nqsbearing: ".join(problems))
-            if as_json:
-                import json
-
-                print_text(json.dumps(shown.record(found), indent=1, allow_nan=False) + "\n")
-            else:
-                print_table(shown.tables(found))
-            if write is not None and target is not None:
-                from io import BytesIO
-
-                data = BytesIO()
-                shown.picture(found).savefig(data, format=form_of(target)[1:])
-                write(data.getvalue())
+            with warnings_as_notes():
+                search = prepared(scene, varied, **asked)
         except SceneError as error:
-            refuse("\nqsbearing: ".join([*problems, str(error)]))
-        except OSError as error:
-            refuse(f"cannot write: {error.strerror or error}")
+            problems.append(str(error))
+        writers = claimed(stack, {"--plot": target}, problems)
+        try:
+            with progress_bar() as progress:
+                found = searched(search, **how, progress=progress)
+        except SceneError as error:
+            refuse(str(error))
+        if as_json:
+            print_text(json.dumps(shown.record(found), indent=1, allow_nan=False) + "\n")
+        else:
+            print_table(shown.tables(found))
+        write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(found), target or "")})
     if not found.is_feasible:
         sys.exit(UNSOLVED)

@@ -10,22 +10,26 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping
+    from collections.abc import Callable, Iterable, Iterator
 
     from rich.console import RenderableType
 
-    from qsbearing.io.output_file import Writer
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
-NO_SOLUTION = "there is no solution to write"
 
 
 def refuse(message: str) -> NoReturn:
     """End with what is wrong with the input."""
     note(message)
     sys.exit(BAD_INPUT)
+
+
+def refuse_all(problems: list[str]) -> None:
+    """Likewise with several things at once; go on where there is none."""
+    if problems:
+        refuse("\nqsbearing: ".join(problems))
 
 
 def note(message: str) -> None:
@@ -71,21 +75,6 @@ def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
     print_text(json.dumps(whole, indent=1, allow_nan=False) + "\n")
 
 
-def write_files(
-    targets: Mapping[str, str], write: Mapping[str, Writer], make: Mapping[str, Callable[[], bytes]], lacks: str
-) -> None:
-    """Write the files asked for, by their options; where nothing is solved, end and say that what they need lacks."""
-    if lacks:
-        for target in targets.values():
-            note(f"{target} is not written: {lacks}")
-        sys.exit(UNSOLVED)
-    try:
-        for option in targets:
-            write[option](make[option]())
-    except OSError as error:  # a disk that filled up meanwhile
-        refuse(f"cannot write: {error}")
-
-
 def print_text(text: str) -> None:
     """Text to standard output, whatever characters it can show."""
     stream = sys.stdout
@@ -97,3 +86,22 @@ def print_text(text: str) -> None:
         # The reader has seen enough, as `| head` has. What is left in the buffer goes nowhere, or Python would try to
         # write it once more on its way out.
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+@contextmanager
+def progress_bar() -> Iterator[Callable[[int, int], None]]:
+    """A bar with rate and time left, where there is a terminal to show it; yields what tells it of points done."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    console = Console(stderr=True)
+    columns = (BarColumn(), TextColumn("{task.fields[shown]}"), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("", total=None, shown="")
+
+        def update(done: int, count: int) -> None:
+            speed = progress.tasks[0].speed or 0.0
+            shown = f"{done:,} of {count:,} points, {speed:,.0f} per second"
+            progress.update(task, completed=done, total=count, shown=shown)
+
+        yield update

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
+from contextlib import ExitStack
 
 import click
 
+from qsbearing.cli.files import PICTURES, check_installed, claimed, draw, ending_problems, write_files
 from qsbearing.cli.output import note, refuse
-from qsbearing.cli.picture_file import draw_to
 
 
 @click.command(short_help="Draw the results of a sweep.")
@@ -32,15 +32,16 @@ def plot(
     from qsbearing.studies.store import open_results
     from qsbearing.validation import SceneError
 
-    for module in ("xarray", "matplotlib"):
-        if importlib.util.find_spec(module) is None:
-            refuse(f"plot needs {module}: pip install 'qsbearing[studies]'")
+    check_installed("plot needs", ("xarray", "matplotlib"), "studies")
     target = out or os.path.splitext(results)[0] + ".png"  # noqa: PTH122 - pathlib costs --help its time
-    try:
-        with open_results(results) as dataset:
-            draw_to(dataset, target, x=x, y=y, kind=kind, at=_places(at))
-    except SceneError as error:
-        refuse(str(error))
+    with ExitStack() as stack:
+        try:
+            dataset = stack.enter_context(open_results(results))
+        except SceneError as error:
+            refuse(str(error))
+        places = _places(at)
+        writers = claimed(stack, {"--out": target}, ending_problems("--out", target, PICTURES))
+        write_files(writers, {"--out": lambda: draw(dataset, target, x=x, y=y, kind=kind, at=places)})
     if out is None:
         note(f"drawn to {target}")
 

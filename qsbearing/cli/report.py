@@ -92,7 +92,7 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
     if not isinstance(asked, Scene):
         from qsbearing.sets.solve import solve_set
 
-        with solving():
+        with solving(asked):
             solved = solve_set(asked)
         if not solved.converged:
             _end(message(solved))

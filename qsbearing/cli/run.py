@@ -1,25 +1,27 @@
-"""`qsbearing run`: solve a scene and show what came out."""
+"""`qsbearing run`: solve a scene, a set or a load spectrum, and show what came out."""
 
 from __future__ import annotations
 
-import importlib.util
-import os
+import sys
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from qsbearing.cli.output import NO_SOLUTION, print_result, print_table, refuse, write_files
-from qsbearing.cli.picture_file import PICTURES, drawn, form_of
+from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.run_set import run_set
-from qsbearing.cli.run_spectrum import show_spectrum
-from qsbearing.cli.scene import load_scene_or_set, solve
+from qsbearing.cli.scene import load_scene_or_set, solve, solving
 
 if TYPE_CHECKING:
-    from qsbearing.io.output_file import Writer
-    from qsbearing.io.readings_record import Readings
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+    from rich.console import RenderableType
+
     from qsbearing.scene.scene import Scene
+    from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.sets.set_solution import SetSolution
     from qsbearing.solution.solution import Solution
 
 
@@ -76,88 +78,144 @@ def run(
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--accuracy": accuracy}
         run_points(scene, points, out, {name: given for name, given in others.items() if given not in (None, False)})
         return
+    targets = {"--csv": csv_target, "--plot": plot_target}
     with ExitStack() as stack:
-        given = {"--csv": csv_target, "--plot": plot_target}
-        targets = {option: target for option, target in given.items() if target is not None}
-        write = _claim(stack, scene, targets)
+        writers = claimed(stack, targets, picture_problems(plot_target), scene)
         loaded = load_scene_or_set(scene)
         from qsbearing.scene.scene import Scene
 
         if not isinstance(loaded, Scene):
-            run_set(loaded, as_json, targets, write, accuracy)
-            return
-        if accuracy is not None:
-            _check(accuracy)
-        is_spectrum = "spectrum" in loaded.readings
-        if is_spectrum and "--plot" in targets:
-            refuse("--plot: pictures are of single operating points; --csv writes every ball of every point")
-        solution = solve(loaded, accuracy)
-        asked = loaded if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
-        if is_spectrum:
-            show_spectrum(solution, asked, as_json, targets, write)
-            return
+            found = _of_set(loaded, accuracy, plot_target)
+        elif "spectrum" in loaded.readings:
+            found = _of_spectrum(loaded, accuracy, plot_target)
+        else:
+            found = _of_scene(loaded, accuracy)
+        if as_json:
+            print_result(found.input, found.record())
+        else:
+            for each in found.tables():
+                print_table(each)
+        if found.lacks:
+            for option in writers:
+                note(f"{targets[option]} is not written: {found.lacks}")
+            sys.exit(UNSOLVED)
         from qsbearing.io.csv_table import csv_bytes
-        from qsbearing.io.readings_record import all_columns, taken
 
-        readings = taken(solution)
-        _show(solution, readings, loaded, asked, as_json)
         make = {
-            "--csv": lambda: csv_bytes(all_columns(solution, readings)),
-            "--plot": lambda: drawn(solution, targets["--plot"]),
+            "--csv": lambda: csv_bytes(found.columns()),
+            "--plot": lambda: _drawn(found.solution, plot_target or ""),
         }
-        write_files(targets, write, make, "" if solution.converged else NO_SOLUTION)
+        write_files(writers, make)
 
 
-def _claim(stack: ExitStack, scene: str, targets: dict[str, str]) -> dict[str, Writer]:
-    """What writes each file, by its option; all that is wrong with the files at once."""
-    if not targets:
-        return {}
-    from qsbearing.io.output_file import output_file
-
-    problems = []
-    if "--plot" in targets:
-        if form_of(targets["--plot"]) not in PICTURES:
-            problems.append(f"--plot {targets['--plot']}: the name must end in one of {', '.join(PICTURES)}")
-        if importlib.util.find_spec("matplotlib") is None:
-            problems.append("--plot needs matplotlib: pip install 'qsbearing[plot]'")
-    known: dict[str, str] = {os.path.realpath(scene): "SCENE"}
-    for option, target in targets.items():
-        other = known.setdefault(os.path.realpath(target), option) if target else option
-        if other != option:
-            problems.append(f"{option}: the same file as {other}")
-    writers = {}
-    for option, target in targets.items():
-        try:
-            writers[option] = stack.enter_context(output_file(target))
-        except (OSError, ValueError) as error:
-            problems.append(f"{option} {target}: {error}")
-    if problems:
-        refuse("\nqsbearing: ".join(problems))
-    return writers
+NO_SOLUTION, SOME_UNSOLVED = "there is no solution to write", "not all points are solved"
+NO_PICTURE = "--plot: pictures are of single operating points; --csv writes every ball of every point"
 
 
-def _check(accuracy: float) -> None:
-    from qsbearing.chooser.choose import COARSEST, FINEST
+class Found(NamedTuple):
+    """A result, and how it is shown in every way that may be asked for."""
 
-    if not FINEST <= accuracy <= COARSEST:
-        refuse(
-            f"--accuracy {accuracy:g}: is outside its range\n    allowed: {FINEST:g} to {COARSEST:g}, a "
-            "relative error\n    1e-3 is a tenth of a per cent"
+    solution: Solution | SetSolution
+    input: Scene | BearingSet
+    """What it is reproduced from."""
+    record: Callable[[], dict[str, Any]]
+    tables: Callable[[], list[RenderableType]]
+    columns: Callable[[], dict[str, NDArray]]
+    lacks: str
+    """What files would lack; empty where all is solved."""
+
+
+def _of_scene(scene: Scene, accuracy: float | None) -> Found:
+    from qsbearing.io.json_record import record
+    from qsbearing.io.readings_record import all_columns, taken
+
+    solution = _solved(scene, accuracy)
+    readings = taken(solution)
+
+    def tables() -> list[RenderableType]:
+        from qsbearing.io.report import result
+
+        found: list[RenderableType] = [result(solution, readings)]
+        if solution.choice is not None:
+            from rich.text import Text
+
+            from qsbearing.messages.bearing import chosen
+
+            found.append(Text("\n" + "\n".join(chosen(solution, scene))))
+        return found
+
+    asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
+    return Found(
+        *(solution, asked, lambda: record(solution, readings), tables),
+        *(lambda: all_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
+    )
+
+
+def _of_spectrum(scene: Scene, accuracy: float | None, picture: str | None) -> Found:
+    from qsbearing.io.readings_record import all_columns, taken
+    from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
+
+    if picture is not None:
+        refuse(NO_PICTURE)
+    solution = _solved(scene, accuracy)
+    readings = taken(solution)
+    return Found(
+        solution,
+        scene if accuracy is None else solution.scene,
+        lambda: spectrum_record(solution, readings),
+        lambda: [spectrum_result(solution, readings)],
+        lambda: all_columns(solution, readings),
+        "" if solution.converged.all() else SOME_UNSOLVED,
+    )
+
+
+def _of_set(of: BearingSet, accuracy: float | None, picture: str | None) -> Found:
+    from qsbearing.io.readings_record import taken
+    from qsbearing.io.set_record import set_columns, set_record
+    from qsbearing.sets.solve import solve_set
+
+    if "spectrum" in of.readings and picture is not None:
+        refuse(NO_PICTURE)
+
+    if accuracy is not None:
+        refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
+    with solving(of):
+        solution = solve_set(of)
+    readings = [taken(row) for row in solution.rows]
+    if "spectrum" in of.readings:
+        from qsbearing.io.set_spectrum_report import set_spectrum_record, set_spectrum_result
+
+        return Found(
+            solution,
+            of,
+            lambda: set_spectrum_record(solution, readings),
+            lambda: [set_spectrum_result(solution, readings)],
+            lambda: set_columns(solution, readings),
+            "" if solution.converged.all() else SOME_UNSOLVED,
         )
 
+    def tables() -> list[RenderableType]:
+        from qsbearing.io.set_report import set_result
 
-def _show(solution: Solution, readings: Readings, scene: Scene, asked: Scene, as_json: bool) -> None:
-    if as_json:
-        from qsbearing.io.json_record import record
+        return [set_result(solution, readings)]
 
-        print_result(asked, record(solution, readings))
-        return
-    from qsbearing.io.report import result
+    return Found(
+        *(solution, of, lambda: set_record(solution, readings), tables),
+        *(lambda: set_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
+    )
 
-    print_table(result(solution, readings))
-    if solution.choice is not None:
-        from rich.text import Text
 
-        from qsbearing.messages.bearing import chosen
+def _solved(scene: Scene, accuracy: float | None) -> Solution:
+    if accuracy is not None:
+        from qsbearing.chooser.choose import COARSEST, FINEST
 
-        print_table(Text("\n" + "\n".join(chosen(solution, scene))))
+        if not FINEST <= accuracy <= COARSEST:
+            allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is a tenth of a per cent"
+            refuse(f"--accuracy {accuracy:g}: is outside its range\n{allowed}")
+    return solve(scene, accuracy)
+
+
+def _drawn(solution: Solution | SetSolution, target: str) -> bytes:
+    from qsbearing.pictures import overview
+
+    return picture_bytes(overview(solution), target)

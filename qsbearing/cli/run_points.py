@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import sys
 from collections import Counter
 from typing import Any
 
-from qsbearing.cli.output import UNSOLVED, print_text, print_wrote, refuse, warnings_as_notes
-from qsbearing.cli.progress import progress_bar
-from qsbearing.cli.sweep_problems import ending
+from qsbearing.cli.files import ending, ending_problems, missing
+from qsbearing.cli.output import UNSOLVED, print_text, print_wrote, progress_bar, refuse, refuse_all, warnings_as_notes
 
-ENDINGS = (".csv", ".xlsx", ".parquet")
 _NEEDS = {".csv": ("pandas",), ".xlsx": ("pandas", "openpyxl"), ".parquet": ("pandas", "pyarrow")}
 SHOWN = 5
 
@@ -31,8 +28,8 @@ def run_points(scene: str, points: str | None, out: str | None, others: dict[str
             problems += _problems(option, target)
     if points and out and os.path.realpath(points) == os.path.realpath(out):
         problems.append("--out: the same file as --points")
-    if problems or points is None or out is None:
-        refuse("\nqsbearing: ".join(problems))
+    refuse_all(problems)
+    assert points is not None and out is not None  # said to be missing
     try:
         with output_file(out) as write:
             with warnings_as_notes(), progress_bar() as progress:
@@ -56,7 +53,6 @@ def run_points(scene: str, points: str | None, out: str | None, others: dict[str
 
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
-    if form not in ENDINGS:
-        return [f"{option} {target}: the name must end in one of {', '.join(ENDINGS)}"]
-    missing = [name for name in _NEEDS[form] if importlib.util.find_spec(name) is None]
-    return [f"{option} *{form} needs {' and '.join(missing)}: pip install 'qsbearing[tables]'"] if missing else []
+    lacks = missing(*_NEEDS.get(form, ()))
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: pip install 'qsbearing[tables]'"] if lacks else []
+    return ending_problems(option, target, tuple(_NEEDS)) + needs

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -70,13 +71,15 @@ def solve(scene: Scene, tolerance: float | None = None) -> Solution:
     terminal."""
     from qsbearing.chooser import choose
 
-    with solving():
+    with solving(scene):
         return choose.solve(scene, effects=None if tolerance is None else "auto", tolerance=tolerance)
 
 
 @contextmanager
-def solving() -> Iterator[None]:
+def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
     """Say on a terminal, once, that it takes longer than anybody waits in silence."""
+    if asked is not None and asked.thermal is not None:  # friction is integrated on the way, which needs it
+        importlib.import_module("scipy.linalg")
     timer = threading.Timer(PATIENCE, note, ["still solving ..."])
     timer.daemon = True
     if sys.stderr.isatty():

@@ -7,6 +7,7 @@ from contextlib import ExitStack
 
 import click
 
+from qsbearing.cli.files import claimed, write_files
 from qsbearing.cli.output import UNSOLVED, print_text, refuse
 from qsbearing.cli.vary import study_of, vary_option
 
@@ -25,26 +26,18 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
     from qsbearing.io.csv_table import csv_bytes
-    from qsbearing.io.output_file import output_file
     from qsbearing.studies.stiffness import stiffness_of
     from qsbearing.validation import SceneError
 
     with ExitStack() as stack:
-        try:
-            write = None if out is None else stack.enter_context(output_file(out))
-        except (OSError, ValueError) as error:
-            refuse(f"--out {out}: {error}")
+        writers = claimed(stack, {"--out": out}, [])
         try:
             columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored)
         except SceneError as error:
             refuse(str(error))
         text = csv_bytes(columns)
-        if write is None:
+        write_files(writers, {"--out": lambda: text})
+        if not writers:
             print_text(text.decode())
-        else:
-            try:
-                write(text)
-            except OSError as error:  # a disk that filled up meanwhile
-                refuse(f"cannot write: {error}")
     if not (columns["status"] == "converged").any():
         sys.exit(UNSOLVED)

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import sys
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing.cli.output import UNSOLVED, note, print_table, refuse
-from qsbearing.cli.picture_file import draw_to
-from qsbearing.cli.progress import progress_bar
-from qsbearing.cli.sobol import show_indices
-from qsbearing.cli.sweep_problems import TABLES, ending, picture_problems, place_problems, sobol_problems
+from qsbearing.cli.files import (
+    check_installed,
+    claimed,
+    draw,
+    ending,
+    ending_problems,
+    missing,
+    picture_problems,
+    write_files,
+)
+from qsbearing.cli.output import UNSOLVED, note, print_table, progress_bar, refuse
 from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
@@ -26,6 +31,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.study import Study
 
 INTERRUPTED = 130
+TABLES = (".csv", ".parquet")
 IN_MEMORY = 1 << 18
 """Points whose results are held in memory; of more they are in a file, a temporary one where none is asked for."""
 
@@ -72,46 +78,90 @@ def sweep(
     from qsbearing.studies import summary
     from qsbearing.validation import SceneError
 
-    _need("xarray", "h5netcdf")
-    problems = [*place_problems(out, overwrite, resume), *picture_problems(picture)]
-    problems += [] if sobol is None else sobol_problems(sobol, given | {"scheduler": scheduler, "resume": resume})
-    try:
-        study = study_of(scene, vary, given)
-        if problems:
-            refuse("\nqsbearing: ".join(problems))
-        if sobol is not None:
-            show_indices(study, sobol, out, picture)
-            return
-        with ExitStack() as stack:
-            write = stack.enter_context(_table(out)) if out and ending(out) in TABLES else None
-            executor = _executor(stack, scheduler)
-            results = _solved(study, executor, out if write is None else None, resume, stack)
-            if write:
-                write(results)
-            print_table(summary.table(results))
-            solved = summary.any_is_solved(results)
-            if picture is not None and solved:
-                draw_to(results, picture)
-            elif picture is not None:
-                note(f"no point is solved: there is nothing to draw to {picture}")
-    except SceneError as error:
-        refuse("\nqsbearing: ".join([*problems, str(error)]))
-    except OSError as error:
-        refuse(f"cannot write: {error.strerror or error}")
+    check_installed("studies need", ("xarray", "h5netcdf"), "studies")
+    problems = [*_place_problems(out, overwrite, resume), *picture_problems(picture)]
+    problems += [] if sobol is None else _sobol_problems(sobol, given | {"scheduler": scheduler, "resume": resume})
+    with ExitStack() as stack:
+        try:
+            study = study_of(scene, vary, given)
+        except SceneError as error:
+            problems.append(str(error))
+        draws = claimed(stack, {"--plot": picture}, problems)
+        try:
+            if sobol is not None:
+                results = _indices(study, sobol, out)
+                print_table(summary.table_of_indices(results))
+                solved = True
+            else:
+                write = stack.enter_context(_table(out)) if out and ending(out) in TABLES else None
+                executor = _executor(stack, scheduler)
+                results = _solved(study, executor, out if write is None else None, resume, stack)
+                if write:
+                    write(results)
+                print_table(summary.table(results))
+                solved = summary.any_is_solved(results)
+        except SceneError as error:
+            refuse(str(error))
+        except OSError as error:
+            refuse(f"cannot write: {error.strerror or error}")
+        if solved:
+            write_files(draws, {"--plot": lambda: draw(results, picture or "")})
+        elif picture is not None:
+            note(f"no point is solved: there is nothing to draw to {picture}")
     if not solved:
         sys.exit(UNSOLVED)
 
 
-def _need(*modules: str) -> None:
-    missing = [module for module in modules if importlib.util.find_spec(module) is None]
-    if missing:
-        refuse(f"studies need {' and '.join(missing)}: pip install 'qsbearing[studies]'")
+def _place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]:
+    """Of --out, --overwrite and --resume."""
+    found = []
+    form = ending(out or "")
+    if out is not None and form not in (".nc", *TABLES):
+        found += ending_problems("--out", out, (".nc", *TABLES))
+    elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
+        found.append(f"--out {out}: is there already; --overwrite replaces it")
+    if form == ".parquet" and missing("pyarrow"):
+        found.append("--out *.parquet needs pyarrow: pip install pyarrow")
+    if resume and form != ".nc":
+        found.append("--resume needs --out FILE.nc: only there finished chunks are kept")
+    return found
+
+
+def _is_unfinished(out: str) -> bool:
+    """Whether there is a run to go on with, which was allowed to write there."""
+    from qsbearing.studies.store import folder_of
+
+    return folder_of(out).is_dir()
+
+
+def _sobol_problems(count: int, given: dict[str, Any]) -> list[str]:
+    """Of --sobol, and of options that do not go with it."""
+    from qsbearing.studies.sobol import count_problem
+
+    found = [f"--sobol {count}: {count_problem(count)}"] if count_problem(count) else []
+    for name in ("samples", "sampling", "scheduler", "resume"):
+        if given[name] not in (None, False):
+            found.append(f"--{name} does not go with --sobol, which draws and solves its own points")
+    return found
+
+
+def _indices(study: Study, count: int, out: str | None) -> xarray.Dataset:
+    """Sobol indices, written to a file where one is asked for."""
+    from qsbearing.io.output_file import output_stream
+    from qsbearing.studies.sobol import sobol_indices
+    from qsbearing.studies.tables import write_indices
+
+    with output_stream(out) if out else nullcontext() as file:
+        indices = sobol_indices(study, count)
+        if file is not None:
+            write_indices(indices, file, ending(out or ""))
+    return indices
 
 
 def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
     if scheduler is None:
         return None
-    _need("distributed")
+    check_installed("studies need", ("distributed",), "cluster")
     import logging
 
     from distributed import Client

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing.cli.output import refuse, warnings_as_notes
+from qsbearing.cli.output import refuse_all, warnings_as_notes
 
 if TYPE_CHECKING:
     from qsbearing.studies.study import Study
@@ -21,6 +21,17 @@ vary_option = click.option(
 )
 
 
+def pairs_of(vary: tuple[str, ...], form: str, problems: list[str]) -> dict[str, str]:
+    """What each key takes; what is none is added to the problems."""
+    varied: dict[str, str] = {}
+    for text in vary:
+        key, equals, values = text.partition("=")
+        if not equals or key.strip() in varied:
+            problems.append(f"--vary {text}: " + ("is varied twice" if equals else form))
+        varied[key.strip()] = values
+    return varied
+
+
 def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
     """The study of a scene or study file with the keys that are varied beside it.
 
@@ -29,13 +40,9 @@ def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
     """
     from qsbearing.studies.study import Study
 
-    varied: dict[str, str] = {}
-    for text in vary:
-        key, equals, values = text.partition("=")
-        if not equals or key.strip() in varied:
-            fault = "is varied twice" if equals else "has no values. Write KEY=START:STOP:COUNT or KEY=A,B,C"
-            refuse(f"--vary {text}: {fault}")
-        varied[key.strip()] = values
+    problems: list[str] = []
+    varied = pairs_of(vary, "has no values. Write KEY=START:STOP:COUNT or KEY=A,B,C", problems)
+    refuse_all(problems)
     options = {name: value for name, value in given.items() if value is not None and value != ()}
     with warnings_as_notes():
         return Study.of(scene, varied, **options)

@@ -7,13 +7,13 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from qsbearing import quantities
 from qsbearing.chooser.choose import solve as choose
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.io.set_file import is_set, set_of
 from qsbearing.scene.bearing import BallBearing
@@ -83,9 +83,23 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
     Raises:
         SceneFileError: everything that is wrong with any of them, at once.
     """
+    return solved(job_of(sources, at))
+
+
+class Job(NamedTuple):
+    """Bearings at one job, as they can be solved."""
+
+    made: list[Scene | BearingSet]
+    files: list[str]
+    where: str
+    """Where the job stands."""
+
+
+def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
+    """What is to be compared, read and checked; arguments and errors are those of `compare`."""
     count = len(sources)
     if not 2 <= count <= MOST:
-        raise SceneFileError("compare", [FileErrorDetail("", f"{count} bearings: give from two to {MOST}")])
+        raise refused("compare", f"{count} bearings: give from two to {MOST}")
     errors: list[FileErrorDetail] = []
     documents = [_read(source, errors) for source in sources]
     job = documents[0][0] if at is None else _read(at, errors)[0]
@@ -101,12 +115,17 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
                 errors.append(FileErrorDetail(**{**vars(found), "key": f"{file}: {found.key}"}))
     if errors:
         raise SceneFileError("compare", errors)
-    solutions = [solve_set(each) if isinstance(each, BearingSet) else choose(each) for each in made]
-    bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in made]
-    labels = _labels([bearing.name for bearing in bearings], [file for _, file, _ in documents])
-    statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
     where = "the first of them" if at is None else ("tables" if isinstance(at, dict) else str(at))
-    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), where)
+    return Job(made, [file for _, file, _ in documents], where)
+
+
+def solved(job: Job) -> Comparison:
+    """All of them solved."""
+    solutions = [solve_set(each) if isinstance(each, BearingSet) else choose(each) for each in job.made]
+    bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
+    labels = _labels([bearing.name for bearing in bearings], job.files)
+    statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
+    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), job.where)
 
 
 def _read(source: Source, errors: list[FileErrorDetail]) -> tuple[dict[str, Any], str, str]:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,6 +105,29 @@ def find(
     Raises:
         SceneError: everything that is wrong with what is asked for, at once.
     """
+    return searched(prepared(source, vary, goals, limits, minimise, maximise), points, seed, progress)
+
+
+class Prepared(NamedTuple):
+    """A search that can begin: nothing is wrong with what is asked for."""
+
+    asked: Wanted
+    study: Study
+    plan: Plan
+    kept: tuple[Result, ...]
+    """A result for each name of `asked`."""
+    began: float
+
+
+def prepared(
+    source: str | os.PathLike[str] | dict[str, Any] | Scene | BearingSet,
+    vary: Mapping[str, Any],
+    goals: Iterable[str] = (),
+    limits: Iterable[str] = (),
+    minimise: str | None = None,
+    maximise: str | None = None,
+) -> Prepared:
+    """What is asked of `find`, checked, before anything is searched; arguments and errors are its own."""
     began = time.perf_counter()
     if isinstance(source, Scene | BearingSet):
         source = input_tables(source)
@@ -113,9 +136,20 @@ def find(
     count = len(asked.variables)
     _check(study.replaced(variables=_axes(asked, LOOK[count])), asked)
     plan = plan_of(study, base_scene(study.replaced(variables=_axes(asked, LOOK[count]))), Points(study))
-    asked, plan, kept = _named(asked, plan)
+    return Prepared(*_named(asked, plan, study), began)
+
+
+def searched(
+    of: Prepared, points: int | None = None, seed: int = 0, progress: Callable[[int, int], object] | None = None
+) -> Found:
+    """The search itself.
+
+    Raises:
+        SceneError: no point of the sample has all results.
+    """
+    asked, study, plan, kept, began = of
     evaluate = partial(_evaluated, plan, kept, tuple(each.key for each in asked.variables))
-    size = points or ALL_POINTS << (count - 1)
+    size = points or ALL_POINTS << (len(asked.variables) - 1)
     try:
         best = search(asked, evaluate, size, seed, progress)
     except NoResultError as error:
@@ -184,7 +218,7 @@ def _spellings(name: str) -> list[str]:
     return [spelling for each in cut for spelling in (each, f"ring_{each}", f"shaft_{each}")]
 
 
-def _named(asked: Wanted, plan: Plan) -> tuple[Wanted, Plan, tuple[Result, ...]]:
+def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Result, ...]]:
     """The conditions by the results' full names, those of all balls with _max or _min; a plan that keeps these alone.
 
     Raises:
@@ -212,7 +246,7 @@ def _named(asked: Wanted, plan: Plan) -> tuple[Wanted, Plan, tuple[Result, ...]]
     conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(asked.conditions))
     objective = kept[-1].name if asked.objective else ""
     named = replace(asked, conditions=conditions, objective=objective)
-    return named, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
+    return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
 
 
 def _result(name: str, known: dict[str, Result]) -> tuple[Result | None, str]:

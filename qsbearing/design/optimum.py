@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -281,8 +282,6 @@ class _Differences:
             if any(each.sense != "=" for each in self.of.wanted.conditions):
                 self._with_slack(goals_within=False)
             return
-        from scipy.optimize import minimize
-
         goal = np.array([each.sense == "=" for each in self.of.wanted.conditions], bool)
         constraints = []
         for kind, rows, sign in (("eq", goal, 1.0), ("ineq", ~goal, -1.0)):
@@ -294,15 +293,10 @@ class _Differences:
                         "jac": lambda x, rows=rows, sign=sign: sign * self._rows(x)[1][rows],
                     }
                 )
-        found = minimize(
-            lambda x: float(self._rows(x)[2]), self.u[self.free], jac=lambda x: self._rows(x)[3], method="SLSQP",
-            bounds=[(0.0, 1.0)] * self.free.size, constraints=constraints, options={"ftol": 1e-10, "maxiter": 40},
-        )  # fmt: skip
-        self._take(found.x)
+        x = self.u[self.free]
+        self._minimise(lambda x: float(self._rows(x)[2]), lambda x: self._rows(x)[3], x, [], constraints)
 
     def _with_slack(self, goals_within: bool) -> None:
-        from scipy.optimize import minimize
-
         goal = np.array([each.sense == "=" for each in self.of.wanted.conditions], bool)
         limits = np.ones(goal.size, bool) if goals_within else ~goal
 
@@ -329,12 +323,25 @@ class _Differences:
         first = float(np.max(np.where(goal, np.abs(off) if goals_within else -np.inf, off)))
         least = 0.0 if goals_within else -1.0
         slope = np.append(np.zeros(x.size), 1.0)
+        start = np.append(x, max(first, least))
+        self._minimise(lambda z: float(z[-1]), lambda z: slope, start, [(least, None)], constraints)
+
+    def _minimise(
+        self,
+        cost: Callable[[NDArray], float],
+        slope: Callable[[NDArray], NDArray],
+        start: NDArray,
+        more: list[tuple[float, None]],
+        constraints: list[dict[str, Any]],
+    ) -> None:
+        """Go where SLSQP goes; bounds of what stands behind the free variables are given."""
+        from scipy.optimize import minimize
+
         found = minimize(
-            lambda z: float(z[-1]), np.append(x, max(first, least)), jac=lambda z: slope, method="SLSQP",
-            bounds=[*[(0.0, 1.0)] * x.size, (least, None)], constraints=constraints,
-            options={"ftol": 1e-10, "maxiter": 40},
+            cost, start, jac=slope, method="SLSQP", bounds=[*[(0.0, 1.0)] * self.free.size, *more],
+            constraints=constraints, options={"ftol": 1e-10, "maxiter": 40},
         )  # fmt: skip
-        self._take(found.x[:-1])
+        self._take(found.x[: self.free.size])
 
     def _take(self, x: NDArray) -> None:
         """Stand at this point, if it is better than where the steps began."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.io.csv_table import csv_bytes, inert
-from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError, refused
 from qsbearing.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
@@ -57,15 +57,15 @@ def read_table(path: str) -> dict[str, list[Any]]:
             headings = ["" if _is_empty(cell) else str(cell).strip() for cell in whole.iloc[0]]
     except ImportError as error:
         cause = "pip install 'qsbearing[tables]'"
-        raise _refused(path, f"needs {error.name or 'a package'} to be read", cause) from None
+        raise refused(path, f"needs {error.name or 'a package'} to be read", cause) from None
     except (OSError, ValueError, KeyError, IndexError, BadZipFile) as error:
         problem = getattr(error, "strerror", None) or (str(error).partition("\n")[0] or type(error).__name__)
-        raise _refused(path, f"cannot be read: {problem}", f"A table is one of {', '.join(ENDINGS)}") from None
+        raise refused(path, f"cannot be read: {problem}", f"A table is one of {', '.join(ENDINGS)}") from None
     if not 1 <= len(rows) <= MOST_ROWS:
-        raise _refused(path, f"{len(rows):,} rows below the headings", f"From one to {MOST_ROWS:,}")
+        raise refused(path, f"{len(rows):,} rows below the headings", f"From one to {MOST_ROWS:,}")
     twice = [name for name in dict.fromkeys(headings) if headings.count(name) > 1]
     if twice or "" in headings:
-        raise _refused(path, f"{'a column has no heading' if '' in headings else f'two columns {twice[0]}'}")
+        raise refused(path, f"{'a column has no heading' if '' in headings else f'two columns {twice[0]}'}")
     columns = {name: rows.iloc[:, i].tolist() for i, name in enumerate(headings)}
     return {name: [None if _is_empty(cell) else cell for cell in column] for name, column in columns.items()}
 
@@ -84,10 +84,6 @@ def _csv(path: str) -> DataFrame:
 
 def _is_empty(cell: Any) -> bool:
     return cell is None or cell != cell or (isinstance(cell, str) and not cell.strip())
-
-
-def _refused(path: str, problem: str, cause: str = "") -> SceneFileError:
-    return SceneFileError(path, [FileErrorDetail("", problem, cause=cause)])
 
 
 def solve_table(

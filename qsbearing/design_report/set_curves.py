@@ -15,10 +15,16 @@ from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.pictures.style import ROW_LINES, figure_of_size, legend
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.preload_loads import MOST, load_sentence, loaded, loads_of
+from qsbearing.sets.preload_limits import (
+    MOST,
+    Limits,
+    depends_on_speed,
+    load_sentence,
+    loaded,
+    loads_of,
+    speed_sentence,
+)
 from qsbearing.sets.preload_search import Change
-from qsbearing.sets.preload_speeds import speed_sentence
-from qsbearing.sets.preload_summary import Limits, depends_on_speed
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
 from qsbearing.units import MPa, rpm, um

@@ -17,7 +17,7 @@ from qsbearing.io.readings_report import readings_tables
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
 from qsbearing.ranked_warning import said_of
-from qsbearing.sets.preload_summary import Limits, limits, preload_summary
+from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution
 
 

@@ -3,32 +3,51 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from qsbearing.documents.data import data
 from qsbearing.documents.drawing import inlined
-from qsbearing.documents.model import Document, Picture
+from qsbearing.documents.model import Block, Document, Picture, Section
 
 TEMPLATES = Path(__file__).parent / "templates"
 
 
 def html(document: Document) -> str:
     """The page as text."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
+    return _rendered("page.html", document, style=style, script=script)
+
+
+def part(blocks: Sequence[Block]) -> str:
+    """Pieces of a document as they stand within a page, which brings their style."""
+    return _rendered("part.html", Document("", "", [Section("", blocks)])) if blocks else ""
+
+
+def _rendered(template: str, document: Document, **others: Any) -> str:
     from markupsafe import Markup
 
     found = data(document)
+    pictures = [Markup(_picture(picture, number)) for number, picture in enumerate(found["pictures"])]
+    text: str = _templates().get_template(template).render(document=found | {"pictures": pictures}, **others)
+    return text
+
+
+@cache
+def _templates() -> Any:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {"markup": Markup, "highlighted": lambda code: Markup(_highlighted(**code))}
-    pictures = [Markup(_picture(picture, number)) for number, picture in enumerate(found["pictures"])]
-    style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
-    page: Any = environment.get_template("page.html")
-    text: str = page.render(document=found | {"pictures": pictures}, style=style, script=script)
-    return text
+    return environment
 
 
 def _highlighted(text: str, language: str, **_: Any) -> str:

@@ -5,20 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
 from qsbearing.units import mm
 from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, first, within
 
 ElasticRings = Any
-"""An `effects.elastic_rings.ElasticRings`, which lies above: it asks for what is here."""
+Grooves = Any
+"""Of `effects.elastic_rings`, which lies above: it asks for what is here."""
 
 SIDES = {
     "outer": ("outside_diameter", "housing", "housing_outside_diameter", ("rigid", "free")),
     "inner": ("bore_diameter", "shaft", "shaft_bore_diameter", ("rigid", "free", "solid")),
 }
 """Of each ring: its diameter away from the groove, what holds it, the diameter of that, and the words for it."""
+SHOULDERS = {side: (f"{side}_shoulder_diameter", f"{side}_open_diameter") for side in SIDES}
 SOFTEST = 1e-3
 """[m/N]: a newton moves no ring that is one by a millimetre; it catches mistakes of unit."""
 
@@ -35,7 +36,7 @@ def parameter_errors(effect: ElasticRings) -> list[ErrorDetail]:
 def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     diameter, seat, seat_diameter, words = SIDES[side]
     path, width = effect.name, f"{side}_width"
-    lengths = {name: getattr(effect, name) for name in (diameter, width, seat_diameter)}
+    lengths = {name: getattr(effect, name) for name in (diameter, width, *SHOULDERS[side], seat_diameter)}
     constants = {name: getattr(effect, f"{seat}_{name}") for name in ("elastic_modulus", "poisson_ratio")}
     word, table = getattr(effect, seat), getattr(effect, f"{side}_compliance")
     given = [name for name, value in lengths.items() if value is not None]
@@ -58,6 +59,9 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     for name in () if word == "rigid" else (diameter, width):
         if lengths[name] is None:
             errors.append(ErrorDetail(f"{path}.{name}", "missing: a ring's stiffness depends on it"))
+    shoulder, opposite = SHOULDERS[side]
+    if lengths[shoulder] is None and lengths[opposite] is not None:
+        errors.append(ErrorDetail(f"{path}.{shoulder}", f"missing beside {opposite}"))
     if word is not None and str(word) not in words:
         errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {_quoted(words)}", str(word)))
     has_body = lengths[seat_diameter] is not None
@@ -87,14 +91,20 @@ def _table_errors(field: str, table: Any) -> list[ErrorDetail]:
     return [error for value in table for error in within(field, value, RATIO, 0.0, SOFTEST)][:1]
 
 
-def section_errors(effect: ElasticRings, inner_bottom: NDArray, outer_bottom: NDArray) -> list[ErrorDetail]:
-    """Diameters that are no rings around these groove bottoms (radii), no housing around the ring, no shaft within."""
+def section_errors(effect: ElasticRings, grooves: Grooves) -> list[ErrorDetail]:
+    """Diameters that are no rings around these grooves, no shoulders, no housing around the ring, no shaft within."""
     pairs = [
-        ("outside_diameter", "around the bottom of the outer groove", 2.0 * outer_bottom, 1.0),
-        ("bore_diameter", "within the bottom of the inner groove", 2.0 * inner_bottom, -1.0),
+        ("outside_diameter", "around the bottom of the outer groove", 2.0 * grooves.outer_bottom, 1.0),
+        ("bore_diameter", "within the bottom of the inner groove", 2.0 * grooves.inner_bottom, -1.0),
         ("housing_outside_diameter", "around the ring", effect.outside_diameter, 1.0),
         ("shaft_bore_diameter", "within the ring's bore", effect.bore_diameter, -1.0),
     ]
+    for side, outward in (("outer", -1.0), ("inner", 1.0)):
+        bottom, radius = (getattr(grooves, f"{side}_{name}") for name in ("bottom", "groove"))
+        for name in SHOULDERS[side]:
+            pairs.append((name, f"on the balls' side of the bottom of the {side} groove", 2.0 * bottom, outward))
+            centre = 2.0 * (bottom + outward * radius)
+            pairs.append((name, f"on the ring's side of the {side} groove's centre circle", centre, -outward))
     errors = []
     for name, what, limit, outward in pairs:
         value = getattr(effect, name)

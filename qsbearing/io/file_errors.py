@@ -65,6 +65,11 @@ class SceneFileError(SceneError):
         ValueError.__init__(self, "\n".join(lines))
 
 
+def refused(file: object, problem: str, cause: str = "") -> SceneFileError:
+    """A file that cannot be used as a whole."""
+    return SceneFileError(str(file), [FileErrorDetail("", problem, cause=cause)])
+
+
 def translate(error: ErrorDetail) -> FileErrorDetail:
     """An error of the Python objects as the file's reader needs it."""
     key = find(error.field) or Key("", "")

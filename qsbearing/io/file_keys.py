@@ -6,6 +6,7 @@ import re
 from functools import cache
 from typing import TYPE_CHECKING
 
+from qsbearing.io import thermal_keys
 from qsbearing.scene.keys import (
     BALL_DEVIATIONS,
     EFFECT_SECTIONS,
@@ -42,7 +43,7 @@ def numbers() -> dict[str, tuple[Key, ...]]:
 def sections() -> dict[str, tuple[str, ...]]:
     """Every key a file may hold, by its table, and by the tables within [effects] and [readings]."""
     own = {name: (*(key.name for key in it.keys), *it.choices) for name, it in reading_tables().items()}
-    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | own
+    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | thermal_keys.SECTIONS | own
 
 
 def find(path: str) -> Key | None:
@@ -54,6 +55,9 @@ def find(path: str) -> Key | None:
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     if table.startswith("row "):
         table = "rows"
+    if path.startswith("thermal."):
+        keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())
+        return next((key for key in keys if name in (key.field, key.name)), None)
     known = numbers() if _is_of_reading(path) else NUMBERS
     keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
     keys = (*keys, *IN_PLACE) if table == "bearing" else keys

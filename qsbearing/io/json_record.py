@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__, messages
-from qsbearing.io.readings_record import Readings, readings_record
+from qsbearing.io.readings_record import Readings, number, readings_record
 from qsbearing.result_keys import (
     BALL,
     CONTACT,
@@ -26,6 +25,9 @@ from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, um, zero_celsius
 
+if TYPE_CHECKING:
+    from qsbearing.sets.set_solution import SetSolution
+
 
 def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any]:
     """One case as the object that `run --json` prints.
@@ -40,12 +42,7 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
     scene = solution.scene
     solved = bool(np.asarray(solution.converged)[index])
     return {
-        "version": __version__,
-        "status": str(np.asarray(solution.status)[index]),
-        "message": messages.message(solution, index),
-        "residual": number(np.asarray(solution.residual)[index]),
-        "iterations": int(np.asarray(solution.iterations)[index]),
-        "seconds": solution.seconds,
+        **how_it_ended(solution, index),
         "bearing": scene.bearing.name,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
@@ -55,15 +52,36 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "rings": rings(solution, index),
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index),
+        "thermal": thermal(solution, index),
+        **motion_and_stiffness(solution, index),
+        "balls": balls(solution, index) if solved else [],
+        "readings": readings_record(solution, readings, index) if solved else None,
+        **_choice(solution, index),
+    }
+
+
+def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of a case of a bearing or set."""
+    return {
+        "version": __version__,
+        "status": str(np.asarray(solution.status)[index]),
+        "message": messages.message(solution, index),
+        "residual": number(np.asarray(solution.residual)[index]),
+        "iterations": int(np.asarray(solution.iterations)[index]),
+        "seconds": solution.seconds,
+    }
+
+
+def motion_and_stiffness(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of the ring, or of a set's shaft."""
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
         "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
         "load": of_channels(LOAD, solution.load[index]),
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
         "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
-        "stiffness_SI": matrix_rows(solution.stiffness[index]) if solved else None,
-        "compliance_SI": matrix_rows(solution.compliance[index]) if solved else None,
-        "balls": balls(solution, index) if solved else [],
-        "readings": readings_record(solution, readings, index) if solved else None,
-        **_choice(solution, index),
+        "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": _matrix_rows(solution.compliance[index]) if solved else None,
     }
 
 
@@ -145,13 +163,23 @@ def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, A
     effect = solution.scene.ring_expansion
     if effect is None or not effect.is_warm:
         return None
+    nodes = () if solution.thermal is None else solution.thermal.thermal.nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": each.taken_from,
+            "from": "heat balance" if body in nodes else each.taken_from,
         }
         for body, each in effect.temperatures.items()
     }
+
+
+def thermal(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any] | None:
+    """Temperatures and heat of the steady state; None where the scene asks for none."""
+    if solution.thermal is None:
+        return None
+    from qsbearing.io.thermal_report import thermal_record  # loaded only where there is heat
+
+    return thermal_record(solution.thermal, index)
 
 
 def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
@@ -175,11 +203,6 @@ def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
     ]
 
 
-def number(value: Any) -> float | None:
-    """The value as a float; None for NaN and infinity, which JSON has not."""
-    return float(value) if math.isfinite(value) else None
-
-
 def _numbers(numbers: tuple[Shown, ...], holder: Any, shape: tuple[int, ...], index: Place) -> dict[str, float | None]:
     """Some fields of one case, which may hold one number for all."""
     found = {shown.key: shown.of(holder) for shown in numbers}
@@ -193,6 +216,6 @@ def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[s
     return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
 
 
-def matrix_rows(matrix: NDArray) -> list[list[float | None]]:
+def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
     """A matrix as lists."""
     return [[number(value) for value in row] for row in matrix]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.io import catalogue
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import refused
 
 LARGEST_FILE = 1_000_000
 """Bytes; a scene takes about a thousand, and what is far longer is something else."""
@@ -35,23 +35,34 @@ def read_toml(path: Path) -> dict[str, Any]:
     Raises:
         SceneFileError: it cannot be read, or is not TOML.
     """
-    text = read_text(path)
+    return tables_of(read_text(path), path)
+
+
+def tables_of(text: str, path: Path) -> dict[str, Any]:
+    """The tables of a text.
+
+    Args:
+        path: what to call it in errors.
+
+    Raises:
+        SceneFileError: it is not TOML, or has too many keys.
+    """
     if not text.strip():
-        raise _refused(path, "is empty", "`qsbearing init` prints a scene to start from")
+        raise refused(path, "is empty", "`qsbearing init` prints a scene to start from")
     written = _COMMENT.sub("", text)
     count, deep = len(_KEY_OR_TABLE.findall(written)), _DEEP_KEY.search(written)
     if count > MOST_KEYS:
         cause = "Data of another program? A scene has some tens of keys, a row or an operating point about ten more"
-        raise _refused(path, f"has {count:,} keys; at most {MOST_KEYS:,} are read", cause)
+        raise refused(path, f"has {count:,} keys; at most {MOST_KEYS:,} are read", cause)
     if deep:
         cause = f"{deep.group()[:40]}... A scene's longest key has six parts, such as vary.bearing.ball_diameter_mm"
-        raise _refused(path, f"has a key of more than {DEEPEST} parts with dots between", cause)
+        raise refused(path, f"has a key of more than {DEEPEST} parts with dots between", cause)
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         # Besides wrong syntax, numbers of thousands of digits and endless nesting end here.
         problem = f"is not TOML: {str(error) or 'nested too deeply'}"
-        raise _refused(path, problem, _line_of(text, str(error))) from None
+        raise refused(path, problem, _line_of(text, str(error))) from None
 
 
 def read_text(path: Path, most: int = LARGEST_FILE) -> str:
@@ -69,23 +80,19 @@ def read_text(path: Path, most: int = LARGEST_FILE) -> str:
     except FileNotFoundError:
         known = catalogue.find(path.stem) is not None
         cause = f"The catalogue's {path.stem} is run by name, without {path.suffix}" if known else ""
-        raise _refused(path, "no such file", cause) from None
+        raise refused(path, "no such file", cause) from None
     except IsADirectoryError:
-        raise _refused(path, "is a folder, not a scene file") from None
+        raise refused(path, "is a folder, not a scene file") from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the name
-        raise _refused(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
+        raise refused(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if len(data) > most:
-        raise _refused(path, f"is longer than {most / 1e6:g} MB: this is no scene file")
+        raise refused(path, f"is longer than {most / 1e6:g} MB: this is no scene file")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         cause = "Saved as UTF-16? Save it again as UTF-8" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ""
         line = data[: error.start].count(b"\n") + 1
-        raise _refused(path, f"is not UTF-8 text (byte {error.start + 1}, line {line})", cause) from None
-
-
-def _refused(path: Path, problem: str, cause: str = "") -> SceneFileError:
-    return SceneFileError(str(path), [FileErrorDetail("", problem, cause=cause)])
+        raise refused(path, f"is not UTF-8 text (byte {error.start + 1}, line {line})", cause) from None
 
 
 def _line_of(text: str, message: str) -> str:

@@ -59,11 +59,11 @@ def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) 
     rows: list[dict[str, Any]] = [{} for _ in balls]
     for side, shown, is_per_ball, values in READINGS[name].values(reading):
         if not is_per_ball:
-            out[shown.key] = None if values is None else _number(np.broadcast_to(values, solution.shape)[index])
+            out[shown.key] = None if values is None else number(np.broadcast_to(values, solution.shape)[index])
             continue
         for row, ball in zip(rows, balls, strict=True):
             holder = row.setdefault(side, {}) if side else row
-            holder[shown.key] = None if values is None else _number(values[index][ball])
+            holder[shown.key] = None if values is None else number(values[index][ball])
     if any(rows):
         out["balls"] = rows
     if hasattr(reading, "models"):
@@ -72,5 +72,6 @@ def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) 
     return out
 
 
-def _number(value: Any) -> float | None:
+def number(value: Any) -> float | None:
+    """The value as a float; None for NaN and infinity, which JSON has not."""
     return float(value) if math.isfinite(value) else None

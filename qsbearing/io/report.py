@@ -41,11 +41,21 @@ def result(solution: Solution, readings: Readings) -> Group:
     parts: list[RenderableType] = [_heading(solution, found)]
     if found["status"] == "converged":
         parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
+        parts += heat_tables(found)
         if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
 
             parts.append(readings_tables(readings))
     return Group(*parts, *warnings_below(found["warnings"]))
+
+
+def heat_tables(found: dict[str, Any]) -> list[RenderableType]:
+    """Of a record's steady state; none where it has none."""
+    if found["thermal"] is None:
+        return []
+    from qsbearing.io.thermal_report import thermal_tables  # loaded only where there is heat
+
+    return [Padding(each, (1, 0, 0, 0)) for each in thermal_tables(found["thermal"])]
 
 
 def warnings_below(warnings: Sequence[str]) -> list[RenderableType]:
@@ -65,7 +75,14 @@ def tables_of_balls(solution: Solution) -> Group:
 
 
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    tables = [_ring(solution, found), *_expansion(solution, found), stiffness_table(solution, found)]
+    # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
+    lever, loads = float(solution.scene.bearing.pitch_diameter) / 2.0, list(found["load"].values())  # type: ignore[arg-type]
+    noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
+    tables = [
+        channels_table("Inner ring", solution, found, noise, noise * lever),
+        *_expansion(solution, found),
+        stiffness_table(solution, found),
+    ]
     return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
 
 
@@ -169,21 +186,18 @@ def duration(seconds: float) -> str:
     return f"{seconds * 1e3:.2g} ms"
 
 
-def _ring(solution: Solution, found: dict[str, Any]) -> Table:
-    table = plain_table("Inner ring", ("", "displacement", "", "load", "", "imposed"), left=(0, 2, 4, 5))
+def channels_table(
+    title: str, solution: Solution | SetSolution, found: dict[str, Any], noise: float, of_moments: float
+) -> Table:
+    """Displacement and load of ring or shaft; loads and moments below their noise are rounding."""
+    table = plain_table(title, ("", "displacement", "", "load", "", "imposed"), left=(0, 2, 4, 5))
     table.columns[5].style = "dim"
-    displacements, loads = list(found["displacement"].values()), list(found["load"].values())
-    # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
-    lever = float(solution.scene.bearing.pitch_diameter) / 2.0  # type: ignore[arg-type]
-    noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
-    for i, channel in enumerate(CHANNELS):
+    values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
+    for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
-        table.add_row(
-            channel.label,
-            *(digits(displacements[i], 1e-9), length),
-            *(digits(loads[i], noise * (lever if channel.is_rotation else 1.0)), force),
-            "load" if i in solution._free_channels else "displacement",
-        )
+        shown = digits(load, of_moments if channel.is_rotation else noise)
+        imposed = "load" if i in solution._free_channels else "displacement"
+        table.add_row(channel.label, digits(displacement, 1e-9), length, shown, force, imposed)
     return table
 
 

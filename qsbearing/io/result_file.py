@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing import __version__
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import SceneFileError, refused
 from qsbearing.io.read_toml import read_text
 from qsbearing.validation import printable
 
@@ -34,7 +34,7 @@ def input_of(path: Path, of_study: bool) -> tuple[dict[str, Any], str]:
     version, document, label = _of_netcdf(path, of_study) if is_sweep else _of_json(path)
     if not isinstance(document, dict):
         cause = "`qsbearing run --json` and `sweep --out FILE.nc` write one; results of older versions have none"
-        raise _refused(path, "holds no input that it could be reproduced from", cause)
+        raise refused(path, "holds no input that it could be reproduced from", cause)
     if version != __version__:
         said = f"{path}: made by qsbearing {version}; this is {__version__}, whose numbers may differ"
         warnings.warn(printable(said), OtherVersionWarning, stacklevel=2)
@@ -48,7 +48,7 @@ def _of_json(path: Path) -> tuple[Any, Any, Any]:
     except (ValueError, RecursionError) as error:
         if isinstance(error, SceneFileError):
             raise
-        raise _refused(path, f"is not JSON: {str(error) or 'nested too deeply'}") from None
+        raise refused(path, f"is not JSON: {str(error) or 'nested too deeply'}") from None
     found = found if isinstance(found, dict) else {}
     return found.get("version"), found.get("input"), found.get("set") or found.get("bearing")
 
@@ -58,20 +58,16 @@ def _of_netcdf(path: Path, of_study: bool) -> tuple[Any, Any, Any]:
     try:
         import h5netcdf
     except ImportError:
-        raise _refused(path, "cannot be read", "It needs h5netcdf: pip install 'qsbearing[studies]'") from None
+        raise refused(path, "cannot be read", "It needs h5netcdf: pip install 'qsbearing[studies]'") from None
     try:
         with h5netcdf.File(path, "r") as file:
             kept = {name: json.loads(file.attrs.get(name, "null")) for name in ("study", "input")}
             version = file.attrs.get("qsbearing_version")
     except (OSError, ValueError, TypeError, KeyError) as error:
         problem = "no such file" if isinstance(error, FileNotFoundError) else "is no netCDF file, or damaged"
-        raise _refused(path, problem) from None
+        raise refused(path, problem) from None
     study = kept["study"] if isinstance(kept["study"], dict) else {}
     whole = study.get("scene")
     if of_study and isinstance(whole, dict):
         return version, {**whole, "vary": study.get("vary"), "study": study.get("study")}, study.get("label")
     return version, None if of_study else kept["input"], study.get("label")
-
-
-def _refused(path: Path, problem: str, cause: str = "") -> SceneFileError:
-    return SceneFileError(str(path), [FileErrorDetail("", problem, cause=cause)])

@@ -6,7 +6,7 @@ import os
 from copy import deepcopy
 from math import nan
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qsbearing.io import catalogue, result_file
 from qsbearing.io.bearing_table import bearing_of, with_diameters
@@ -15,7 +15,7 @@ from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.read_toml import read_text, read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
-from qsbearing.io.spectrum_table import scene_of_spectrum
+from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import (
     Errors,
     checked,
@@ -36,6 +36,9 @@ from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import Preload, beside_preload
 from qsbearing.scene.scene import Scene
 from qsbearing.validation import SceneError, printable
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
@@ -105,9 +108,9 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
         SceneFileError: everything that is wrong with it.
     """
     if "spectrum" in document:
-        return scene_of_spectrum(document, file, label, scene_of)
+        return over_spectrum(document, file, label, scene_of)
     errors: Errors = []
-    document = with_diameters(document)
+    document, thermal = heated(with_diameters(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)
     operation = operation_of(document, errors)
@@ -115,16 +118,27 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     effects = effects_of(document, errors)
     find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
+    if thermal is not None:
+        errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
-        scene = Scene(bearing, operation, preload=preload, **effects, readings=readings)
+        scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
     wrong = errors_in_scene(scene)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
+
+
+def heated(document: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], Thermal | None]:
+    """The tables with what a heat balance will find filled in for now, and what they say of the heat."""
+    if "thermal" not in document:
+        return document, None
+    from qsbearing.io.thermal_table import thermal_of, with_found_temperatures  # loaded only where there is heat
+
+    return with_found_temperatures(document, errors), thermal_of(document, errors)
 
 
 def is_file(path: Path) -> bool:

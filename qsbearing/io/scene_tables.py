@@ -72,7 +72,12 @@ def input_tables(of: Scene | BearingSet) -> Tables:
             tables["operation"]["axial_load_N"] = 0.0  # a file states that nothing acts
     if of.preload is not None:
         tables["preload"] = _numbers(PRELOAD, of.preload)
-    return tables | _effects(of) | {"readings": _readings(of.readings)}
+    tables |= _effects(of) | {"readings": _readings(of.readings)}
+    if of.thermal is None:
+        return tables
+    from qsbearing.io.thermal_table import thermal_tables  # loaded only where there is heat
+
+    return thermal_tables(tables, of.thermal, _numbers)
 
 
 def _row(row: Row, with_bearing_of: BearingSet | None) -> Tables:

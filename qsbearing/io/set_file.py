@@ -11,7 +11,8 @@ from qsbearing.io.bearing_table import bearing_of, with_diameters
 from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
-from qsbearing.io.scene_file import document_of, operation_of, preload_of, scene_of
+from qsbearing.io.scene_file import document_of, heated, operation_of, preload_of, scene_of
+from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS, SHAFT
@@ -62,8 +63,10 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     Raises:
         SceneFileError: everything that is wrong with it.
     """
+    if "spectrum" in document:
+        return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document = with_diameters(document)
+    document, thermal = heated(with_diameters(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
@@ -74,11 +77,14 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
     shaft, _ = checked(_SHAFT, "shaft", document.get("shaft", {}), errors)
+    if thermal is not None:
+        errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
     if errors or operation is None:
         raise SceneFileError(file, errors)
     try:
         reference = si(SHAFT, shaft).get("reference_position")
-        of = BearingSet(tuple(rows), operation, preload, reference, **effects, readings=readings, name=label)
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label}
+        of = BearingSet(tuple(rows), operation, preload, reference, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
     wrong = _errors_of_readings(of)
@@ -145,7 +151,7 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
         cause = did_you_mean(carries, list(Direction)) or 'The axial load on the shaft that presses it: "+x" or "-x"'
         problem = "missing" if carries is None else "is none of the choices"
         errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
-    numbers = {"position": 0.0, "offset": 0.0} | si(ROW, good)
+    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(ROW, good)
     errors += map(translate, placement_errors(path, **numbers))
     sprung = good.get("sprung", False)
     if not isinstance(sprung, bool):

@@ -8,15 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__
-from qsbearing.io.json_record import choices, matrix_rows, number, of_channels, record
-from qsbearing.io.readings_record import Readings, all_columns
+from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
+from qsbearing.io.readings_record import Readings, all_columns, number
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
 from qsbearing.units import mm, um
 
-OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy")
+OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
 """What a row's own record would only repeat."""
 
 
@@ -33,12 +32,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
     scene = solution.rows[0].scene
     rows = [_row(solution, i, found) for i, found in enumerate(readings)]
     return {
-        "version": __version__,
-        "status": str(solution.status),
-        "message": solution.message(),
-        "residual": number(solution.residual),
-        "iterations": int(solution.iterations),
-        "seconds": solution.seconds,
+        **how_it_ended(solution),
         "set": of.name,
         "arrangement": of.arrangement,
         "reference_position_mm": float(of.reference / mm),
@@ -46,14 +40,10 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "choices": choices(scene),
         "warnings": solution.warnings(),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
-        "displacement": of_channels(DISPLACEMENT, solution.displacement),
-        "load": of_channels(LOAD, solution.load),
-        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness),
-        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness),
-        "stiffness_SI": matrix_rows(solution.stiffness) if solved else None,
-        "compliance_SI": matrix_rows(solution.compliance) if solved else None,
+        **motion_and_stiffness(solution),
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
+        "thermal": thermal(solution),
         "rows": rows,
     }
 
@@ -94,12 +84,12 @@ def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
 
 
 def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:
-    """One row per ball of every row of a single case, rows counting from 1; the shaft's values follow on each.
+    """One row per ball of every row of every case, rows counting from 1; the shaft's values follow on each.
 
     Rows that differ in what they have leave cells empty.
     """
     shaft = {
-        f"shaft_{kind}_{key}": values[i] / size
+        f"shaft_{kind}_{key}": values[..., i] / size
         for kind, keys, values in (
             ("displacement", DISPLACEMENT, solution.displacement),
             ("load", LOAD, solution.load),
@@ -120,6 +110,8 @@ def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[
     row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
     of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size
-    first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))
+    case = tuple(own[f"case_{axis}"] for axis in range(len(solution.shape)))
+    first = {name: np.full(count, value) for name, value in of_row.items()}
+    last = {name: np.full(count, value[case]) for name, value in shaft.items()}
     first["carries"] = np.array([row.carries] * count, object)
     return first | own | last

@@ -15,10 +15,12 @@ from qsbearing.io.readings_record import Readings
 from qsbearing.io.report import (
     RING_NOISE,
     asked_for,
+    channels_table,
     contacts_table,
     digits,
     distinct,
     ending,
+    heat_tables,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
@@ -28,7 +30,6 @@ from qsbearing.io.set_record import set_record
 from qsbearing.io.tables import plain_table
 from qsbearing.judgement import percent
 from qsbearing.messages.bearing_set import capital, row_name
-from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.units import rpm
 
@@ -47,6 +48,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
                 parts.append(readings_tables(readings[number]))
+        parts += heat_tables(found)
         parts += [Padding(life, (1, 0, 0, 0)) for life in _system_life(found)]
     return Group(*parts, *warnings_below(found["warnings"]))
 
@@ -59,7 +61,12 @@ def tables(solution: SetSolution, readings: Sequence[Readings]) -> Group:
 
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    tables = [_shaft(solution, found), *rows_tables(found), stiffness_table(solution, found)]
+    noise = RING_NOISE * max(1e-300, *(abs(row["axial_load_N"]) for row in found["rows"]), *map(abs, solution.load))
+    tables = [
+        channels_table("Shaft", solution, found, noise, noise),
+        *rows_tables(found),
+        stiffness_table(solution, found),
+    ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
 
 
@@ -96,18 +103,6 @@ def heading(solution: SetSolution, found: dict[str, Any]) -> Text:
     if of.preload is not None:
         lines.append(f"Preload ({of.preload.kind.replace('_', ' ')})\n")
     return lines.append(ending(found))
-
-
-def _shaft(solution: SetSolution, found: dict[str, Any]) -> Table:
-    table = plain_table("Shaft", ("", "displacement", "", "load", "", "imposed"), left=(0, 2, 4, 5))
-    table.columns[5].style = "dim"
-    noise = RING_NOISE * max(1e-300, *(abs(row["axial_load_N"]) for row in found["rows"]), *map(abs, solution.load))
-    values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
-    for i, (channel, displacement, load) in enumerate(values):
-        length, force = ("mrad", "Nm") if channel.is_rotation else ("um", "N")
-        imposed = "load" if i in solution._free_channels else "displacement"
-        table.add_row(channel.label, digits(displacement, 1e-9), length, digits(load, noise), force, imposed)
-    return table
 
 
 def rows_tables(found: dict[str, Any]) -> list[Table]:

@@ -10,8 +10,8 @@ from rich.padding import Padding
 from rich.text import Text
 
 from qsbearing import __version__, messages
-from qsbearing.io.json_record import number, record
-from qsbearing.io.readings_record import Readings
+from qsbearing.io.json_record import record
+from qsbearing.io.readings_record import Readings, number
 from qsbearing.io.report import asked_for, warnings_below
 from qsbearing.io.tables import digits_of, plain_table
 from qsbearing.ranked_warning import RankedWarning, said_of

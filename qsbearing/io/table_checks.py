@@ -20,7 +20,8 @@ from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.scene.scene import CHOICES
 from qsbearing.validation import ErrorDetail, SceneError
 
-_CHOICES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+"""The keys of a file whose words are those of a choice."""
 Errors = list[FileErrorDetail]
 
 
@@ -47,7 +48,7 @@ def number_list() -> Any:
 
 def choice_fields(*names: str) -> dict[str, Any]:
     """Fields of `table_model` for choices, each by its words."""
-    return {name: (_CHOICES[name] | None, Field(None, strict=False)) for name in names}
+    return {name: (CHOICES_OF_FILES[name] | None, Field(None, strict=False)) for name in names}
 
 
 _MATERIAL = table_model("material", MATERIAL, {})
@@ -91,8 +92,8 @@ def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) 
 
 
 def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:
-    if name in _CHOICES:
-        names = list(_CHOICES[name])
+    if name in CHOICES_OF_FILES:
+        names = list(CHOICES_OF_FILES[name])
         cause = did_you_mean(value, names) or f"One of {', '.join(names)}"
         return FileErrorDetail(path, "is none of the choices", value, cause=cause)
     if name == "ball":

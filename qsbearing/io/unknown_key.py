@@ -6,6 +6,8 @@ import difflib
 from typing import Any, NamedTuple
 
 from qsbearing.io.file_keys import numbers, reading_tables, sections
+from qsbearing.io.thermal_keys import CONDUCTANCES
+from qsbearing.io.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, SET_NUMBERS, SET_SECTIONS, SPECTRUM, Key
 
 LARGEST = 1e30
@@ -17,7 +19,7 @@ def _tables() -> dict[str, tuple[str, ...]]:
 
 
 def _keys(section: str) -> tuple[Key, ...]:
-    return (numbers() | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
+    return (numbers() | THERMAL_NUMBERS | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
 
 
 class Suggestion(NamedTuple):
@@ -64,6 +66,8 @@ def _title(table: str) -> str:
         return "a material's table"
     if table in ("rows", "spectrum"):
         return f"[[{table}]]"
+    if table in THERMAL_NUMBERS and table != "thermal":
+        return f"[[thermal.{table}]]" if table == CONDUCTANCES else f"[thermal.{table}]"
     outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in reading_tables() else ""
     return f"[{outer}{table}]"
 

@@ -1,12 +1,14 @@
 """The shaft of a set: its unknowns, and how the rows' condensed systems add up to theirs.
 
-A row's displacement is u = G q + offset, its load comes back as G^T F (`qsbearing.sets.rigid_shaft`). The shaft is in
-SI, each row in the units of its own case.
+A row's displacement is u = G q + offset, its load comes back as G^T F (`qsbearing.sets.rigid_shaft`); what the rows
+stand on, where it bends, resists by S q (`qsbearing.sets.elastic_shaft`). The shaft is in SI, each row in the units of
+its own case.
 """
 
 from __future__ import annotations
 
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 from numpy import ndarray, recarray
@@ -18,70 +20,91 @@ from qsbearing.kernel.linear import solve_in_place
 from qsbearing.kernel.newton_step import propose_lines
 
 SHAFT = record(
-    ("load", np.float64, (6,)),  # on the five channels, and the spring's
-    ("held", np.uint8, (6,)),  # which unknowns are given, or vanish by symmetry
-    ("place", np.float64, (6,)),  # the values of those
-    ("lever", np.float64),  # makes forces of moments
-    ("q", np.float64, (6,)),
     ("residual", np.float64),
     ("iterations", np.int32),
     ("solved", np.bool_),
+    ("count", np.int64),  # of unknowns solved, not given
 )
-"""One case of a set: what its shaft is given, and what is found."""
+"""One case of a set: how its solution stands."""
 
-SHAFT_SYSTEM = record(
-    ("count", np.int64),  # of unknowns solved
-    ("channel", np.int64, (6,)),  # which
-    ("matrix", np.float64, (6, 6)),
-    ("imbalance", np.float64, (6,)),
-    ("right_side", np.float64, (6,)),
-    ("step", np.float64, (6,)),
-)
-"""Working memory of the shaft."""
+
+class Shafts(NamedTuple):
+    """What the shafts of a stretch of cases are given, and where they are; arrays lead with the case."""
+
+    load: ndarray
+    """On the unknowns; shape (case, unknown)."""
+    held: ndarray
+    """Which unknowns are given, or vanish by symmetry; likewise."""
+    lever: ndarray
+    """Lengths that make forces of the unknowns' loads; likewise."""
+    elasticity: ndarray
+    """Stiffness of what the rows stand on over the unknowns; shape (case, unknown, unknown); no case: all is rigid."""
+    rigid: int
+    """So many unknowns, the first, are of rigid bodies, which nothing may hold but rows."""
+    q: ndarray
+    """Begins with the values of what is held, and a start of the others."""
+    found: ndarray
+    """Records; shape (case,)."""
+
+
+class ShaftSystem(NamedTuple):
+    """Working memory of the shaft."""
+
+    channel: ndarray
+    """Which unknowns are solved."""
+    matrix: ndarray
+    imbalance: ndarray
+    right_side: ndarray
+    step: ndarray
+    moved: ndarray
+    """A row's stiffness times its matrix; shape (5, unknown)."""
+
+
+def shaft_system(unknowns: int) -> ShaftSystem:
+    """Working memory for so many unknowns."""
+    vectors = (np.zeros(unknowns) for _ in range(3))
+    imbalance, right_side, step = vectors
+    square = np.zeros((unknowns, unknowns))
+    return ShaftSystem(np.zeros(unknowns, np.int64), square, imbalance, right_side, step, np.zeros((5, unknowns)))
 
 
 @kernel
-def move_rows(cases: ndarray, works: ndarray, matrices: ndarray, offsets: ndarray, shaft: recarray, k: int) -> None:
+def move_rows(cases: ndarray, works: ndarray, matrices: ndarray, offsets: ndarray, shafts: Shafts, k: int) -> None:
     """Put the rows' rings where the shaft has them."""
     for r in range(cases.shape[0]):
         case, work = cases[r, k], works[r]
         for i in range(5):
             moved = offsets[r, k] if i == 0 else 0.0
-            for j in range(6):
-                moved += matrices[r, k, i, j] * shaft.q[j]
+            for j in range(shafts.q.shape[1]):
+                moved += matrices[r, k, i, j] * shafts.q[k, j]
             work.displacement[i] = moved / case.length if i < 3 else moved
 
 
 @kernel
-def unknown_lever(shaft: recarray, unknown: int) -> float:
-    """A length that makes a force of the unknown's equation: 1 for forces."""
-    return shaft.lever if unknown == 3 or unknown == 4 else 1.0
-
-
-@kernel
 def assemble_rows(
-    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shaft: recarray, system: recarray, k: int
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shafts: Shafts, system: ShaftSystem, k: int
 ) -> tuple[float, float]:
     """Evaluate all rows where they are and leave the condensed system of the shaft: (residual, that beside own loads).
 
     The residual is the largest imbalance of a ball or of the shaft over the largest force: applied, inertial or of a
     contact; zero where all of that is what rounding presses; infinite where something is not a number.
     """
-    count = system.count
+    count = shafts.found[k].count
     largest, worst, worst_own, total, softest, least = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for a in range(count):
-        load = shaft.load[system.channel[a]]
+        load = shafts.load[k, system.channel[a]]
         system.imbalance[a] = system.right_side[a] = -load
-        largest = max(largest, abs(load) / unknown_lever(shaft, system.channel[a]))
+        largest = max(largest, abs(load) / shafts.lever[k, system.channel[a]])
         for b in range(count):
             system.matrix[a, b] = 0.0
+    if shafts.elasticity.shape[0] > 0:
+        add_elasticity(shafts, system, k)
     for r in range(cases.shape[0]):
         case, work = cases[r, k], works[r]
         own_worst, own, own_total, inertial, contact = assemble_balls(case, work, balls[r])
         worst, worst_own, total = max(worst, own_worst * case.force), max(worst_own, own), total + own_total
         largest, least = max(largest, max(inertial, contact) * case.force), max(least, least_load(case) * case.force)
-        for a in range(count):
-            add_row(case, work, matrices[r, k], system, a)
+        add_row(case, work, matrices[r, k], system, count)
     largest, is_unloaded = max(largest, least), largest <= least
     for r in range(cases.shape[0]):
         case, work = cases[r, k], works[r]
@@ -89,8 +112,9 @@ def assemble_rows(
         work.regularisation = least_stiffness(case, work.largest_force)
         softest = max(softest, work.regularisation * case.force / case.length)
     for a in range(count):
-        lever = unknown_lever(shaft, system.channel[a])
-        system.matrix[a, a] += softest * lever * lever
+        lever = shafts.lever[k, system.channel[a]]
+        if system.channel[a] < shafts.rigid:
+            system.matrix[a, a] += softest * lever * lever
         worst = max(worst, abs(system.imbalance[a]) / lever)
         total += system.imbalance[a]
     if not abs(total) < inf:
@@ -99,42 +123,62 @@ def assemble_rows(
 
 
 @kernel
-def add_row(case: recarray, work: recarray, matrix: ndarray, system: recarray, a: int) -> None:
-    """Add a row's condensed system to the shaft's equation number a."""
+def add_elasticity(shafts: Shafts, system: ShaftSystem, k: int) -> None:
+    """Add what the rows stand on, linear in the unknowns."""
+    own = shafts.elasticity[k]
+    for a in range(shafts.found[k].count):
+        i = system.channel[a]
+        force = 0.0
+        for j in range(own.shape[0]):
+            force += own[i, j] * shafts.q[k, j]
+        system.imbalance[a] += force
+        system.right_side[a] += force
+        for b in range(shafts.found[k].count):
+            system.matrix[a, b] += own[i, system.channel[b]]
+
+
+@kernel
+def add_row(case: recarray, work: recarray, matrix: ndarray, system: ShaftSystem, count: int) -> None:
+    """Add a row's condensed system to the shaft's equations."""
     for p in range(work.channel_count):
-        i = work.channel[p]
-        back = matrix[i, system.channel[a]]
-        if back == 0.0:
-            continue
-        back *= case.force if i < 3 else case.force * case.length
-        system.imbalance[a] += back * work.imbalance[p]
-        system.right_side[a] += back * work.right_side[p]
-        for q in range(work.channel_count):
-            j = work.channel[q]
-            stiffness = back * work.matrix[p, q]
-            if j < 3:
-                stiffness /= case.length
-            for b in range(system.count):
-                system.matrix[a, b] += stiffness * matrix[j, system.channel[b]]
+        for b in range(count):
+            moved = 0.0
+            for q in range(work.channel_count):
+                j = work.channel[q]
+                along = matrix[j, system.channel[b]]
+                moved += work.matrix[p, q] * (along / case.length if j < 3 else along)
+            system.moved[p, b] = moved
+    for a in range(count):
+        for p in range(work.channel_count):
+            i = work.channel[p]
+            back = matrix[i, system.channel[a]]
+            if back == 0.0:
+                continue
+            back *= case.force if i < 3 else case.force * case.length
+            system.imbalance[a] += back * work.imbalance[p]
+            system.right_side[a] += back * work.right_side[p]
+            for b in range(count):
+                system.matrix[a, b] += back * system.moved[p, b]
 
 
 @kernel
 def propose_shaft_step(
-    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, system: recarray, k: int
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shafts: Shafts, system: ShaftSystem, k: int
 ) -> float:
     """Solve the assembled system for the steps of shaft, rows and balls; returns as `propose_step` does."""
-    if not solve_in_place(system.matrix, system.right_side, system.count):
+    count, unknowns = shafts.found[k].count, shafts.q.shape[1]
+    if not solve_in_place(system.matrix, system.right_side, count):
         return -1.0
-    for j in range(6):
+    for j in range(unknowns):
         system.step[j] = 0.0
-    for a in range(system.count):
+    for a in range(count):
         system.step[system.channel[a]] = -system.right_side[a]
     fraction = 1.0
     for r in range(cases.shape[0]):
         case, work = cases[r, k], works[r]
         for i in range(5):
             moved = 0.0
-            for j in range(6):
+            for j in range(unknowns):
                 moved += matrices[r, k, i, j] * system.step[j]
             work.step[i] = moved / case.length if i < 3 else moved
         fraction = min(fraction, propose_lines(case, work, balls[r]))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from math import inf
 
-from numpy import ndarray, recarray
+from numpy import ndarray
 
 from qsbearing.compiled import kernel
 from qsbearing.kernel.assembly import close_loops, has_closure_residual
 from qsbearing.kernel.newton import CLOSINGS, MOST_ITERATIONS, NEAR, OPEN_ITERATIONS, OWN_TOLERANCE, STALLED
 from qsbearing.kernel.newton_step import is_far, take_step
-from qsbearing.kernel.shaft import assemble_rows, propose_shaft_step
+from qsbearing.kernel.shaft import Shafts, ShaftSystem, assemble_rows, propose_shaft_step
 
 
 @kernel
@@ -31,13 +31,14 @@ def any_open(works: ndarray, balls: ndarray) -> bool:
 
 @kernel
 def shaft_newton(
-    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shaft: recarray, system: recarray, k: int,
-    tolerance: float,
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shafts: Shafts, system: ShaftSystem,
+    k: int, tolerance: float,
 ) -> bool:  # fmt: skip
     """Iterate in place from where shaft, rows and balls are; whether it converged. The rules are those of `newton`."""
+    shaft = shafts.found[k]
     iterations, closings, before, is_last, is_closed = 0, 0, -1.0, False, False
     while True:
-        residual, own_residual = assemble_rows(cases, works, balls, matrices, shaft, system, k)
+        residual, own_residual = assemble_rows(cases, works, balls, matrices, shafts, system, k)
         shaft.residual = residual if residual < inf else 1.0
         if not residual < inf:
             return False
@@ -55,12 +56,12 @@ def shaft_newton(
             return False
         else:
             is_last = False
-        fraction = propose_shaft_step(cases, works, balls, matrices, system, k)
+        fraction = propose_shaft_step(cases, works, balls, matrices, shafts, system, k)
         if fraction < 0.0:
             return False
         before, is_closed = residual, False
-        for j in range(6):
-            shaft.q[j] += fraction * system.step[j]
+        for j in range(shafts.q.shape[1]):
+            shafts.q[k, j] += fraction * system.step[j]
         for r in range(cases.shape[0]):
             take_step(cases[r, k], works[r], balls[r], fraction, iterations < OPEN_ITERATIONS, residual < NEAR)
             if is_far(works[r]):

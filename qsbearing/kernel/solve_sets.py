@@ -21,7 +21,7 @@ from qsbearing.kernel.ball_inertia import is_moving
 from qsbearing.kernel.initial_guess import split_contacts, thrust_at_rest
 from qsbearing.kernel.newton_step import is_far
 from qsbearing.kernel.ring import couple_channels
-from qsbearing.kernel.shaft import move_rows
+from qsbearing.kernel.shaft import Shafts, ShaftSystem, move_rows
 from qsbearing.kernel.shaft_newton import shaft_newton
 from qsbearing.kernel.solve_case import UNFINISHED, deliver_positions, prepare, set_controls
 
@@ -45,13 +45,11 @@ def prepare_row(
 
 
 @kernel
-def guess_shaft(cases: ndarray, offsets: ndarray, matrices: ndarray, shaft: recarray, k: int) -> None:
-    """First displacement of the shaft: where it is held; axially at least so far that the rows that carry its load
-    could carry it alone."""
-    for j in range(6):
-        shaft.q[j] = shaft.place[j] if shaft.held[j] else 0.0
-    load = shaft.load[0]
-    if shaft.held[0] or load == 0.0:
+def guess_shaft(cases: ndarray, offsets: ndarray, matrices: ndarray, shafts: Shafts, k: int) -> None:
+    """First axial displacement of the shaft, unless it is held: at least so far that the rows that carry its load could
+    carry it alone."""
+    load = shafts.load[k, 0]
+    if shafts.held[k, 0] or load == 0.0:
         return
     carrying = 0
     for r in range(cases.shape[0]):
@@ -66,13 +64,13 @@ def guess_shaft(cases: ndarray, offsets: ndarray, matrices: ndarray, shaft: reca
             alone = thrust_at_rest(case, abs(load) / (carrying * case.force)) * case.length
             least = min(least, alone - offsets[r, k])
     if least > 0.0:
-        shaft.q[0] = least if load > 0.0 else -least
+        shafts.q[k, 0] = least if load > 0.0 else -least
 
 
 @kernel
 def settle_friction_and_controls(
-    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shaft: recarray, system: recarray, k: int,
-    tolerance: float,
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, shafts: Shafts, system: ShaftSystem,
+    k: int, tolerance: float,
 ) -> bool:  # fmt: skip
     """From an equilibrium to one with the cases' own friction bounds and the controls that Jones's criterion calls
     for; False where there is no such near it."""
@@ -81,7 +79,7 @@ def settle_friction_and_controls(
         case, work = cases[r, k], works[r]
         is_slipping |= any_demands_friction(case, work, balls[r], case.friction_coefficient, NO_FORCE)
         work.friction_bound = case.friction_coefficient
-    if is_slipping and not shaft_newton(cases, works, balls, matrices, shaft, system, k, tolerance):
+    if is_slipping and not shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance):
         return False
     while cases[0, k].control == PER_BALL:
         wrong, changed = 0, 0
@@ -90,42 +88,43 @@ def settle_friction_and_controls(
             wrong, changed = wrong + of_row, changed + changed_of_row
         if wrong == 0:
             break
-        if changed == 0 or not shaft_newton(cases, works, balls, matrices, shaft, system, k, tolerance):
+        if changed == 0 or not shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance):
             return False
     return True
 
 
 @kernel
 def solve_set_case(
-    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, offsets: ndarray, shaft: recarray,
-    system: recarray, k: int, tolerance: float,
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, offsets: ndarray, shafts: Shafts,
+    system: ShaftSystem, k: int, tolerance: float,
 ) -> bool:  # fmt: skip
     """One case, rows prepared; whether a sound equilibrium was found.
 
     At speed balls start where they lie at rest at the first displacement of the shaft: the equilibrium at rest under
     the load is no better start (random sets: two iterations more, none solved that was not).
     """
-    system.count = 0
-    for j in range(6):
-        if not shaft.held[j]:
-            system.channel[system.count] = j
-            system.count += 1
-    guess_shaft(cases, offsets, matrices, shaft, k)
-    move_rows(cases, works, matrices, offsets, shaft, k)
+    shaft = shafts.found[k]
+    shaft.count = 0
+    for j in range(shafts.q.shape[1]):
+        if not shafts.held[k, j]:
+            system.channel[shaft.count] = j
+            shaft.count += 1
+    guess_shaft(cases, offsets, matrices, shafts, k)
+    move_rows(cases, works, matrices, offsets, shafts, k)
     for r in range(cases.shape[0]):
         set_at_rest(cases[r, k], works[r], balls[r])
     moves = is_moving(cases[0, k])
-    converged = moves or shaft_newton(cases, works, balls, matrices, shaft, system, k, tolerance)
+    converged = moves or shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
     for r in range(cases.shape[0]):
         if is_far(works[r]):
             return False
         split_contacts(cases[r, k], works[r], balls[r])
         set_controls(cases[r, k], works[r], balls[r], OUTER)
     if moves:
-        converged = shaft_newton(cases, works, balls, matrices, shaft, system, k, tolerance)
+        converged = shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
     if not converged:
         return False
-    if moves and not settle_friction_and_controls(cases, works, balls, matrices, shaft, system, k, tolerance):
+    if moves and not settle_friction_and_controls(cases, works, balls, matrices, shafts, system, k, tolerance):
         return False
     for r in range(cases.shape[0]):
         if inadmissibility(cases[r, k], works[r], balls[r]) != 0:
@@ -153,8 +152,8 @@ def solve_set_cases(
     own: ndarray,
     matrices: ndarray,
     offsets: ndarray,
-    shafts: ndarray,
-    systems: ndarray,
+    shafts: Shafts,
+    system: ShaftSystem,
     tolerance: float,
     results: ndarray,
     positions: ndarray,
@@ -167,18 +166,17 @@ def solve_set_cases(
             what vanishes by symmetry.
         works, balls: working memory, (row) and (row, ball).
         own: of unequal balls, (row, case, ball); empty where there are none.
-        matrices: G, (row, case, 5, 6); offsets: (row, case), SI.
-        shafts: (case); systems: (1).
+        matrices: G, (row, case, 5, unknown); offsets: (row, case), SI.
+        shafts, system: of the shafts.
         results, positions, controls: (row, case), (row, case, ball, 3), (row, case, ball): what is found, in the
             cases' units.
     """
-    system = systems[0]
     for k in range(cases.shape[1]):
-        shaft = shafts[k]
+        shaft = shafts.found[k]
         shaft.iterations = 0
         for r in range(cases.shape[0]):
             prepare_row(cases[r, k], works[r], balls[r], own[r, k], results[r, k], positions[r, k], controls[r, k])
-        shaft.solved = solve_set_case(cases, works, balls, matrices, offsets, shaft, system, k, tolerance)
+        shaft.solved = solve_set_case(cases, works, balls, matrices, offsets, shafts, system, k, tolerance)
         for r in range(cases.shape[0]):
             result = results[r, k]
             result.iterations, result.residual, result.reached = shaft.iterations, shaft.residual, 1.0

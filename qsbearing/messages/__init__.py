@@ -7,15 +7,11 @@ before what the row's own bearing has to say. Each other file makes the warnings
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from qsbearing.messages import bearing, bearing_set
+from qsbearing.messages.bearing_set import SetSolution
 from qsbearing.ranked_warning import RankedWarning
 from qsbearing.solution.case_index import Index
 from qsbearing.solution.solution import Solution
-
-if TYPE_CHECKING:
-    from qsbearing.sets.set_solution import SetSolution
 
 
 def message(solution: Solution | SetSolution, index: Index = None) -> str:

@@ -54,6 +54,8 @@ def message(solution: Solution, index: Index = None) -> str:
     k = solution._flat_index(index)
     result = solution._results[k]
     code = result["status"]
+    if solution.thermal is not None and solution.thermal.verdict.flat[k] != "stable" and code != CONVERGED:
+        return solution.thermal.message(index)
     if code == CONVERGED:
         return (
             f"Balls and ring are in equilibrium: largest imbalance {result['residual']:.1e} of the largest force, "

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing
@@ -14,11 +16,38 @@ from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import preload_state
 from qsbearing.solution.case_index import Index
 from qsbearing.solution.preload_state import PreloadLoads, PreloadState
+from qsbearing.solution.solution import Solution
 from qsbearing.solution.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:
-    from qsbearing.sets.bearing_set import Row
-    from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.sets.bearing_set import BearingSet, Row
+    from qsbearing.sets.outcome import Outcome
+    from qsbearing.thermal.state import ThermalState
+
+
+class SetSolution(Protocol):
+    """What is read here of a set's solution, which lies above: its methods hand on what is said here."""
+
+    set: BearingSet
+    shape: tuple[int, ...]
+    thermal: ThermalState | None
+    _outcome: Outcome
+
+    @property
+    def _sides(self) -> Mapping[tuple[int, ...], SetSolution]: ...
+    @property
+    def rows(self) -> tuple[Solution, ...]: ...
+    @property
+    def control_is_consistent(self) -> Any: ...
+    @property
+    def preload_loads(self) -> PreloadLoads | None: ...
+    @property
+    def preload_unmounted(self) -> NDArray | None: ...
+    @property
+    def preload_mounted(self) -> NDArray | None: ...
+    @property
+    def mounted(self) -> SetSolution | None: ...
+    def _flat_index(self, index: Index) -> int: ...
 
 
 def row_name(row: Row, number: int) -> str:
@@ -35,16 +64,17 @@ def message(solution: SetSolution, index: Index = None) -> str:
         counts = [f"{(codes == code).sum()} {word}" for code, word in STATUS_OF_CODE.items() if (codes == code).any()]
         return f"{codes.size} cases: {', '.join(counts)}."
     k = solution._flat_index(index)
+    if solution.thermal is not None and solution.thermal.verdict.flat[k] != "stable" and outcome.status[k] != CONVERGED:
+        return solution.thermal.message(index)
     if outcome.status[k] == CONVERGED:
         return (
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "
             f"after {outcome.iterations[k]} iterations of the shaft."
         )
-    for sign, side in solution._sides.items():
+    for which, side in solution._sides.items():
         number = int(np.broadcast_to(np.arange(side._outcome.status.size).reshape(side.shape), solution.shape).flat[k])
         if side._outcome.status[number] != CONVERGED:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
-            which = [n for n, row in enumerate(solution.set.rows) if row.sign == sign]
             names = " and ".join(row_name(solution.set.rows[n], n) for n in which)
             return f"At rest and cold, under the preload alone, {names} cannot carry it. {message(side, place)}"
     return _why(solution, k)
@@ -53,6 +83,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
 def _why(solution: SetSolution, k: int) -> str:
     outcome = solution._outcome
     names = [*(channel.label for channel in CHANNELS), "axial, of the sprung rings"]
+    names += [f"axial, of the floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
         where = f" Followed from rest, the equilibrium ends at {100.0 * outcome.reached[k]:.3g} % of loads and speeds."
@@ -62,8 +93,8 @@ def _why(solution: SetSolution, k: int) -> str:
         why = bearing.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
         name = capital(row_name(solution.set.rows[number], number))
         return f"{name} gives way. {why}{_overloaded(solution, k)}{where}"
-    if outcome.unsupported[k].any():
-        channels = " and ".join(names[i] for i in np.flatnonzero(outcome.unsupported[k]))
+    if outcome.unsupported[k][: len(names)].any():
+        channels = " and ".join(names[i] for i in np.flatnonzero(outcome.unsupported[k][: len(names)]))
         return f"No equilibrium: nothing supports the load in channel {channels}.{_overloaded(solution, k)}{where}"
     kind = "No equilibrium." if outcome.status[k] == NO_EQUILIBRIUM else "Not converged"
     return (

@@ -44,7 +44,7 @@ def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
                 continue
             _draw_ellipse(axes, side, x, y, float(a), float(b))
             if alone:
-                numbers = f"$a$ = {a:.4g} mm\n$b$ = {b:.4g} mm\n$p_0$ = {pressure:.0f} MPa"
+                numbers = f"a = {a:.4g} mm\nb = {b:.4g} mm\np₀ = {pressure:.0f} MPa"
                 axes.text(x + 2.0 * widest + 0.5 * tallest, y, numbers, fontsize=10, va="center", linespacing=1.5)
             else:
                 anchor: dict[str, Any] = {"va": "bottom" if up > 0.0 else "top", "ha": "center"}

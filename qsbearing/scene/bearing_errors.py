@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 from math import pi
-from typing import Any
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.material import material_errors
+from qsbearing.material import Material, material_errors
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.units import mm
 from qsbearing.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
 
-BallBearing = Any
-"""A `qsbearing.scene.bearing.BallBearing`, which asks for its errors when it is made."""
+
+class BallBearing(Protocol):
+    """What is looked at of a `qsbearing.scene.bearing.BallBearing`, which asks for its errors when it is made."""
+
+    @property
+    def ball_count(self) -> ArrayLike: ...
+    @property
+    def free_contact_angle(self) -> ArrayLike: ...
+    @property
+    def radial_interference(self) -> ArrayLike: ...
+    @property
+    def ball_material(self) -> Material: ...
+    @property
+    def ring_material(self) -> Material: ...
+
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)

@@ -109,11 +109,15 @@ RING_EXPANSION = (
 ELASTIC_RINGS = (
     Key("outer.outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
     Key("outer.width_mm", "outer_width", "mm", mm, LENGTH),
+    Key("outer.shoulder_diameter_mm", "outer_shoulder_diameter", "mm", mm, LENGTH),
+    Key("outer.open_diameter_mm", "outer_open_diameter", "mm", mm, LENGTH),
     Key("outer.housing.outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
     Key("outer.housing.elastic_modulus_GPa", "housing_elastic_modulus", "GPa", GPa, MODULUS),
     Key("outer.housing.poisson_ratio", "housing_poisson_ratio"),
     Key("inner.bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
     Key("inner.width_mm", "inner_width", "mm", mm, LENGTH),
+    Key("inner.shoulder_diameter_mm", "inner_shoulder_diameter", "mm", mm, LENGTH),
+    Key("inner.open_diameter_mm", "inner_open_diameter", "mm", mm, LENGTH),
     Key("inner.shaft.bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
     Key("inner.shaft.elastic_modulus_GPa", "shaft_elastic_modulus", "GPa", GPa, MODULUS),
     Key("inner.shaft.poisson_ratio", "shaft_poisson_ratio"),
@@ -173,8 +177,9 @@ SECTIONS: dict[str, tuple[str, ...]] = {
         *EFFECT_TABLES,
     ),
     "readings": (),
+    "thermal": (),
 }
-"""Every key a file may hold, by its table; those of readings stand with each of them."""
+"""Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
 
 SET_SECTIONS: dict[str, tuple[str, ...]] = {
     "rows": (*(key.name for key in ROW), "carries", "sprung", "bearing", *EFFECT_TABLES, "readings"),

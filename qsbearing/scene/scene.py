@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,7 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.scene.elastic_seats import seat_errors
@@ -46,6 +47,9 @@ from qsbearing.validation import (
     within,
 )
 
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
+
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
 
@@ -61,7 +65,7 @@ CHOICES: dict[str, type[StrEnum]] = {
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(InNotebooks):
     """All that a solve needs. An effect that is not named here is not evaluated.
 
     Raises:
@@ -87,6 +91,8 @@ class Scene:
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
+    thermal: Thermal | None = None
+    """With it, `qs.solve` finds the temperatures at which the bearing runs."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -104,6 +110,8 @@ class Scene:
         if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
             wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing, self.operation)
         errors += wrong
+        if self.thermal is not None and self.tolerance is not None:
+            errors.append(ErrorDetail("tolerance", "is given beside a heat balance: name the effects"))
         if self.tolerance is not None:
             errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))

@@ -5,22 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.contact.hertz import HertzForm
-from qsbearing.effects import BallEffect, RingEffect
+from qsbearing.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
+from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.network import Thermal
 
 FARTHEST = 10.0
 """Metres along the shaft; it catches mistakes of unit."""
@@ -51,6 +56,8 @@ class Row:
     spacer is longer. Below zero it is a gap."""
     sprung: bool = False
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
+    housing_stiffness: HousingStiffness | None = None
+    """Of what its outer ring sits in; None: rigid."""
     ring_effects: tuple[RingEffect, ...] | None = None
     """Its own; None: those of the set."""
     readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
@@ -63,7 +70,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class BearingSet:
+class BearingSet(InNotebooks):
     """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
 
     The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and
@@ -106,18 +113,42 @@ class BearingSet:
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     name: str = ""
+    thermal: Thermal | None = None
+    """With it, `qs.solve_set` finds the temperatures at which the set runs."""
+    shaft: Shaft | None = None
+    """Its sections, loads and supports; None: rigid, and loaded at the reference alone."""
+    housing: Housing | None = None
+    """Its temperature, which parts outer rings; None: that of ring expansion."""
+    spacers: tuple[Spacer, ...] = ()
+    floating: tuple[FloatingGroup, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise SceneError([ErrorDetail("rows", "is not a tuple of rows", cause="Write (qs.Row(...), qs.Row(...))")])
-        raise_if_any([*_row_errors(self.rows), *_place_errors(self), *_preload_errors(self)])
+        raise_if_any([*_row_errors(self.rows), *_number_errors(self)])
+        raise_if_any([*_place_errors(self), *_preload_errors(self)])
         rows = (replace(row, carries=Direction(row.carries)) for row in self.rows)
         object.__setattr__(self, "rows", tuple(rows))
-        raise_if_any(_scene_errors(self))
+        raise_if_any(_temperature_errors(self) or _scene_errors(self))
 
     def effects_of(self, row: Row) -> tuple[RingEffect, ...]:
         """What changes the bearing of a row: its own ring effects, or the set's."""
-        return self.ring_effects if row.ring_effects is None else row.ring_effects
+        effects = self.ring_effects if row.ring_effects is None else row.ring_effects
+        if self.shaft is None and self.housing is None:
+            return effects
+        return tuple(self._seated(each, row) if isinstance(each, RingExpansion) else each for each in effects)
+
+    def _seated(self, rings: RingExpansion, row: Row) -> RingExpansion:
+        """Rings on this shaft and in this housing: what they leave out of their seats is the shaft's and housing's."""
+        seats: dict[str, Any] = {}
+        if self.shaft is not None and rings.shaft_interference is not None:
+            section = self.shaft.sections[self.shaft.section_number(row.position)]
+            seats |= {"shaft_bore_diameter": section.inner_diameter, "shaft_material": section.material}
+            seats["shaft_temperature"] = self.shaft.temperature
+        if self.housing is not None and rings.housing_interference is not None:
+            seats |= {"housing_material": self.housing.material, "housing_temperature": self.housing.temperature}
+        missing = {name: value for name, value in seats.items() if getattr(rings, name) is None and value is not None}
+        return replace(rings, **missing)
 
     def row_scene(self, number: int, operation: Operation) -> Scene:
         """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
@@ -138,6 +169,30 @@ class BearingSet:
             return np.asarray(self.reference_position, float)
         positions = np.broadcast_arrays(*(np.asarray(row.position, float) for row in self.rows))
         return np.asarray(0.5 * (np.min(positions, axis=0) + np.max(positions, axis=0)))
+
+    @property
+    def numbers_around(self) -> list[ArrayLike | None]:
+        """Of shaft, housing, spacers and sleeves, which may span cases."""
+        found = [each.temperature for each in (self.shaft, self.housing) if each is not None]
+        if self.shaft is not None:
+            found += [value for load in self.shaft.loads for value in load.values]
+        for each in self.spacers:
+            found += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
+        return found + [group.spring for group in self.floating]
+
+    @property
+    def groups(self) -> tuple[tuple[tuple[int, ...], Preload | None], ...]:
+        """(numbers of rows, from 0, that hold each other axially through one outer body; their preload): the housing's
+        rows, then each floating group's."""
+        floating = [tuple(number - 1 for number in group.rows) for group in self.floating]
+        away = {number for group in floating for number in group}
+        fixed = tuple(number for number in range(len(self.rows)) if number not in away)
+        own = [self.preload if group.preload is None else group.preload for group in self.floating]
+        return ((fixed, self.preload), *zip(floating, own, strict=True))
+
+    def opposes(self, group: tuple[int, ...]) -> bool:
+        """Whether rows of a group carry in both directions."""
+        return len({self.rows[number].sign for number in group}) == 2
 
     @property
     def is_opposed(self) -> bool:
@@ -169,6 +224,24 @@ def _row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
     return errors
 
 
+def _number_errors(of: BearingSet) -> list[ErrorDetail]:
+    """Errors of spacers and floating groups that name rows."""
+    errors: list[ErrorDetail] = []
+    taken: set[int] = set()
+    cause = f"Rows count from 1 to {len(of.rows)}"
+    named: dict[str, tuple[Spacer | FloatingGroup, ...]] = {"spacer": of.spacers, "floating": of.floating}
+    for kind, parts in named.items():
+        for number, part in enumerate(parts, 1):
+            path, rows = f"{kind} {number}.rows", tuple(part.rows)
+            known = all(isinstance(row, int) and 1 <= row <= len(of.rows) for row in rows)
+            if not known or len(set(rows)) < len(rows) or not rows or (kind == "spacer" and len(rows) != 2):
+                errors.append(ErrorDetail(path, "are not rows of the set", list(rows), cause=cause))
+            elif kind == "floating" and (taken & set(rows) or any(of.rows[row - 1].sprung for row in rows)):
+                errors.append(ErrorDetail(path, "name a row that is sprung, or in another group", list(rows)))
+            taken |= set(rows) if kind == "floating" else set()
+    return errors
+
+
 def placement_errors(path: str, position: ArrayLike, offset: ArrayLike) -> list[ErrorDetail]:
     """Errors of where a row stands, whatever the bearing."""
     errors = within(f"{path}.position", position, LENGTH, -FARTHEST, FARTHEST)
@@ -179,6 +252,12 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
     errors = []
     if of.reference_position is not None:
         errors += within("reference_position", of.reference_position, LENGTH, -FARTHEST, FARTHEST)
+    if of.shaft is not None and not isinstance(of.shaft, Shaft):
+        errors.append(ErrorDetail("shaft", "is not a shaft", of.shaft, cause="Write qs.Shaft(...)"))
+    elif of.shaft is not None:
+        errors += outside(of.shaft, [(f"row {number}", row.position) for number, row in enumerate(of.rows, 1)])
+        if of.reference_position is not None and not errors:
+            errors += outside(of.shaft, [("reference", of.reference_position)])
     for number, row in enumerate(of.rows, 1):
         for before, other in enumerate(of.rows[: number - 1], 1):
             if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
@@ -204,9 +283,26 @@ def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
         cause = "Spring the rows of one direction; the others stand against them"
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
     directions = {str(row.carries) for row in of.rows}
+    if kind is not None and kind != "spring" and len(directions) == 2 and not any(map(of.opposes, dict(of.groups))):
+        cause = "No group, of the housing or floating, has rows of both directions: spring the group that floats"
+        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
     if kind is not None and len(directions) == 1:
         cause = f"All rows carry in {directions.pop()}: turn some round, or give an axial load of the operation"
         errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
+    return errors
+
+
+def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
+    """Errors of a temperature that rings and body both have."""
+    errors = []
+    for number, row in enumerate(of.rows, 1):
+        for rings in of.ring_effects if row.ring_effects is None else row.ring_effects:
+            for body in ("shaft", "housing"):
+                both = (getattr(of, body), getattr(rings, f"{body}_temperature", None))
+                if both[1] is not None and getattr(both[0], "temperature", None) is not None:
+                    cause = f"Give the {body}'s own temperature alone: its rows take it from there"
+                    path = f"row {number}.ring_expansion.{body}_temperature"
+                    errors.append(ErrorDetail(path, f"is given beside {body}.temperature", cause=cause))
     return errors
 
 

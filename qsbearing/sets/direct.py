@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.kernel.shaft import SHAFT, SHAFT_SYSTEM
+from qsbearing.kernel.shaft import SHAFT, Shafts, shaft_system
 from qsbearing.kernel.solve_sets import solve_set_cases
 from qsbearing.kernel.workspace import BALL, WORKSPACE
 from qsbearing.sets.equilibrium import Stretch
@@ -20,14 +20,13 @@ def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, 
             row by row, offsets counting from where the row touches in operation.
     """
     rows, _, balls = found.controls.shape
-    shafts = np.zeros(s.count, SHAFT)
-    shafts["load"], shafts["held"], shafts["place"], shafts["lever"] = s.load, s.held, s.place, s.lever
+    shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
     # Of displacements that are prescribed, the kernel looks at which ones vanish.
     moving = ~s.held | (s.place != 0.0)
     cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
     memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
-    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, np.zeros(1, SHAFT_SYSTEM), s.tolerance, *found)
-    which = shafts["solved"]
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *found)
+    which = shafts.found["solved"]
     s.solved[:] = which
-    s.q[which], s.residual[which] = shafts["q"][which], shafts["residual"][which]
-    s.iterations[:] = shafts["iterations"]
+    s.q[which], s.residual[which] = shafts.q[which], shafts.found["residual"][which]
+    s.iterations[:] = shafts.found["iterations"]

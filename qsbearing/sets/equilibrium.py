@@ -1,10 +1,11 @@
 """The equilibrium of shaft and rows: Newton's method over the shaft's displacement, vectorised over cases.
 
-    R(q) = sum over rows G^T F(G q + offset) - (external load, spring),     dR/dq = sum over rows G^T K G,
+    R(q) = sum over rows G^T F(G q + offset) + S q - (external load, spring),     dR/dq = sum over rows G^T K G + S,
 
-with F and K, the row's exact tangent stiffness, from the kernel. At rest each row's energy is convex and q enters it
-affinely, so that the set's energy is convex too: there is one equilibrium at most. Steps are limited, and shortened
-until the imbalance falls. Cases that this does not solve are followed from the unloaded set at rest.
+with F and K, the row's exact tangent stiffness, from the kernel, and S of what is elastic beside the rows. At rest each
+row's energy is convex and q enters it affinely, so that the set's energy is convex too: there is one equilibrium at
+most. Steps are limited, and shortened until the imbalance falls. Cases that this does not solve are followed from the
+unloaded set at rest.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
+from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.sets.row_cases import Found, RowCases
 from qsbearing.solution.ring_stiffness import SOFTEST
 
@@ -35,22 +36,26 @@ FIRST_PART, LEAST_PART, LONGER, SHORTER = 0.25, 1e-2, 1.6, 0.4
 
 @dataclass
 class Stretch:
-    """A stretch of cases; arrays lead with the case. Unknowns: the shaft's five channels and the slide."""
+    """A stretch of cases; arrays lead with the case. Unknowns: the shaft's channels, the slide, what is elastic."""
 
     rows: list[RowCases]
     load: NDArray
-    """External load on the shaft, and the spring's force; shape (case, 6)."""
+    """External load on the shaft, and the spring's force; shape (case, unknown)."""
     held: NDArray
-    """Which unknowns are given; shape (case, 6)."""
+    """Which unknowns are given; shape (case, unknown)."""
     place: NDArray
-    """The values of those; shape (case, 6)."""
+    """The values of those, and where the others begin; likewise."""
+    elasticity: NDArray
+    """S; shape (case, unknown, unknown), or of no case where all but the rows is rigid."""
+    rigid: int
+    """Up to this unknown they are those of rigid bodies."""
     lever: NDArray
     """Makes forces of moments; shape (case,) [m]."""
     step: NDArray
     """The longest step of any row; shape (case,) [m]."""
     tolerance: float
     q: NDArray
-    """Shape (case, 6) [m, rad]."""
+    """Shape (case, unknown) [m, rad]."""
     residual: NDArray
     """Largest imbalance over the largest force; shape (case,)."""
     iterations: NDArray
@@ -68,32 +73,40 @@ class Stretch:
         """Cases."""
         return int(self.q.shape[0])
 
-    def scale(self, which: NDArray) -> NDArray:
-        """What unknowns are multiplied by to be lengths; shape (case, 6)."""
-        scale = np.ones((which.size, UNKNOWNS))
+    @property
+    def unknowns(self) -> int:
+        """Those that are held included."""
+        return int(self.q.shape[1])
+
+    def scale(self, which: NDArray | slice = np.s_[:]) -> NDArray:
+        """What unknowns are multiplied by to be lengths; shape (case, unknown)."""
+        scale = np.ones((self.lever[which].size, self.unknowns))
         scale[:, 3:5] = self.lever[which, None]
         return scale
 
-    def imbalance(self, which: NDArray, found: list[Found]) -> tuple[NDArray, NDArray]:
+    def imbalance(self, which: NDArray, q: NDArray, found: list[Found]) -> tuple[NDArray, NDArray]:
         """(what the rows' loads exceed the applied by, free unknowns only and as forces; that over the largest).
 
         Nothing where all of them are what rounding of positions presses: a set without load that just touches.
         """
         target = self.load[which] * self.load_factor[which, None]
-        target[:, 5] = self.load[which, 5]
+        target[:, SLIDE] = self.load[which, SLIDE]
         total, largest = -target, np.abs(target / self.scale(which)).max(axis=1)
         for row, of_row in zip(self.rows, found, strict=True):
             own = np.einsum("kij,ki->kj", row.matrix[which], row.load(of_row, which))
             largest = np.maximum(largest, np.abs(own / self.scale(which)).max(axis=1))
             total = total + own
+        if self.elasticity.size:
+            total = total + np.einsum("kij,kj->ki", self.elasticity[which], q)
         total = np.where(self.held[which], 0.0, total / self.scale(which))
         least = np.max([row.least_load(which) for row in self.rows], axis=0)
         return total, np.where(largest <= least, 0.0, np.abs(total).max(axis=1) / np.maximum(largest, least))
 
     def tangent(self, which: NDArray) -> NDArray:
-        """dR/dq; shape (case, 6, 6), SI."""
+        """dR/dq; shape (case, unknown, unknown), SI."""
         parts = [(row.matrix[which], row.stiffness(which, self.speed_factor[which])) for row in self.rows]
-        return np.asarray(sum(matrix.swapaxes(1, 2) @ own @ matrix for matrix, own in parts))
+        total = np.asarray(sum(matrix.swapaxes(1, 2) @ own @ matrix for matrix, own in parts))
+        return total + self.elasticity[which] if self.elasticity.size else total
 
     def solve_rows(self, q: NDArray, which: NDArray) -> tuple[list[Found], NDArray]:
         """All rows at this displacement: (what is found, where all are solved)."""
@@ -117,7 +130,7 @@ def newton(s: Stretch, which: NDArray) -> NDArray:
     active = which
     q = np.where(s.held[active], s.place[active] * s.load_factor[active, None], s.q[active])
     found, good = s.solve_rows(q, active)
-    imbalance, relative = s.imbalance(active, found)
+    imbalance, relative = s.imbalance(active, q, found)
     s.keep(active, q, found, np.where(good, relative, np.inf))
     active, imbalance = active[good], imbalance[good]
     before = np.full(active.size, np.inf)
@@ -140,9 +153,9 @@ def _step(s: Stretch, which: NDArray, imbalance: NDArray) -> NDArray:
     scale, held = s.scale(which), s.held[which]
     matrix = s.tangent(which) / scale[:, :, None] / scale[:, None, :]
     matrix[held[:, :, None] | held[:, None, :]] = 0.0
-    size = np.abs(matrix).max(axis=(1, 2))
+    size = np.abs(matrix[:, : s.rigid, : s.rigid]).max(axis=(1, 2))
     softest = REGULARISATION * np.where(size > 0.0, size, 1.0)
-    diagonal = np.arange(UNKNOWNS)
+    diagonal = np.arange(s.unknowns)
     matrix[:, diagonal, diagonal] += np.where(held, 1.0, softest[:, None])
     step = -np.linalg.solve(matrix, imbalance[:, :, None])[:, :, 0]
     longest = np.abs(step).max(axis=1)
@@ -160,7 +173,7 @@ def _take(
         cases = which[left]
         q = s.q[cases] + fraction * step[left] / s.scale(cases)
         found, good = s.solve_rows(q, cases)
-        new, relative = s.imbalance(cases, found)
+        new, relative = s.imbalance(cases, q, found)
         # The limit of rounding: an imbalance as small as any may stay as it is.
         better = good & ((np.linalg.norm(new, axis=1) < size[left]) | (relative <= STALLED))
         s.keep(cases[better], q[better], [each.part(np.flatnonzero(better)) for each in found], relative[better])
@@ -220,14 +233,14 @@ def is_beyond_spring(s: Stretch, which: NDArray) -> NDArray:
 
 def unsupported(s: Stretch, which: NDArray) -> NDArray:
     """Which unknowns of cases not solved are loaded although nothing resists them where the shaft went."""
-    out = np.zeros((which.size, UNKNOWNS), bool)
+    out = np.zeros((which.size, s.unknowns), bool)
     out[:, 0] = is_beyond_spring(s, which)
     known = np.logical_and.reduce([row.found.results["status"][which] == CONVERGED for row in s.rows])
     cases = which[known]
     if not cases.size:
         return out
     scale, held = s.scale(cases), s.held[cases]
-    imbalance, _ = s.imbalance(cases, [row.found.part(cases) for row in s.rows])
+    imbalance, _ = s.imbalance(cases, s.q[cases], [row.found.part(cases) for row in s.rows])
     matrix = s.tangent(cases) / scale[:, :, None] / scale[:, None, :]
     matrix[held[:, :, None] | held[:, None, :]] = 0.0
     values, vectors = np.linalg.eigh(0.5 * (matrix + matrix.swapaxes(1, 2)))

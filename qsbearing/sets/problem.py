@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
 from qsbearing.scene.operation import CHANNELS, TURNING, Operation
+from qsbearing.sets.axial_growth import offset_in_operation
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.direct import solve_directly
+from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, ground_of
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
 from qsbearing.sets.outcome import Outcome
-from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS, offset_in_operation, row_matrix
+from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.sets.row_cases import RowCases, empty
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
@@ -31,6 +33,7 @@ class Problem:
         scenes = [of.row_scene(number, Operation(**self._turning)) for number in range(len(of.rows))]
         spring = None if of.preload is None else of.preload.spring
         numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
+        numbers += of.numbers_around
         shapes = [np.shape(number) for number in numbers if number is not None]
         try:
             self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes))
@@ -39,17 +42,18 @@ class Problem:
         self.count = prod(self.shape)
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
         self.makers = [CaseMaker(scene, dict(given)) for scene in scenes]
-        self.matrices = np.stack([row_matrix(of, number, self.shape) for number in range(len(of.rows))])
         warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
-        self.outcome = Outcome.of(self.count)
+        pitch = [self._flat(row.bearing.pitch_diameter) for row in of.rows]
+        self._lever = 0.5 * np.mean(pitch, axis=0)
+        self.ground = ground_of(of, self.shape, self._lever)
+        self.matrices = self.ground.matrices
+        self.outcome = Outcome.of(self.count, self.matrices.shape[-1])
         size = max(maker.position_size for maker in self.makers)
         balls = max(maker.ball_axis for maker in self.makers)
         self.found = empty(len(of.rows), self.count, balls, position_size=size)
         """Of all rows: row, case, ball."""
         self._set_unknowns(spring)
-        pitch = [self._flat(row.bearing.pitch_diameter) for row in of.rows]
-        self._lever = 0.5 * np.mean(pitch, axis=0)
         self._step = LARGEST_STEP * np.min([self._flat(row.bearing.groove_centre_distance) for row in of.rows], axis=0)
 
     def _flat(self, values: Any) -> NDArray:
@@ -57,13 +61,15 @@ class Problem:
 
     def _set_unknowns(self, spring: Any) -> None:
         """Loads, and which unknowns have their values given or vanish by symmetry."""
-        self._load, self._place = np.zeros((self.count, UNKNOWNS)), np.zeros((self.count, UNKNOWNS))
-        self._held = np.zeros((self.count, UNKNOWNS), bool)
+        self._load, self._place = self.ground.load.copy(), np.zeros_like(self.ground.load)
+        self._held = np.zeros(self._load.shape, bool)
+        self._held[:, self.ground.given :] = True
+        self._place[:, self.ground.given :] = 1.0
         for i, channel in enumerate(CHANNELS):
             load = getattr(self.of.operation, channel.load)
             displacement = getattr(self.of.operation, channel.displacement)
             if load is not None:
-                self._load[:, i] = self._flat(load)
+                self._load[:, i] += self._flat(load)
             self._held[:, i] = displacement is not None
             if displacement is not None:
                 self._place[:, i] = self._flat(displacement)
@@ -72,12 +78,12 @@ class Problem:
             self._load[:, SLIDE] = self._flat(spring)
         given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
-        out_of_xy |= self._has_unequal_balls
-        out_of_xz |= self._has_unequal_balls
+        skew = self._has_unequal_balls | self.ground.bends_askew
+        out_of_xy, out_of_xz = out_of_xy | skew | self.ground.bends_in(2), out_of_xz | skew | self.ground.bends_in(1)
         is_thrust = ~out_of_xy & ~out_of_xz & np.all([self._flat(row.bearing.ball_count) >= 2 for row in self.of.rows])
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
-        for channels, vanish in (((2, 3), is_thrust | in_xy), ((1, 4), is_thrust | (in_xz & ~in_xy))):
-            self._held[:, channels] |= vanish[:, None]
+        for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
+            self._held[:, [*PLANES[plane], *self.ground.unknowns_in(plane)]] |= vanish[:, None]
 
     @property
     def _has_unequal_balls(self) -> NDArray:
@@ -103,9 +109,9 @@ class Problem:
         ]
         o = self.outcome
         s = Stretch(
-            rows, self._load[part], self._held[part], self._place[part], self._lever[part], self._step[part],
-            self.tolerance, o.q[part], o.residual[part], o.iterations[part], np.ones(count), np.ones(count),
-            np.full(count, -1), np.zeros(count, bool),
+            rows, self._load[part], self._held[part], self._begin(cases, part), self.ground.elasticity[part],
+            self.ground.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)
@@ -131,6 +137,27 @@ class Problem:
             for row in rows:
                 codes = row.found.results["status"]
                 codes[failed & (codes != NO_EQUILIBRIUM)] = NOT_CONVERGED
+
+    def _begin(self, cases: NDArray, part: slice) -> NDArray:
+        """Values of what is held, and a start of the rest: where loads of the shaft bend it, on rows as stiff as balls
+        are at a small deflection, so that no row starts far from its equilibrium."""
+        place = self._place[part].copy()
+        if self.ground.given == place.shape[1]:
+            return place
+        held, matrix = self._held[part], self.ground.elasticity[part].copy()
+        for own, of_row in zip(self.matrices[:, part], cases, strict=True):
+            contact = of_row["series_stiffness"] * of_row["force"] / of_row["length"]
+            stiffness = 0.5 * of_row["ball_count"] * contact * START_DEFLECTION**0.5
+            springs = np.zeros((place.shape[0], 5))
+            springs[:, 1:3] = stiffness[:, None]
+            springs[:, 3:] = (stiffness * self._lever[part] ** 2)[:, None]
+            matrix += np.einsum("kia,ki,kib->kab", own, springs, own)
+        force = self._load[part] - np.einsum("kij,kj->ki", matrix, np.where(held, place, 0.0))
+        held = held.copy()
+        held[:, [0, *range(SLIDE, self.ground.rigid), *self.ground.unknowns_in(0)]] = True
+        matrix[held[:, :, None] | held[:, None, :]] = 0.0
+        matrix[:, range(place.shape[1]), range(place.shape[1])] += np.where(held, 1.0, 0.0)
+        return place + np.linalg.solve(matrix, np.where(held, 0.0, force)[..., None])[..., 0]
 
     def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
         """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""

@@ -47,7 +47,7 @@ class RowCases:
 
     cases: NDArray
     matrix: NDArray
-    """G, shape (case, 5, 6)."""
+    """G, shape (case, 5, unknown)."""
     offset: NDArray
     """How far the row is pressed together while the shaft is at its zero; shape (case,) [m]."""
     datum_shift: NDArray

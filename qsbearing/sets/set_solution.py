@@ -4,26 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects import RingEffect, as_fitted, as_made
+from qsbearing.in_notebooks import Plotted
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing_set
 from qsbearing.ranked_warning import RankedWarning
 from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.deflection import Deflection, ShaftPoint, solve_known
+from qsbearing.sets.elastic_shaft import Ground
 from qsbearing.sets.outcome import Outcome
-from qsbearing.sets.rigid_shaft import SLIDE
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
 from qsbearing.solution import preload_state
 from qsbearing.solution.case_index import Index, place_of
 from qsbearing.solution.preload_state import PreloadLoads
 from qsbearing.solution.ring_stiffness import inverse
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.status import STATUS_OF_CODE, Reason
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.state import ThermalState
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
@@ -32,7 +38,7 @@ LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
 
 
-class SetSolution:
+class SetSolution(Plotted):
     """Solved cases of a set. Arrays lead with the case axes: none for a single case.
 
     Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
@@ -44,21 +50,29 @@ class SetSolution:
         of: BearingSet,
         shape: tuple[int, ...],
         row_solution: Callable[[int], Solution],
-        matrices: NDArray,
+        ground: Ground,
         outcome: Outcome,
-        sides: dict[float, SetSolution],
+        sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
     ) -> None:
         self.set = of
         self.shape = shape
         self._row_solution = row_solution
-        self._matrices = matrices
+        self._ground = ground
         self._outcome = outcome
         self._sides = sides
         self._unloaded = unloaded
         self.seconds = seconds
         """Wall time of the solve [s]."""
+        self.thermal: ThermalState | None = None
+        """As `Solution.thermal`."""
+
+    def withdraw(self, cases: NDArray, code: int) -> None:
+        """As `Solution.withdraw`."""
+        self._outcome.status[np.reshape(cases, -1)] = code
+        for row in self.rows:
+            row.withdraw(cases, code)
 
     @cached_property
     def rows(self) -> tuple[Solution, ...]:
@@ -178,14 +192,18 @@ class SetSolution:
         shape (*cases, row, 5) [N, N m]."""
         parts = [
             np.einsum("kij,ki->kj", matrix, row.load.reshape(-1, 5))[:, :5]
-            for matrix, row in zip(self._matrices, self.rows, strict=True)
+            for matrix, row in zip(self._ground.matrices, self.rows, strict=True)
         ]
         return np.asarray(self._shaped(self._known(np.stack(parts, axis=1)), len(parts), 5))
 
     @cached_property
     def load(self) -> NDArray:
-        """On the shaft: what was prescribed, or the rows' reaction to a prescribed displacement; shape (*cases, 5)."""
-        load = self.row_loads.sum(axis=-2)
+        """On the shaft at the reference position: what was prescribed, or the reaction to a prescribed displacement;
+        shape (*cases, 5). Loads of the shaft's own, elsewhere, are not in it."""
+        beside = -self._ground.load[:, :5]
+        if self._ground.elasticity.size:
+            beside = beside + np.einsum("kij,kj->ki", self._ground.elasticity[:, :5], self._outcome.q)
+        load = self.row_loads.sum(axis=-2) + self._shaped(beside, 5)
         for i, channel in enumerate(CHANNELS):
             given = getattr(self.set.operation, channel.load)
             if getattr(self.set.operation, channel.displacement) is None:
@@ -207,17 +225,68 @@ class SetSolution:
         displacement is prescribed. Sprung rings slide so that the spring's force stays what it is. NaN where some row's
         per-ball control contradicts itself: such a row has several solutions side by side and no tangent.
         """
+        total, follow = self._tangent, self._followers
+        if follow:
+            inner = solve_known(total[:, follow][..., follow], total[:, follow, :5])
+            total = total[:, :5, :5] - total[:, :5, follow] @ inner
+        return np.asarray(self._shaped(self._known(total[:, :5, :5]), 5, 5))
+
+    @cached_property
+    def _tangent(self) -> NDArray:
+        """Over all unknowns of the flattened cases."""
         parts = [
             matrix.swapaxes(1, 2) @ row.stiffness.reshape(-1, 5, 5) @ matrix
-            for matrix, row in zip(self._matrices, self.rows, strict=True)
+            for matrix, row in zip(self._ground.matrices, self.rows, strict=True)
         ]
         total = np.asarray(sum(parts))
+        if self._ground.elasticity.size:
+            total = total + self._ground.elasticity
         total[~np.reshape(self.control_is_consistent, -1)] = np.nan
-        if self.slide is not None:
-            own = total[:, SLIDE, SLIDE]
-            with np.errstate(invalid="ignore", divide="ignore"):
-                total = total - total[:, :, SLIDE, None] * total[:, None, SLIDE, :] / own[:, None, None]
-        return np.asarray(self._shaped(self._known(total[:, :5, :5]), 5, 5))
+        return total
+
+    @cached_property
+    def _deflection(self) -> Deflection:
+        loads = np.stack([row.load.reshape(-1, 5) for row in self.rows])
+        return Deflection(self.set, self.shape, self._ground, self._outcome.q, loads, self.load.reshape(-1, 5))
+
+    def deflection(self, positions: ArrayLike) -> NDArray:
+        """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
+
+        Tilt z is the slope of y, tilt y that of -z. Growth by heat is not in it.
+        """
+        along = self._known(self._deflection.along(positions))
+        return np.asarray(self._shaped(along, *along.shape[1:]))
+
+    def inner_forces(self, positions: ArrayLike) -> NDArray:
+        """Axial force, shear forces and bending moments of the shaft at these positions [m]: what its part beyond, in
+        +x, does to that before; shape (*cases, position, 5) [N, N, N, N m, N m]."""
+        along = self._known(self._deflection.inner_forces(positions))
+        return np.asarray(self._shaped(along, *along.shape[1:]))
+
+    @cached_property
+    def support_loads(self) -> NDArray:
+        """What each support of the shaft carries; shape (*cases, support, 5) [N, N m]."""
+        loads = self._known(-self._deflection.supports)
+        return np.asarray(self._shaped(loads, *loads.shape[1:]))
+
+    @cached_property
+    def points(self) -> dict[str, ShaftPoint]:
+        """The shaft's named points: deflection, compliance, and what gives way there."""
+        return {} if self.set.shaft is None else {name: self.point(at) for name, at in self.set.shaft.points.items()}
+
+    def point(self, position: float) -> ShaftPoint:
+        """Likewise, of any position on the shaft [m]."""
+        rows = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
+        free = [*self._free_channels, *self._followers]
+        compliance, parts = self._deflection.compliance(position, self._tangent, free, rows)
+        shares = {name: np.asarray(self._shaped(self._known(part), 5)) for name, part in parts.items()}
+        compliance = np.asarray(self._shaped(self._known(compliance), 5, 5))
+        return ShaftPoint(position, self.deflection(position)[..., 0, :], compliance, shares)
+
+    @property
+    def _followers(self) -> list[int]:
+        """Unknowns that go where their equations take them: the slide and what is elastic."""
+        return [*([] if self.slide is None else [SLIDE]), *range(UNKNOWNS, self._ground.given)]
 
     @property
     def locked_stiffness(self) -> NDArray:

@@ -12,11 +12,14 @@ from numpy.typing import NDArray
 from qsbearing.effects import as_fitted, as_made
 from qsbearing.scene.operation import STRAIGHT, Operation
 from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.elastic_shaft import axial_give
 from qsbearing.sets.problem import Problem
 from qsbearing.sets.set_solution import AtRest, SetSolution
 from qsbearing.solution.solver import TOLERANCE
 from qsbearing.threads import in_threads, thread_count
 
+Sides = dict[tuple[int, ...], SetSolution]
+"""Rows of one direction and group, pressed alone; by their numbers."""
 CHOICES_OF_CONTACT = ("hertz_angle", "hertz_form", "tilt_lever")
 
 
@@ -38,6 +41,21 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if of.thermal is None:
+        return solve_at_given_temperatures(of, threads, tolerance)
+    from qsbearing.sets.hot_set import HotSet
+    from qsbearing.thermal.solve import at_steady_temperatures
+
+    preload = 0.0 if of.preload is None else getattr(of.preload, of.preload.kind)
+    offsets = [np.asarray(row.offset) + 0.0 * np.asarray(preload) for row in of.rows]
+    shape = Problem(of, offsets, tolerance, 1).shape
+    machine = HotSet(of, shape, lambda each: solve_at_given_temperatures(each, threads, tolerance))
+    solution: SetSolution = at_steady_temperatures(machine)
+    return solution
+
+
+def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: float) -> SetSolution:
+    """Every case of a set, at the temperatures that its rows state."""
     began = time.perf_counter()
     workers = thread_count(threads)
     sides = _sides(of, threads, tolerance)
@@ -49,11 +67,11 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
 
     def unloaded(effects_at_rest: AtRest | None) -> SetSolution:
-        return solve_set(without_load(of, offsets, effects_at_rest), threads=threads, tolerance=tolerance)
+        return solve_at_given_temperatures(without_load(of, offsets, effects_at_rest), threads, tolerance)
 
     seconds = time.perf_counter() - began
     return SetSolution(
-        of, problem.shape, problem.row_solution, problem.matrices, problem.outcome, sides, unloaded, seconds
+        of, problem.shape, problem.row_solution, problem.ground, problem.outcome, sides, unloaded, seconds
     )
 
 
@@ -68,38 +86,60 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
         for row, offset in zip(of.rows, offsets, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
+    shaft = None if of.shaft is None else replace(of.shaft, loads=())
+    around: dict[str, Any] = {"shaft": shaft, "floating": tuple(replace(each, preload=None) for each in of.floating)}
     if effects_at_rest is None:
-        return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={})
+        return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={}, **around)
+    around["shaft"] = None if shaft is None else replace(shaft, temperature=None)
+    around["spacers"] = tuple(replace(each, inner_temperature=None, outer_temperature=None) for each in of.spacers)
     cold = tuple(replace(row, ring_effects=effects_at_rest(of.effects_of(row))) for row in rows)
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
-    return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, **choices)
+    return BearingSet(cold, Operation(**STRAIGHT), preload, of.reference_position, **choices, **around)
 
 
-def _sides(of: BearingSet, threads: int | None, tolerance: float) -> dict[float, SetSolution]:
-    """Under a preload that is held and given as a force: the rows of either direction alone, at rest and cold."""
-    if of.preload is None or of.preload.kind not in ("rigid", "mounted"):
-        return {}
+def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
+    """Under a preload that is held and given as a force: of each group, the rows of either direction alone, at rest and
+    cold."""
+    sides: Sides = {}
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
-    force = np.asarray(getattr(of.preload, of.preload.kind), float)
-    effects_at_rest = as_fitted if of.preload.is_given_mounted else as_made
-    sides = {}
-    for sign in (1.0, -1.0):
-        rows = tuple(
-            replace(row, ring_effects=effects_at_rest(of.effects_of(row)), readings=None)
-            for row in of.rows
-            if row.sign == sign
-        )
-        side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
-        sides[sign] = solve_set(side, threads=threads, tolerance=tolerance)
+    for group, preload in of.groups:
+        if preload is None or preload.kind not in ("rigid", "mounted") or not of.opposes(group):
+            continue
+        force = np.asarray(getattr(preload, preload.kind), float)
+        effects_at_rest = as_fitted if preload.is_given_mounted else as_made
+        for sign in (1.0, -1.0):
+            numbers = tuple(number for number in group if of.rows[number].sign == sign)
+            rows = tuple(
+                replace(row, ring_effects=effects_at_rest(of.effects_of(row)), housing_stiffness=None, readings=None)
+                for row in (of.rows[number] for number in numbers)
+            )
+            side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
+            sides[numbers] = solve_set(side, threads=threads, tolerance=tolerance)
     return sides
 
 
-def _offsets(of: BearingSet, sides: dict[float, SetSolution]) -> list[NDArray]:
+def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
     """How far each row is pressed together while the shaft is at its zero [m]; NaN where its side is not solved."""
-    common: dict[float, Any] = {1.0: 0.0, -1.0: 0.0}
-    if sides:
-        common = {sign: sign * side.displacement[..., 0] for sign, side in sides.items()}
-    elif of.preload is not None and of.preload.kind == "axial_displacement":
-        half = 0.5 * np.asarray(of.preload.axial_displacement, float)
-        common = {1.0: half, -1.0: half}
-    return [np.asarray(row.offset, float) + common[row.sign] for row in of.rows]
+    pressed: list[Any] = [0.0] * len(of.rows)
+    for numbers, side in sides.items():
+        for number in numbers:
+            pressed[number] = of.rows[number].sign * side.displacement[..., 0]
+    for group, preload in of.groups:
+        if preload is not None and preload.kind == "axial_displacement" and of.opposes(group):
+            for number in group:
+                pressed[number] = 0.5 * np.asarray(preload.axial_displacement, float)
+    gives = _give(of, sides)
+    return [np.asarray(row.offset, float) + by + give for row, by, give in zip(of.rows, pressed, gives, strict=True)]
+
+
+def _give(of: BearingSet, sides: Sides) -> list[Any]:
+    """By how much further each row is pressed for what shaft and housings give way under the preload [m]."""
+    if not sides or (of.shaft is None and all(row.housing_stiffness is None for row in of.rows)):
+        return [0.0] * len(of.rows)
+    effects_at_rest = as_fitted if of.preload is not None and of.preload.is_given_mounted else as_made
+    cold = without_load(of, [np.zeros(())] * len(of.rows), effects_at_rest)
+    loads: list[Any] = [0.0] * len(of.rows)
+    for numbers, side in sides.items():
+        for number, load in zip(numbers, np.moveaxis(side.axial_loads, -1, 0), strict=True):
+            loads[number] = load
+    return axial_give(cold, loads)

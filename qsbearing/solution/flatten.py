@@ -259,7 +259,9 @@ class CaseMaker:
         distance = v["inner_groove_radius"] + v["outer_groove_radius"] - v["ball_diameter"]
         outer = inner - distance * np.cos(v["free_contact_angle"]) - v["radial_interference"]
         bottoms = inner - v["inner_groove_radius"], outer + v["outer_groove_radius"]
-        grooves = Grooves(*bottoms, v["ring_elastic_modulus"], v["ring_poisson_ratio"])
+        radii = v["inner_groove_radius"], v["outer_groove_radius"]
+        is_symmetric = self.scene.bearing.kind is BearingKind.DEEP_GROOVE
+        grooves = Grooves(*bottoms, *radii, is_symmetric, v["ring_elastic_modulus"], v["ring_poisson_ratio"])
         given = {name: v[f"{rings.name}.{name}"] for name in rings.numbers}
         waves = min(MOST_WAVES + 1, self.ball_axis)
         for side, give in zip(("inner", "outer"), replace(rings, **given).gives(grooves), strict=True):

@@ -12,9 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.effects.elastic_rings import RingGive, grooves_of
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
-
-Solution = Any
-"""A `qsbearing.solution.Solution`, which lies above: its methods call what is here."""
+from qsbearing.quantities import Solution
 
 AROUND = np.linspace(0.0, 2.0 * np.pi, 361)[:-1]
 """Azimuths at which extremes around a ring are looked for [rad]."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.columns import columns, dataset
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
+from qsbearing.in_notebooks import Plotted
 from qsbearing.kernel import results
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
 from qsbearing.result_keys import DISPLACEMENT, LOAD
@@ -30,6 +31,8 @@ from qsbearing.units import deg
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from qsbearing.thermal.state import ThermalState
 
 CALLED_FOR_BY = {
     "required_friction": "gyroscopic_moment",
@@ -65,7 +68,7 @@ class Choice:
     """How often the scene was solved to choose."""
 
 
-class Solution:
+class Solution(Plotted):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
@@ -99,6 +102,17 @@ class Solution:
         """At most so many solved it, and read it off."""
         self.choice: Choice | None = None
         """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
+        self.thermal: ThermalState | None = None
+        """Temperatures and heats, where the scene asks for its steady state."""
+
+    def withdraw(self, cases: NDArray, code: int) -> None:
+        """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
+
+        Args:
+            cases: a mask; shape (*cases).
+            code: of the kernel, for their status.
+        """
+        self._results["status"][np.reshape(cases, -1)] = code
 
     @property
     def inner(self) -> RacewayContacts:

@@ -96,6 +96,10 @@ def _solved(
 ) -> Solution | SetSolution:
     if isinstance(scene, BearingSet):
         return solve_set(scene, threads=threads)
+    if scene.thermal is not None:
+        from qsbearing.thermal import solve as hot
+
+        return hot.solve(scene, threads=threads)
     return solve(replace(scene, **chosen or {}), threads=threads)
 
 

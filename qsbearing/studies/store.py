@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.io.file_errors import SceneFileError, refused
 from qsbearing.io.output_file import place_of, put_in_place
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
@@ -28,10 +28,6 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 PLAN, LOCK = "plan.json", "lock"
-
-
-def _refused(file: Path, problem: str, cause: str = "") -> SceneFileError:
-    return SceneFileError(str(file), [FileErrorDetail("", problem, cause=cause)])
 
 
 def folder_of(out: str | os.PathLike[str]) -> Path:
@@ -68,7 +64,7 @@ def _alone(folder: Path) -> Iterator[None]:
     try:
         file = place.open("wb")
     except OSError as error:
-        raise _refused(folder, f"cannot be written: {error.strerror}") from None
+        raise refused(folder, f"cannot be written: {error.strerror}") from None
     with file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -78,7 +74,7 @@ def _alone(folder: Path) -> Iterator[None]:
         except OSError:  # a disk without locks
             is_free = True
         if not is_free:
-            raise _refused(folder, "another run is at work on it", "Wait until it has ended, or choose another --out")
+            raise refused(folder, "another run is at work on it", "Wait until it has ended, or choose another --out")
         try:
             yield
         finally:
@@ -100,12 +96,12 @@ class Store:
         try:
             self.place = place_of(os.fspath(out))
             if self.place.exists() and not self.place.is_file():
-                raise _refused(self.out, "is no file that could be replaced")
+                raise refused(self.out, "is no file that could be replaced")
             self.folder = folder_of(out)
             self._check_room()
             self.folder.mkdir(exist_ok=True)
         except OSError as error:
-            raise _refused(self.out, f"cannot be written: {error.strerror}" if error.strerror else str(error)) from None
+            raise refused(self.out, f"cannot be written: {error.strerror}" if error.strerror else str(error)) from None
 
     def claim(self, resume: bool) -> None:
         """See that the folder is this study's, and holds whole chunks and nothing else.
@@ -119,15 +115,15 @@ class Store:
         is_new = not kept.exists()
         if not is_new and _json_of(kept) != json.loads(json.dumps(identity)):
             problem = "holds chunks of another study, or of another version of qsbearing"
-            raise _refused(self.folder, problem, "Delete that folder, or choose another --out")
+            raise refused(self.folder, problem, "Delete that folder, or choose another --out")
         if not is_new and not resume:
             problem = f"an unfinished run has {len(self.finished())} of {self.points.chunk_count} chunks done"
-            raise _refused(self.folder, problem, "--resume goes on with it; or delete that folder")
+            raise refused(self.folder, problem, "--resume goes on with it; or delete that folder")
         self._check_files(0 if is_new else self.points.chunk_count)
         try:
             _write(kept, json.dumps(identity).encode())
         except OSError as error:
-            raise _refused(self.folder, f"cannot be written: {error.strerror}") from None
+            raise refused(self.folder, f"cannot be written: {error.strerror}") from None
 
     def _check_room(self) -> None:
         per_point = 16.0
@@ -136,7 +132,7 @@ class Store:
         free = shutil.disk_usage(self.place.parent).free
         if needed > free:
             problem = f"needs {needed / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left"
-            raise _refused(self.out, problem, "Name fewer quantities, or fewer points")
+            raise refused(self.out, problem, "Name fewer quantities, or fewer points")
 
     def _check_files(self, chunks: int) -> None:
         """Remove what a crash of the whole machine has left incomplete, and what was being written.
@@ -162,7 +158,7 @@ class Store:
                     others += [] if suits else [file.name]
         if others:
             problem = f"holds what is no part of this study: {', '.join(others[:5])}"
-            raise _refused(self.folder, problem, "Move it away; points that are then missing are solved again")
+            raise refused(self.folder, problem, "Move it away; points that are then missing are solved again")
 
     def _suits(self, number: int) -> bool:
         """Whether the arrays of a chunk that was kept are those of its points."""
@@ -197,7 +193,7 @@ class Store:
     def _unwritten(self, error: Exception) -> SceneFileError:
         why = error.strerror if isinstance(error, OSError) else ""
         cause = f"Finished points are kept in {self.folder}: make room, then --resume goes on"
-        return _refused(self.out, f"cannot be written: {why or error}", cause)
+        return refused(self.out, f"cannot be written: {why or error}", cause)
 
     def get(self, number: int) -> Chunk:
         """A chunk that was kept."""
@@ -238,16 +234,16 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
 
     place = Path(file)
     if not place.is_file():
-        raise _refused(place, "no such file")
+        raise refused(place, "no such file")
     try:
         found = xarray.open_dataset(place, engine="h5netcdf", cache=False)
     except (OSError, ValueError, KeyError) as error:
-        raise _refused(place, f"is not a results file, or damaged: {error}") from None
+        raise refused(place, f"is not a results file, or damaged: {error}") from None
     version = found.attrs.get("qsbearing_format")
     if version != dataset.FORMAT:
         found.close()
         made = found.attrs.get("qsbearing_version", "another program")
-        raise _refused(place, f"is no results file of this version (made by {made})", "Run the sweep again")
+        raise refused(place, f"is no results file of this version (made by {made})", "Run the sweep again")
     return found
 
 

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from qsbearing import __version__, quantities
+from qsbearing.in_notebooks import Plotted
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import document_of
@@ -36,7 +37,7 @@ class Sampling(StrEnum):
 
 
 @dataclass(frozen=True)
-class Study:
+class Study(Plotted):
     """What a sweep solves: every combination of the axes' values, each with all the samples.
 
     Make one with `Study.of`; a study file is a scene file with the tables [vary] and, if wanted, [study].

@@ -143,7 +143,6 @@ def batch(rng: np.random.Generator, count: int) -> dict[str, int]:
     ):
         n = np.arange(2.0, HARMONICS + 1)[:, None]
         give[2:] = np.maximum(give[2:] - 2.0 * radius / (208e9 * n), 0.0)  # a half-plane's is in Hertz's contact
-        give[2:][2.0 * np.pi * radius < n * width] = 0.0  # waves shorter than the ring is wide
         taken = give / (2.0 * np.pi * radius * width)
         total += gives(load, azimuth, [taken[0], *(2.0 * taken[1:])])
     lines = {

@@ -16,7 +16,7 @@ from qsbearing.chooser.explain import explain
 from qsbearing.chooser.explain_set import explain_set
 from qsbearing.cli import cli
 from qsbearing.effects import EFFECTS
-from qsbearing.sets.preload_summary import preload_summary
+from qsbearing.sets.preload_limits import preload_summary
 from tests.sets.arrangements import PAIR_FILE, S6210C, pair, rows, solved, with_load
 
 

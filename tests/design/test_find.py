@@ -223,4 +223,4 @@ def test_the_command_draws_and_ends_as_it_says(file: Path, tmp_path: Path, vary:
     result = run("find", file, *options, "--limit", f"{PRESSURE}<=100", "--points", "64")
     assert result.exit_code == 1 and "Not met: inner_max_pressure_max <= 100" in result.stdout
     result = run("find", file, *options, "--limit", f"{PRESSURE}", "--plot", tmp_path / "no" / "a.png")
-    assert result.exit_code == 2 and "no such folder" in result.output and "form" in result.output
+    assert result.exit_code == 2 and "no folder" in result.output and "form" in result.output

@@ -65,12 +65,14 @@ class Browser:
         self._process.wait(10)
         self._profile.cleanup()
 
-    def open(self, path: Path, scripts: bool = True, width: int = 1280) -> None:
-        """Load a file from disk, and wait until it is there."""
+    def open(self, page: Path | str, scripts: bool = True, width: int = 1280) -> None:
+        """Load a file from disk, or a page by its address, and wait until it is there."""
+        address = page if isinstance(page, str) else page.as_uri()
+        self._own = address if isinstance(page, str) else "file:"
         self.ask("Emulation.setScriptExecutionDisabled", value=not scripts)
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
         self._loaded = False
-        self.ask("Page.navigate", url=path.as_uri())
+        self.ask("Page.navigate", url=address)
         until = time.monotonic() + PATIENCE
         while not self._loaded:
             assert time.monotonic() < until, "the page is not there in time"
@@ -131,6 +133,8 @@ class Browser:
             self.complaints.append(str(told["args"]))
         elif method == "Log.entryAdded" and told["entry"]["level"] in ("error", "warning"):
             self.complaints.append(told["entry"]["text"])
-        elif method == "Network.requestWillBeSent" and not told["request"]["url"].startswith(("file:", "data:")):
+        elif method == "Network.requestWillBeSent" and not told["request"]["url"].startswith(
+            (self._own, "data:", "blob:")
+        ):
             self.complaints.append(f"asks the network for {told['request']['url']}")
         return said

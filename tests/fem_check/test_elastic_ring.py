@@ -49,10 +49,9 @@ def test_a_seat_that_slides_stiffens_and_that_of_next_to_nothing_does_not():
         assert moved(with_soft, n)[n] == pytest.approx(moved(free, n)[n], rel=1e-8, abs=0.0)
 
 
-@pytest.mark.parametrize("cut", [True, False])
-def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body(cut):
+def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body():
     one = Body(0.0739, 0.08, STEEL, *GRID)
-    matrix = elastic_ring.influence(GRID, 16, one, cut)
+    matrix = elastic_ring.influence(GRID, 16, one)
     np.testing.assert_allclose(matrix, matrix.T, rtol=1e-12)
     angle = 2.0 * np.pi * np.arange(16) / 16
     # Waves n = 15 and 17 are a shift for 16 balls.
@@ -67,10 +66,16 @@ def test_the_model_is_right():
         assert {row.verdict for row in found} >= {"pass"}
 
 
-def test_waves_that_the_model_cuts_would_make_a_per_cent():
-    found = {row.quantity: row for row in elastic_ring.load_rows(Level.QUICK) if row.verdict == "finding"}
-    assert 0.5 < found["axial_displacement"].deviation_percent < 2.0
-    assert abs(found["largest contact load"].deviation_percent) < 0.1
+@pytest.mark.heavy
+def test_one_pitch_in_three_dimensions_sees_the_shoulders(monkeypatch):
+    """In bending; with the rectangle that the groove's bottom leaves, the model would deflect four times as far."""
+    assert failing(elastic_ring.pitch_rows(Level.QUICK)) == set()
+    monkeypatch.setattr(elastic_rings, "bending_height", lambda thickness, *shape: np.asarray(thickness))
+    elastic_rings._known_gives.cache_clear()
+    rows = elastic_ring.pitch_rows(Level.QUICK)
+    elastic_rings._known_gives.cache_clear()
+    assert {row.case for row in rows if row.verdict == "fail"} == {row.case for row in rows if row.case[-1] == "3"}
+    assert min(row.reference / row.found for row in rows if row.case[-1] == "3") > 3.0
 
 
 def test_bending_that_is_off_by_half_a_per_cent_is_seen(monkeypatch):
@@ -93,10 +98,10 @@ def test_a_seat_of_the_wrong_sign_is_seen(monkeypatch):
     "wrong",
     [
         lambda by_load, of_section: (lambda give, radius, width: by_load(give, radius, 1.05 * width), of_section),
-        lambda by_load, of_section: (by_load, lambda give, radius, width, modulus: give),
+        lambda by_load, of_section: (by_load, lambda give, radius, modulus: give),
         lambda by_load, of_section: (by_load, lambda *known: -of_section(*known)),
     ],
-    ids=["width", "local and short waves left in", "sign of the give"],
+    ids=["width", "local compression left in", "sign of the give"],
 )
 def test_an_error_between_ring_and_balls_is_seen(wrong, monkeypatch):
     by_load, of_section = wrong(elastic_rings.by_load, elastic_rings.of_section)

@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 from fem_check import boundary_element, contact, half_space_contact, measuring
+from fem_check.checks import load_power_law
+from fem_check.contact_problem import QUANTITIES
+from fem_check.measuring import Measured, Soundness
 from fem_check.pressure_basis import PressureBasis
 from fem_check.references import hertz
 from fem_check.scenes import groove_contact
@@ -63,3 +66,16 @@ def test_largest_pressure_is_not_load_over_ellipse():
     reference = boundary_element.over_hertz(groove, 5000.0)
     # 0.05 points is the gate; 3Q/(2 pi a b) is 0.57 points too high.
     assert 100.0 * (read[0] / read[1] - reference.ratio["max_pressure"]) == pytest.approx(0.0, abs=0.05)
+
+
+def test_scatter_of_positions_is_the_largest_of_all_loads():
+    # A swing of which eight positions keep one part in their mean, at a phase where half of them do not show it.
+    def at(phase, size):
+        swing = 0.01 * np.cos(np.pi * np.arange(8) + phase)
+        each = dict.fromkeys(QUANTITIES, size * (1.0 + swing))
+        return Measured(each, Soundness(0.0, 0.0, 0.0, 0.0))
+
+    blind, seen = at(0.5 * np.pi, 1.0), at(0.0, 5.0)
+    assert blind.position_uncertainty("approach") < 1e-12
+    for series in ([blind, seen], [seen, blind]):
+        assert load_power_law.position_scatter(series, "approach") == pytest.approx(0.01, rel=1e-9)

@@ -54,3 +54,14 @@ def test_a_deviation_that_is_the_quantity_itself_is_read_in_per_cent() -> None:
 def test_other_rows_have_per_cent() -> None:
     told = row_text.of_row(row(2e-6, 2.02e-6, "m", 0.13, 2.0))
     assert told == ("2", "2.02", "+1.00", "0.13", "2 %")
+
+
+def test_a_displacement_that_is_a_finding_is_told_by_its_difference() -> None:
+    """At some load a displacement at speed is zero: of the same 8.3 µm a per cent could be anything."""
+    grown = row(25.72e-6, 34.03e-6, "m", 0.2116, None) | {"quantity": "axial_displacement"}
+    assert row_text.of_row(grown)[2:4] == ("+8.310 µm", "0.054 µm")
+    assert row_text.difference(grown) == "+8.310 ± 0.054"
+    assert row_text.difference_unit(grown) == "µm"
+    judged = grown | {"tolerance_percent": 1.0}
+    assert row_text.of_row(judged).deviation == "+32.31"
+    assert row_text.difference_unit(judged) == "%"

@@ -9,8 +9,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.sets import preload_search
-from qsbearing.sets.preload_loads import load_changes, load_sentence
-from qsbearing.sets.preload_speeds import speed_changes, speed_sentence
+from qsbearing.sets.preload_limits import load_changes, load_sentence, speed_changes, speed_sentence
 from tests.sets.arrangements import pair, solved, with_load
 
 

@@ -68,7 +68,7 @@ def test_files_of_every_kind_hold_the_same(tmp_path: Path) -> None:
         (("b218", "--vary", "speed_rpm=0:1:3", "--scheduler", "nowhere"), "cannot be reached"),
         (("b218", "--vary", "ball_diameter_mm=normal(22,3)", "--out", "r.nc"), "leaves the possible"),
         (("b218", "--vary", "speed_rpm=0:1:3", "--out", "none/r.csv"), "no folder"),
-        (("b218", "--vary", "speed_rpm=0:1:3", "--plot", "none/r.png"), "no such folder"),
+        (("b218", "--vary", "speed_rpm=0:1:3", "--plot", "none/r.png"), "no folder"),
     ],
 )
 def test_bad_input_is_a_sentence(

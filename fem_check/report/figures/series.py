@@ -18,7 +18,7 @@ def load_series(entry: Entry) -> Figure:
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
         axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=quantity(name))
     axes.axhline(0.0, **HERTZ)
-    axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, two decades of load")
+    axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, loads over decades")
     axes.legend(fontsize=8)
     return figure
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from fem_check import row_text
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.figures import overview
@@ -136,8 +137,11 @@ def _sector(evidence: Evidence) -> tuple[str | None, bool]:
         own = [row for row in rows if name == row["quantity"].removeprefix("inner ").removeprefix("outer ")]
         if not own:
             continue
-        unit = "deg" if own[0]["unit"] == "deg" else "%"
-        differences = [row["found"] - row["reference"] if unit == "deg" else row["deviation_percent"] for row in own]
+        unit = "deg" if own[0]["unit"] == "deg" else row_text.difference_unit(own[0])
+        differences = [
+            row["deviation_percent"] if unit == "%" else row_text.in_unit(row)[0] * (row["found"] - row["reference"])
+            for row in own
+        ]
         said.append(f"{quantity(name)} {number(max(differences, key=abs), 2, signed=True)} {unit}")
     return f"largest differences: {', '.join(said)}", kept.data["verdict"] == "pass"
 

@@ -29,10 +29,10 @@ STRESS = FOLDER / "sector_stress.png"
 def _cut_open() -> Picture:
     return Picture(
         STRESS.read_bytes(),
-        "A ball between its two rings, cut open: stress below both contacts, and the pressure on the ball inside Hertz's "
-        "ellipse.",
-        "B218 under 17.8 kN of thrust at 10 000 rpm: von Mises' stress in the plane of symmetry, in logarithms, and the "
-        "pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by python -m fem_check.cutaway",
+        "A ball between its two rings, cut open: stress below both contacts, and the pressure on the ball inside "
+        "Hertz's ellipse.",
+        "B218 under 17.8 kN of thrust at 10 000 rpm: von Mises' stress in the plane of symmetry, in logarithms, and "
+        "the pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by python -m fem_check.cutaway",
         "png",
         0.85,
     )

@@ -1,0 +1,121 @@
+"""The pictures of the page, which follow its sliders: those of a report, each alone and without a search for room."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from io import BytesIO
+from threading import Lock
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from qsbearing.design_report.curves import finish, mark_stiffness
+from qsbearing.documents.drawing import inlined
+from qsbearing.pictures.contact_angles import draw_angles
+from qsbearing.pictures.contact_ellipses import draw_ellipses
+from qsbearing.pictures.load_distribution import draw_loads
+from qsbearing.pictures.section import draw_section
+from qsbearing.pictures.style import GREY
+from qsbearing.readings.asked import take_asked
+from qsbearing.readings.rating_life import HOUR
+from qsbearing.scene.scene import SPEED_PARAMETER_MAX
+from qsbearing.solution.solution import Solution
+from qsbearing.solution.solver import solve
+from qsbearing.units import mm, rpm, um
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+POINTS = 31
+TOP, LOW = 1.5, 0.02
+"""Curves go from LOW of their end to TOP times the scene's speed."""
+AT_REST = 5e5
+"""dm n [mm rpm] at the end of the curves of a bearing that stands still: an ordinary grease-lubricated spindle's."""
+DRAWING = Lock()
+"""matplotlib draws one picture at a time."""
+
+
+class Panel(NamedTuple):
+    """One picture."""
+
+    draw: Callable[[Axes, Solution], None]
+    size: tuple[float, float]
+    """[inches]."""
+    alt: str
+    projection: str | None = None
+    room: tuple[float, float, float, float] = (0.12, 0.15, 0.84, 0.74)
+    """Left, bottom, width, height of the axes, as parts of the picture."""
+
+
+def _of_point(draw: Callable[..., None]) -> Callable[[Axes, Solution], None]:
+    return lambda axes, solution: draw(axes, solution, ())
+
+
+def _over_speed(solution: Solution) -> tuple[Solution, Any, int]:
+    """The scene over a range of speeds, its own among them, these in rpm, and the number of its own."""
+    scene = solution.scene
+    own = abs(float(np.asarray(scene.operation.speed)))
+    pitch = float(np.asarray(scene.bearing.pitch_diameter))
+    top = min(TOP * own or AT_REST * mm * rpm / pitch, SPEED_PARAMETER_MAX * mm * rpm / pitch)
+    speeds = np.unique(np.append(np.linspace(LOW * top, top, POINTS), own))
+    sign = -1.0 if float(np.asarray(scene.operation.speed)) < 0.0 else 1.0
+    readings = {name: given for name, given in scene.readings.items() if name in ("lubricant", "life")}
+    asked = replace(scene, readings={"life": {}, **readings})
+    swept = solve(replace(asked, operation=replace(scene.operation, speed=sign * speeds)))
+    return swept, sign * speeds / rpm, int(np.searchsorted(speeds, own))
+
+
+def _stiffness(axes: Axes, solution: Solution) -> None:
+    swept, along, own = _over_speed(solution)
+    mark_stiffness(axes, along, swept.locked_stiffness, swept.converged)
+    _finish(axes, along[own], swept.locked_stiffness[own, :2] * um, "locked stiffness, N/µm")
+
+
+def _life(axes: Axes, solution: Solution) -> None:
+    swept, along, own = _over_speed(solution)
+    hours = np.where(swept.converged, take_asked(swept)["life"].duration, np.nan) / HOUR
+    hours[~np.isfinite(hours)] = np.nan
+    axes.plot(along, hours, color="black")
+    axes.set_yscale("log")
+    axes.yaxis.set_major_formatter("{x:,.0f}")  # powers of ten as formulas take longer than all the rest
+    axes.yaxis.set_minor_formatter(lambda *_: "")
+    _finish(axes, along[own], hours[own : own + 1], "life, h")
+
+
+def _finish(axes: Axes, speed: float, values: Any, name: str) -> None:
+    finish((axes,), (name,), speed, "inner ring, rpm")
+    axes.plot(np.full(np.size(values), speed), values, "o", color=GREY, markersize=7, markerfacecolor="none")
+
+
+PANELS = {
+    "section": Panel(
+        _of_point(draw_section), (6.4, 5.4), "Section through the ball that carries most.", room=(0.0, 0.0, 1.0, 0.93)
+    ),
+    "angles": Panel(_of_point(draw_angles), (5.6, 3.4), "Contact angles of every ball by its azimuth."),
+    "loads": Panel(_of_point(draw_loads), (4.4, 4.2), "Contact loads of all balls around the bearing.", "polar"),
+    "stiffness": Panel(_stiffness, (5.6, 3.4), "Axial and radial stiffness over the speed, this speed marked."),
+    "life": Panel(_life, (5.6, 3.4), "Life over the speed, this speed marked."),
+    "ellipses": Panel(
+        _of_point(draw_ellipses),
+        (9.0, 3.6),
+        "Contact ellipses to scale with their pressures.",
+        room=(0.08, 0.12, 0.9, 0.78),
+    ),
+}
+
+
+def drawn(name: str, solution: Solution) -> str:
+    """One of `PANELS` as SVG that stands within a page."""
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    panel, data = PANELS[name], BytesIO()
+    with DRAWING, rc_context({"svg.fonttype": "none", "svg.hashsalt": name}):
+        figure = Figure(figsize=panel.size)
+        axes = figure.add_axes(panel.room, projection=panel.projection)
+        panel.draw(axes, solution)
+        if name == "angles":
+            axes.legend(fontsize=8, frameon=False)
+        figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
+    return inlined(data.getvalue(), f"{name}-")

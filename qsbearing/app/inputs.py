@@ -1,0 +1,84 @@
+"""The fields of the page, made of the tables of a scene file and of the keys that they may have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from qsbearing.io.file_keys import find
+from qsbearing.io.table_checks import CHOICES_OF_FILES
+from qsbearing.material import BY_NAME
+from qsbearing.scene.keys import MATERIALS, SEAT_MATERIALS
+from qsbearing.studies import keys
+
+Field = dict[str, Any]
+TYPICAL = {"N": 1000.0, "rpm": 10_000.0, "um": 20.0, "mm": 1.0, "mrad": 1.0, "N m": 20.0, "deg": 15.0, "C": 60.0}
+"""How far a slider reaches from zero, by unit; what is allowed, the scene's own checks say."""
+NEAR = 0.2
+"""Of the bearing's own numbers a slider covers so much to either side: far more describes no bearing."""
+FARTHEST = 1e30
+"""Of a slider."""
+ROOM = 20.0
+"""The reference temperature [C]."""
+
+
+def fields(document: dict[str, Any]) -> list[Field]:
+    """A field for every number and word of these tables, in their order; of a number with the ends of its slider."""
+    return [_field(path, value) for path, value in _leaves(document) if path != ("bearing", "name")]
+
+
+def _leaves(table: dict[str, Any], before: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
+    for name, value in table.items():
+        if isinstance(value, dict):
+            yield from _leaves(value, (*before, name))
+        elif isinstance(value, str | int | float) and not isinstance(value, bool):
+            yield (*before, name), value
+
+
+def _field(path: tuple[str, ...], value: Any) -> Field:
+    key = find(".".join(path))
+    words = (key.field if key else path[-1]).rpartition(".")[2].replace("_", " ")
+    found: Field = {"path": path, "words": words, "unit": key.unit if key else "", "is_needed": path[0] == "bearing"}
+    if isinstance(value, str):
+        return found | {"options": _options(path[-1])}
+    if path[-1] == "ball_count":
+        return found | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
+    value = min(max(value, -FARTHEST), FARTHEST)
+    low, high = _span(float(value), found["unit"], path[0] == "bearing")
+    return found | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
+
+
+def _options(name: str) -> list[str]:
+    if name in (*MATERIALS, *SEAT_MATERIALS):
+        return list(BY_NAME)
+    return [str(each) for each in CHOICES_OF_FILES.get(name, ())]
+
+
+def _span(value: float, unit: str, is_of_bearing: bool) -> tuple[float, float]:
+    if is_of_bearing and value:
+        return tuple(sorted((value * (1.0 - NEAR), value * (1.0 + NEAR))))  # type: ignore[return-value]
+    reach = 2.0 * abs(value) or TYPICAL.get(unit, 1.0)
+    return (0.0, reach) if value > 0.0 else (-reach, 0.0 if value < 0.0 else reach)
+
+
+def addable(document: dict[str, Any]) -> list[Field]:
+    """The keys that these tables have not, with what each stands in place of and a value to start from."""
+    return [
+        {
+            "path": key.path,
+            "unit": key.unit,
+            "replaces": [each.split(".") for each in key.replaces],
+            "value": ROOM if key.unit == "C" else 0.0,
+        }
+        for key in keys.ALL.values()
+        if _fits(document, key.path)
+    ]
+
+
+def _fits(document: dict[str, Any], path: tuple[str, ...]) -> bool:
+    table: Any = document
+    for name in path[:-1]:
+        table = table.get(name, {})
+        if not isinstance(table, dict):
+            return False
+    return path[-1] not in table

@@ -1,0 +1,36 @@
+"""`qsbearing app`: a local page with sliders."""
+
+from __future__ import annotations
+
+import click
+
+from qsbearing.cli.document_files import check_installed
+from qsbearing.cli.output import note, refuse
+
+
+@click.command(short_help="Explore a scene with sliders, in the browser.")
+@click.argument("scene", default="b218")
+@click.option("--port", type=click.IntRange(1, 65535), default=8218, show_default=True, help="Of the page.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="Another address lets other computers in.")
+@click.option("--open", "is_opened", is_flag=True, help="Open the page in the browser.")
+def app(scene: str, port: int, host: str, is_opened: bool) -> None:
+    """Serve a page on this computer that shows SCENE, a file or a bearing of the catalogue: its numbers as sliders and
+    fields, effects as switches, and what becomes of contacts, stiffness and life.
+
+    Exit codes: 0 ended, 2 bad input.
+    """
+    check_installed("app", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
+    from qsbearing.app.server import serve
+    from qsbearing.validation import SceneError
+
+    def ready(address: str) -> None:
+        note(f"{address} shows {scene}; Ctrl+C ends")
+        if is_opened:
+            import webbrowser
+
+            webbrowser.open(address)
+
+    try:
+        serve(scene, host, port, ready)
+    except SceneError as error:
+        refuse(str(error))

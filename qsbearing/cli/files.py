@@ -1,0 +1,104 @@
+"""Files that a command writes: their places tried before the work begins, each then written whole or not at all."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.cli.output import refuse, refuse_all
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from contextlib import ExitStack
+
+    import xarray
+    from matplotlib.figure import Figure
+
+    from qsbearing.io.output_file import Writer
+
+PICTURES = (".png", ".svg", ".pdf")
+
+
+def ending(name: str) -> str:
+    """Of a file's name, in small letters."""
+    return os.path.splitext(name)[1].lower()  # noqa: PTH122 - pathlib costs --help its time
+
+
+def missing(*modules: str) -> list[str]:
+    """Those of the modules that are not installed."""
+    return [name for name in modules if importlib.util.find_spec(name) is None]
+
+
+def check_installed(what: str, modules: tuple[str, ...], extra: str) -> None:
+    """End with what to install, where something is missing."""
+    if lacks := missing(*modules):
+        refuse(f"{what} {', '.join(lacks)}: pip install 'qsbearing[{extra}]'")
+
+
+def ending_problems(option: str, target: str, known: tuple[str, ...]) -> list[str]:
+    """Of a name whose ending says how to write the file."""
+    return [] if ending(target) in known else [f"{option} {target}: the name must end in one of {', '.join(known)}"]
+
+
+def picture_problems(picture: str | None) -> list[str]:
+    """Of --plot."""
+    if picture is None:
+        return []
+    needs = ["--plot needs matplotlib: pip install 'qsbearing[plot]'"] if missing("matplotlib") else []
+    return ending_problems("--plot", picture, PICTURES) + needs
+
+
+def claimed(
+    stack: ExitStack, targets: Mapping[str, str | None], problems: list[str], scene: str | None = None
+) -> dict[str, Writer]:
+    """What writes each file that is asked for, by its option; ends with these problems and where a file cannot be.
+
+    Args:
+        scene: what is read, and must not be written over.
+    """
+    asked = {option: target for option, target in targets.items() if target is not None}
+    known = {} if scene is None or not asked else {os.path.realpath(scene): "SCENE"}
+    for option, target in asked.items():
+        other = known.setdefault(os.path.realpath(target), option) if target else option
+        if other != option:
+            problems.append(f"{option}: the same file as {other}")
+    writers = {}
+    for option, target in asked.items():
+        from qsbearing.io.output_file import output_file
+
+        try:
+            writers[option] = stack.enter_context(output_file(target))
+        except (OSError, ValueError) as error:
+            problems.append(f"{option} {target}: {error}")
+    refuse_all(problems)
+    return writers
+
+
+def write_files(writers: Mapping[str, Writer], make: Mapping[str, Callable[[], bytes]]) -> None:
+    """Write the files that were claimed, once all of them are made."""
+    contents = {option: make[option]() for option in writers}
+    try:
+        for option, write in writers.items():
+            write(contents[option])
+    except OSError as error:  # a disk that filled up meanwhile
+        refuse(f"cannot write: {error}")
+
+
+def picture_bytes(picture: Figure, target: str) -> bytes:
+    """A picture in the form that the file's name asks for."""
+    from io import BytesIO
+
+    data = BytesIO()
+    picture.savefig(data, format=ending(target)[1:])
+    return data.getvalue()
+
+
+def draw(results: xarray.Dataset, target: str, **chosen: Any) -> bytes:
+    """The picture of a study's results; ends with exit code 2 where they cannot be drawn."""
+    from qsbearing.pictures.study import PictureError, picture
+
+    try:
+        return picture_bytes(picture(results, **chosen), target)
+    except PictureError as error:
+        refuse(str(error))

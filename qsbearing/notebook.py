@@ -1,0 +1,105 @@
+"""Scenes, solutions, sets and studies in a notebook: the tables of reports, the pictures of commands."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from qsbearing import pictures
+from qsbearing.columns import scene_numbers
+from qsbearing.design_report import inputs, set_inputs
+from qsbearing.documents.from_rich import blocks
+from qsbearing.documents.html import part
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.io import report, set_report
+from qsbearing.io.readings_record import taken
+from qsbearing.io.tables import digits_of
+from qsbearing.pictures.study import picture
+from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.solution.solution import Solution
+from qsbearing.studies.chunk import MAIN
+from qsbearing.studies.results import find, known_results, read
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+from qsbearing.studies.variables import Axis
+
+MOST = 20
+"""Cases of a solution in one table."""
+MAIN_OF_SET = 8
+"""Results of a set there."""
+
+
+def html_of(shown: Any) -> str | None:
+    """The tables of an object as HTML; None where there are none, or what makes them is not installed."""
+    if importlib.util.find_spec("jinja2") is None:
+        return None
+    try:
+        return part(_blocks(shown))
+    except TypeError:  # numbers that span cases where a table has one
+        return None
+
+
+def _blocks(shown: Any) -> Sequence[Block]:
+    match shown:
+        case Scene():
+            return [Paragraph(shown.bearing.name or "Ball bearing"), *_tables(inputs.section(shown, "").blocks)]
+        case BearingSet():
+            return [Paragraph(shown.name or "Set"), *_tables(set_inputs.section(shown, "").blocks)]
+        case Study():
+            return _study(shown)
+        case Solution() | SetSolution() if shown.shape:
+            return _cases(shown)
+        case Solution():
+            return blocks(report.result(shown, taken(shown)))
+    return blocks(set_report.set_result(shown, [taken(row) for row in shown.rows]))
+
+
+def _tables(found: Sequence[Block]) -> list[Block]:
+    return [each for each in found if isinstance(each, Table)]
+
+
+def _study(study: Study) -> list[Block]:
+    rows = [
+        (each.key, f"{len(each.values):,} from {each.values[0]:g} to {each.values[-1]:g}")
+        if isinstance(each, Axis)
+        else (each.key, f"{each.kind}({', '.join(f'{number:g}' for number in each.parameters)})")
+        for each in study.variables
+    ]
+    count = int(np.prod([len(each.values) for each in study.axes], dtype=int)) * max(study.samples, 1)
+    what = f"Study of {study.label or study.file}: {count:,} points. qs.sweep solves it, plot() draws it"
+    return [Paragraph(what), Table(("key", "what it takes"), rows, "ll")]
+
+
+def _cases(solution: Solution | SetSolution) -> list[Block]:
+    """A row for each of the first cases: what varies, and the main results."""
+    known = known_results(solution)
+    names = MAIN if isinstance(solution, Solution) else list(known)[:MAIN_OF_SET]
+    kept = [each for name in names if (each := find(name, known))]
+    values = read(solution, kept)
+    columns: dict[str, Any] = {f"{each.name}\n{each.unit}": values[each.name] for each in kept}
+    if isinstance(solution, Solution):
+        varied = {name: values for name, values in scene_numbers(solution.scene).items() if np.size(values) > 1}
+        columns = {name: np.broadcast_to(values, solution.shape) for name, values in varied.items()} | columns
+    cells = [[digits_of(value) for value in np.ravel(values)[:MOST]] for values in columns.values()]
+    status = [str(each) for each in np.ravel(solution.status)[:MOST]]
+    heads = [name.replace("_", " ") for name in columns]
+    rows = [list(row) for row in zip(*cells, status, strict=True)]
+    return [Paragraph(repr(solution)), Table([*heads, "status"], rows, "r" * len(heads) + "l")]
+
+
+def plot(shown: Any, *chosen: Any, **named: Any) -> Any:
+    """The picture of a solution by its name, or that of a study."""
+    if isinstance(shown, Study):
+        return picture(sweep(shown), *chosen, **named)
+    return _drawn(shown, *chosen, **named)
+
+
+def _drawn(solution: Solution | SetSolution, name: str = "overview", index: Any = None, **named: Any) -> Any:
+    if name not in pictures.__all__:
+        raise ValueError(f"{name!r} is no picture; there are {', '.join(pictures.__all__)}")
+    return getattr(pictures, name)(solution, index, **named)

@@ -1,0 +1,48 @@
+"""A set at given temperatures: each row with its own rings and balls, shaft, housing and oil shared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.set_solution import SetSolution
+from qsbearing.solution.solution import Solution
+from qsbearing.thermal.hot import Temperatures, at_speed, hot_row
+
+
+class HotSet:
+    """As `qsbearing.thermal.hot.Machine` asks it."""
+
+    def __init__(self, of: BearingSet, shape: tuple[int, ...], solve: Callable[[BearingSet], SetSolution]) -> None:
+        assert of.thermal is not None
+        self.of, self.shape, self._solve = of, shape, solve
+        self.thermal, self.operation = of.thermal, of.operation
+        self.readings: Sequence[Mapping[str, Any]] = tuple(
+            of.readings if row.readings is None else row.readings for row in of.rows
+        )
+
+    def solve(self, temperatures: Temperatures, factor: NDArray) -> SetSolution:
+        """The set's solution at these temperatures of its nodes."""
+        rows = []
+        for number, row in enumerate(self.of.rows):
+            given = self.of.effects_of(row), self.readings[number], self.thermal, temperatures
+            effects, readings = hot_row(*given, number, len(self.of.rows))
+            rows.append(replace(row, ring_effects=effects, readings=readings))
+        shaft = self.of.shaft
+        if shaft is not None and "shaft" in temperatures:
+            shaft = replace(shaft, temperature=temperatures["shaft"])
+        operation = at_speed(self.operation, factor)
+        return self._solve(replace(self.of, rows=tuple(rows), operation=operation, shaft=shaft, thermal=None))
+
+    def rows(self, solution: SetSolution) -> Sequence[Solution]:
+        """Each row's own."""
+        return solution.rows
+
+    def preloads(self, solution: SetSolution) -> NDArray:
+        """The axial load of each row; shape (row, *cases)."""
+        return np.moveaxis(solution.axial_loads, -1, 0)

@@ -1,0 +1,92 @@
+"""A bearing or a set solved at its steady temperatures, and what there is to say of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.kernel.admissibility import NO_EQUILIBRIUM, NOT_CONVERGED
+from qsbearing.scene.scene import Scene
+from qsbearing.solution import solver
+from qsbearing.solution.flatten import CaseMaker
+from qsbearing.solution.solution import Solution
+from qsbearing.thermal.hot import HotBearing, Machine
+from qsbearing.thermal.speeds import follow_speeds
+from qsbearing.thermal.state import SpeedCurve, ThermalState, Verdict
+from qsbearing.thermal.steady import Heated, Steady, feedback, find_steady
+
+FARTHEST = 1.5
+"""Times the scene's speed: how far steady states are followed in speed."""
+
+
+def solve(scene: Scene, *, threads: int | None = None, tolerance: float = solver.TOLERANCE) -> Solution:
+    """Solve every case of a scene at its steady temperatures.
+
+    Returns:
+        Solution: of the scene at these temperatures, `thermal` with them; a case without a steady state counts as one
+        without an equilibrium, or not converged where none was found.
+    """
+    shape = CaseMaker(scene).shape
+    machine = HotBearing(scene, shape, lambda each: solver.solve(each, threads=threads, tolerance=tolerance))
+    solution: Solution = at_steady_temperatures(machine)
+    return solution
+
+
+def at_steady_temperatures(machine: Machine) -> Any:
+    """The machine's solution at its steady temperatures, with its `ThermalState`."""
+    heated = Heated(machine)
+    steady = find_steady(heated)
+    good = _is_stable(steady)
+    verdict, curve = np.where(good, Verdict.STABLE, Verdict.UNDECIDED), None
+    if not machine.shape and not good:
+        curve = follow_speeds(heated, FARTHEST)
+        if curve.crossing is not None:
+            steady = find_steady(heated, curve.crossing.powers)
+            good = _is_stable(steady)
+        verdict = np.asarray(Verdict.STABLE if good else _verdict_of(curve))
+    solution, balance = steady.solution, heated.balance
+    if not good.all():
+        cold = balance.temperatures(np.where(good, steady.x, 0.0))
+        solution, _ = heated.at(cold)
+        code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
+        solution.withdraw(~good & np.asarray(solution.converged), code)
+    temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
+    named = balance.named(temperatures)
+    solution.thermal = ThermalState(
+        temperatures=named,
+        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, steady.powers, strict=True)},
+        flows=balance.flows(named),
+        imbalance=np.abs(balance.net_heat(temperatures, steady.powers)).max(axis=0, initial=0.0),
+        feedback=np.where(good, feedback(steady.slopes), np.nan),
+        verdict=verdict,
+        solves=heated.solved,
+        thermal=machine.thermal,
+        speed=_speed(machine),
+        follow=lambda: curve or follow_speeds(Heated(machine), FARTHEST),
+    )
+    return solution
+
+
+def _speed(machine: Machine) -> NDArray:
+    """The larger one of both rings; shape (*cases)."""
+    rings = machine.operation.speed, machine.operation.outer_speed
+    speeds = np.broadcast_arrays(*(np.abs(0.0 if each is None else each) for each in rings))
+    return np.broadcast_to(np.maximum(*speeds), machine.shape)
+
+
+def _is_stable(steady: Steady) -> NDArray:
+    with np.errstate(invalid="ignore"):
+        return np.asarray(steady.found & (feedback(steady.slopes) < 1.0))
+
+
+def _verdict_of(curve: SpeedCurve) -> Verdict:
+    """What the curve proves where it does not come to the scene's speed."""
+    if curve.at_limit is None or curve.crossing is not None:
+        return Verdict.UNDECIDED
+    return Verdict.TOO_HOT if curve.fold is None else Verdict.RUNAWAY
+
+
+def _name(row: int, source: str, rows: int) -> str:
+    return f"{source} {row + 1}" if rows > 1 else source

@@ -1,0 +1,198 @@
+"""What the page is told, asked as its script asks: the numbers of `run`, errors at their fields, and nothing else."""
+
+from __future__ import annotations
+
+import copy
+import json
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.request import urlopen
+
+import pytest
+from click.testing import CliRunner
+
+pytest.importorskip("starlette")
+pytest.importorskip("uvicorn")
+
+from qsbearing.app import answers, inputs
+from qsbearing.cli import cli
+from qsbearing.effects import EFFECTS
+from qsbearing.io.file_errors import SceneFileError
+from qsbearing.io.read_toml import LARGEST_FILE
+from qsbearing.io.scene_file import load_scene
+from qsbearing.studies import keys
+from tests.app.served import asked, served, started
+
+SESSIONS = 20
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with served("7210C_hybrid") as found:
+        yield found
+
+
+@pytest.fixture
+def scene(address: str) -> dict[str, Any]:
+    return started(address)
+
+
+def ran(tables: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """What `qsbearing run --json` makes of the file that the page saves."""
+    kept = answers.saved(**tables)
+    (folder / kept["file"]).write_text(kept["text"])
+    printed = CliRunner().invoke(cli, ["run", str(folder / kept["file"]), "--json"], catch_exceptions=False)
+    found: dict[str, Any] = json.loads(printed.stdout)
+    return found
+
+
+def test_the_numbers_are_those_of_run(address: str, scene: dict[str, Any], tmp_path: Path) -> None:
+    scene["document"]["operation"]["axial_load_N"] = 700.0
+    told, found = asked(address, "rest", scene)[1]["tables"], ran(scene, tmp_path)
+    for number in (found["effective_stiffness"]["axial_N_per_um"], found["displacement"]["axial_um"]):
+        assert f">{number:.6g}<" in told
+    pressure = max(ball["inner"]["max_pressure_MPa"] for ball in found["balls"])
+    assert f"inner {pressure:.0f} MPa" in asked(address, "solve", scene)[1]["key"]
+
+
+def test_a_saved_scene_opens_as_it_was(address: str, scene: dict[str, Any]) -> None:
+    kept = asked(address, "save", scene)[1]
+    again = asked(address, "open", {"text": kept["text"], "label": "another"})[1]
+    assert again["document"] == scene["document"]
+    assert kept["text"] in kept["command"] and kept["command"].endswith(f"qsbearing run {kept['file']}\n")
+
+
+def test_errors_are_those_of_the_file_each_at_its_key(address: str, scene: dict[str, Any], tmp_path: Path) -> None:
+    wrong = copy.deepcopy(scene)
+    wrong["document"]["bearing"] |= {"ball_diameter_mm": -3.0, "ball_count": 2}
+    wrong["document"]["operation"]["speed_rpm"] = "fast"
+    told = asked(address, "solve", wrong)[1]["errors"]
+    import tomli_w
+
+    (tmp_path / "wrong.toml").write_text(tomli_w.dumps(wrong["document"]))
+    with pytest.raises(SceneFileError) as caught:
+        load_scene(tmp_path / "wrong.toml")
+    assert [(each["key"], each["text"]) for each in told] == [(each.key, str(each)) for each in caught.value.errors]
+    shown = {".".join(field["path"]) for field in asked(address, "show", {"document": wrong["document"]})[1]["fields"]}
+    assert {each["key"] for each in told} <= shown
+
+
+def test_every_numeric_key_of_a_file_has_a_field_or_can_be_added(scene: dict[str, Any]) -> None:
+    document = scene["document"]
+    there = {tuple(field["path"]) for field in inputs.fields(document)}
+    addable = {tuple(each["path"]) for each in inputs.addable(document)}
+    assert not there & addable
+    rest = {key.path for key in keys.ALL.values()} - there - addable
+    assert all(path[1] in ("ball_material", "ring_material") for path in rest)  # words here, not tables
+
+
+def test_a_slider_holds_its_number(scene: dict[str, Any]) -> None:
+    for value in (-3.0, 0.0, 1e-9, 7.0, 1e300):
+        scene["document"]["operation"]["axial_load_N"] = value
+        (field,) = [each for each in inputs.fields(scene["document"]) if each["path"][-1] == "axial_load_N"]
+        assert field["low"] <= min(value, inputs.FARTHEST) <= field["high"] and 0.0 < field["step"] < 1e30
+
+
+def test_each_effect_is_switched_and_back(address: str, scene: dict[str, Any]) -> None:
+    before = {each["effect"]: each for each in asked(address, "rest", scene)[1]["effects"]}
+    assert list(before) == [entry.name for entry in EFFECTS]
+    assert before["centrifugal_force"]["is_in"] and before["centrifugal_force"]["verdict"] == "needed"
+    switched = 0
+    for name in ("centrifugal_force", "hertz_angle", "orbit_radius"):
+        assert before[name]["can"]
+        other = asked(address, "switch", {**scene, "effect": name, "is_on": not before[name]["is_in"]})[1]
+        tables = {**scene, "document": other["document"]}
+        after = {each["effect"]: each for each in asked(address, "rest", tables)[1]["effects"]}
+        switched += after[name]["is_in"] != before[name]["is_in"]
+    assert switched == 3
+    assert not before["ring_expansion"]["can"]  # its numbers are not known
+
+
+def test_a_case_without_solution_says_why(address: str, scene: dict[str, Any]) -> None:
+    scene["document"]["operation"]["axial_load_N"] = -900.0
+    told = asked(address, "solve", scene)[1]
+    assert not told["is_solved"] and told["picture"] == ""
+    assert "load" in told["key"]
+    assert asked(address, "picture", {**scene, "name": "life"})[1]["picture"] == ""
+
+
+def test_every_picture_is_drawn(scene: dict[str, Any]) -> None:
+    from qsbearing.app.drawn import PANELS
+
+    for name in PANELS:
+        for speed in (0.0, 9000.0):
+            scene["document"]["operation"]["speed_rpm"] = speed
+            assert answers.pictured(**scene, name=name)["picture"].startswith("<svg"), (name, speed)
+
+
+def test_sessions_at_once_do_not_meet(address: str, scene: dict[str, Any]) -> None:
+    def question(number: int) -> dict[str, Any]:
+        own = copy.deepcopy(scene)
+        own["document"]["operation"]["axial_load_N"] = 500.0 + 40.0 * number
+        return own
+
+    found: dict[int, str] = {}
+
+    def session(number: int) -> None:
+        found[number] = asked(address, "solve", question(number))[1]["key"]
+
+    threads = [threading.Thread(target=session, args=(number,)) for number in range(SESSIONS)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(set(found.values())) == SESSIONS
+    for number in (0, 7, SESSIONS - 1):
+        assert found[number] == answers.solved(**question(number))["key"]
+
+
+@pytest.mark.parametrize(
+    ("question", "given", "headers", "status"),
+    [
+        ("solve", b"{" + b" " * LARGEST_FILE + b"}", {}, 413),
+        ("solve", b"no JSON", {}, 400),
+        ("solve", b'{"document": {"operation": {"speed_rpm": NaN}}, "label": ""}', {}, 400),
+        ("solve", b"[" * 100_000, {}, 400),
+        ("solve", {"document": [], "label": ""}, {}, 400),
+        ("solve", {"document": {}, "label": "", "path": "/etc/passwd"}, {}, 400),
+        ("open", {"text": "", "label": 3}, {}, 400),
+        ("solve", {"document": {}, "label": ""}, {"Content-Type": "text/plain"}, 415),
+        ("solve", {"document": {}, "label": ""}, {"Host": "elsewhere.example"}, 400),
+        ("no_such_question", {}, {}, 405),
+        ("..%2fserver.py", {}, {}, 405),
+    ],
+    ids=["long", "no JSON", "NaN", "deep", "a list", "more", "a number", "a form", "another name", "unknown", "above"],
+)  # fmt: skip
+def test_what_is_no_question_is_refused(
+    address: str, question: str, given: Any, headers: dict[str, str], status: int
+) -> None:
+    assert asked(address, question, given, headers)[0] == status
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("bearing = 3", "is not a table"),
+        ("[[rows]]\nposition_mm = 0\n[bearing]\nname = 'b218'", "is a set of rows"),
+        ("[bearing]\nname = '/etc/passwd'", "is not in the catalogue"),
+        ("[bearing", "is not TOML"),
+        ("", "is empty"),
+    ],
+)
+def test_a_file_that_is_no_scene_says_so(address: str, text: str, said: str) -> None:
+    status, told = asked(address, "open", {"text": text, "label": "mine"})
+    assert status == 200 and any(said in each["text"] for each in told["errors"])
+
+
+def test_the_page_may_load_nothing_from_elsewhere(address: str) -> None:
+    with urlopen(address) as page:
+        text, policy = page.read().decode(), page.headers["Content-Security-Policy"]
+    assert "default-src 'none'" in policy and "http" not in policy
+    assert "//" not in text
+
+
+def test_the_command_refuses_what_run_refuses() -> None:
+    result = CliRunner().invoke(cli, ["app", "no_such_bearing"])
+    assert result.exit_code == 2 and "neither a file nor a bearing" in result.stderr

@@ -1,0 +1,112 @@
+"""Notebooks: what objects show there, and the tutorial, cell by cell and as a reader runs it."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("jinja2")
+pytest.importorskip("matplotlib")
+pytest.importorskip("xarray")
+
+import qsbearing as qs
+from qsbearing.io.readings_record import taken
+from qsbearing.io.report import result
+from qsbearing.io.tables import text_of
+from tests.guide.pages import GUIDE
+
+TUTORIAL = GUIDE / "tutorial.ipynb"
+
+
+@pytest.fixture(scope="module")
+def scene() -> qs.Scene:
+    return qs.load_scene("7210C_hybrid")
+
+
+def words(html: str | None) -> set[str]:
+    assert html is not None
+    return set(re.sub(r"<[^>]*>", " ", html).split())
+
+
+def test_a_solution_shows_the_numbers_that_run_prints(scene: qs.Scene) -> None:
+    loaded = dataclasses.replace(scene.operation, radial_load_y=300.0, tilt_z=0.0)
+    solution = qs.solve(dataclasses.replace(scene, operation=loaded))
+    printed = {word for word in text_of(result(solution, taken(solution))).split() if re.search(r"\d", word)}
+    assert len(printed) > 60
+    assert printed - words(solution._repr_html_()) == set()
+
+
+def test_each_object_shows_what_it_holds(scene: qs.Scene, tmp_path: Path) -> None:
+    many = dataclasses.replace(scene, operation=dataclasses.replace(scene.operation, speed=np.array([500.0, 1000.0])))
+    rows = (qs.Row(scene.bearing, -0.02, "+x"), qs.Row(scene.bearing, 0.02, "-x"))
+    pair = qs.BearingSet(rows, qs.Operation(speed=800.0), preload=qs.Preload(rigid=300.0))
+    solved = qs.solve_set(pair)
+    study = qs.Study.of("b218", {"speed_rpm": "0:9000:10", "axial_load_N": "normal(8000,50)"}, samples=32)
+    assert {"ball_diameter_mm", "12.7", "pitch_diameter_mm", "70"} <= words(scene._repr_html_())
+    assert {"rigid_N", "300"} <= words(pair._repr_html_())
+    assert {"axial", f"{solved.axial_loads[0]:.6g}"} <= words(solved._repr_html_())
+    assert {"speed_rpm", "320", "normal(8000,"} <= words(study._repr_html_())
+    speeds = words(qs.solve(many)._repr_html_())
+    assert {"4774.6", "9549.3", "converged"} <= speeds
+    assert many._repr_html_() is None  # its table has one number to a key: the text is shown
+
+
+def test_pictures_by_name(scene: qs.Scene) -> None:
+    solution = qs.solve(
+        dataclasses.replace(scene, operation=dataclasses.replace(scene.operation, speed=np.arange(3.0)))
+    )
+    assert len(solution.plot("contact_angles", 2).axes) == 1
+    assert len(solution.plot(index=0).axes) > 1
+    with pytest.raises(ValueError, match="section"):
+        solution.plot("sektion")
+    figure = qs.Study.of("b218", {"speed_rpm": "1000:9000:3"}).plot(y=["ring_displacement_axial"])
+    assert len(figure.axes) == 1 and len(figure.axes[0].lines) >= 1
+
+
+def test_only_public_names_are_listed() -> None:
+    assert sorted(dir(qs)) == sorted([*qs.__all__, "__version__"])
+    assert all(getattr(qs, name) is not None for name in qs.__all__)
+
+
+def test_quantities_with_units_are_refused_not_stripped() -> None:
+    pint = pytest.importorskip("pint")
+    units = pint.UnitRegistry()
+    for given in (10.0 * units.kN, np.array([1.0, 2.0]) * units.kN):
+        with pytest.raises(qs.SceneError, match="is a quantity with a unit") as caught:
+            qs.Operation(axial_load=given)
+        assert "10 * qs.kN" in str(caught.value)
+        qs.Operation(axial_load=given.to_base_units().magnitude)
+
+
+def cells() -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = json.loads(TUTORIAL.read_text(encoding="utf-8"))["cells"]
+    return found
+
+
+def test_the_tutorial_runs_cell_by_cell(tmp_path: Path) -> None:
+    names: dict[str, Any] = {}
+    with contextlib.chdir(tmp_path):
+        for cell in cells():
+            if cell["cell_type"] == "code":
+                assert cell["outputs"] == []  # shipped empty: what they show is made where they run
+                text = "".join(line for line in cell["source"] if not line.startswith("%"))
+                exec(compile(text, "cell", "exec"), names)
+    assert names["found"].is_feasible
+    assert names["solution"].converged
+
+
+@pytest.mark.heavy
+def test_the_tutorial_runs_as_a_notebook(tmp_path: Path) -> None:
+    nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
+    notebook = nbformat.read(TUTORIAL, 4)
+    nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    shown = [set(output.get("data", {})) for cell in notebook.cells for output in cell.get("outputs", ())]
+    assert sum("text/html" in each for each in shown) >= 5
+    assert sum("image/png" in each for each in shown) >= 2
