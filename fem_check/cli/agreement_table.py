@@ -28,10 +28,9 @@ def agreement_table(entry: dict[str, Any]) -> Group:
         table.columns[0].no_wrap, table.columns[0].overflow = False, "fold"
         for row in rows:
             told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
-            deviation = told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else "")
             name = Text(row["quantity"] + (f", {unit}" if unit else ""))
             verdict = Text(row["verdict"], style=VERDICT.get(row["verdict"], ""))
-            table.add_row(name, told.reference, told.found, deviation, told.tolerance, verdict)
+            table.add_row(name, told.reference, told.found, row_text.deviation(row), told.tolerance, verdict)
         parts += [Text(), table]
         parts += [Text(f"{row['quantity']}: worst at {row['worst_at']}") for row in rows if row["worst_at"]]
     return Group(*parts)

@@ -55,7 +55,7 @@ def cells(row: Row) -> list[Cell]:
         + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
         told.reference,
         told.found,
-        told.deviation + (f" ± {told.uncertainty}" if told.uncertainty else ""),
+        row_text.deviation(row),
         told.tolerance,
         badge(row["verdict"]),
     ]

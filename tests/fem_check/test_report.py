@@ -23,7 +23,7 @@ from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import agreement, quantity
-from fem_check.row_text import UNITS
+from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
@@ -99,6 +99,10 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
         assert (tolerance == "") == (row["tolerance_percent"] is None)
         if row["reference"] == 0.0:
             assert deviation == ""
+            continue
+        if passes_through_zero(row):
+            assert float(deviation) == pytest.approx((row["found"] - row["reference"]) * factor, rel=0.06)
+            assert difference.endswith(f" {UNITS[row['unit']][1]}")
             continue
         last_digit = 0.1 * (row["uncertainty_percent"] or 0.0)
         assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=max(last_digit, 1e-300))
