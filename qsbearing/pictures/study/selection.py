@@ -150,8 +150,8 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
         wanted += ["ring_effective_stiffness_axial"]
     elif kind is Kind.AZIMUTH:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
-    elif rows := [found[1] for name in results if (found := re.fullmatch(r"(row_\d+)_axial_load", str(name)))]:
-        wanted = [f"{row}_{name}" for name in ("axial_load", "inner_load_max", "outer_load_max") for row in rows]
+    elif rows := [row[1] for name in results if (row := re.fullmatch(r"(row_\d+)_axial_load", str(name)))]:
+        wanted = [f"{each}_{name}" for name in ("axial_load", "inner_load_max", "outer_load_max") for each in rows]
         wanted.append("shaft_effective_stiffness_axial")
     else:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
