@@ -29,6 +29,7 @@ from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
+from tests.documents.test_browser import DEAD, OVERFLOWS
 from tests.documents.test_pdf import fonts
 
 PAGES = 45
@@ -309,11 +310,14 @@ def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) ->
         assert 0 < len(some) < every
         assert all("bearing_sector" in text and "angle" in text for text in some)
         browser.click(f"{every_row}.querySelectorAll('th button')[5]")
-        deviations = [float(text) for text in browser.value(f"{shown}.map(r => r.cells[5].textContent)") if text]
+        cells = browser.value(f"{shown}.map(r => r.cells[5].textContent)")
+        deviations = [float(text.split()[0]) for text in cells if text]
         assert deviations == sorted(deviations)
-        for width in (360, 1280):
+        for width in (390, 768, 1280):
             browser.open(path, width=width)
             assert browser.value("document.documentElement.scrollWidth") <= width
+            assert browser.value(OVERFLOWS) == []
+        assert browser.value(DEAD) == []
         assert browser.complaints == []
 
 
