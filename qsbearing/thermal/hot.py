@@ -29,7 +29,8 @@ class Machine(Protocol):
 
     thermal: Thermal
     readings: Sequence[Mapping[str, Any]]
-    """Of each row."""
+    scenes: Sequence[Scene]
+    """Both of each row."""
     operation: Operation
     shape: tuple[int, ...]
     """Of its cases."""
@@ -59,6 +60,7 @@ class HotBearing:
         self.scene, self.shape, self._solve = scene, shape, solve
         self.thermal, self.operation = scene.thermal, scene.operation
         self.readings: Sequence[Mapping[str, Any]] = (scene.readings,)
+        self.scenes: Sequence[Scene] = (scene,)
 
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Solution:
         effects, readings = hot_row(self.scene.ring_effects, self.scene.readings, self.thermal, temperatures, 0, 1)
@@ -85,7 +87,7 @@ def hot_row(
     names = {node: own_name(node, row, rows) for node in NODES}
     own = {node: temperatures[name] for node, name in names.items() if name in temperatures}
     heated = dict(readings)
-    if thermal.oil_node is not None and LUBRICANT in readings:
+    if thermal.oil_node in own and LUBRICANT in readings:
         heated[LUBRICANT] = {**readings[LUBRICANT], "oil_temperature": own[thermal.oil_node]}
     return tuple(_heated(effect, own) for effect in effects), heated
 
