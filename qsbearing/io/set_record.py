@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
 from qsbearing.io.readings_record import Readings, all_columns, number
+from qsbearing.io.shaft_report import shaft_record
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
@@ -41,6 +42,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "warnings": solution.warnings(),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution),
+        "shaft": shaft_record(solution) if solved else None,
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
         "thermal": thermal(solution),
