@@ -23,6 +23,7 @@ from qsbearing.cli.explain import explain
 from qsbearing.cli.figures import figures
 from qsbearing.cli.find import find
 from qsbearing.cli.guide import guide
+from qsbearing.cli.heat import heat
 from qsbearing.cli.init import init
 from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
@@ -71,6 +72,7 @@ for command in (
     find,
     compare,
     plot,
+    heat,
     stiffness,
     figures,
     cost,

@@ -89,8 +89,8 @@ def print_text(text: str) -> None:
 
 
 @contextmanager
-def progress_bar() -> Iterator[Callable[[int, int], None]]:
-    """A bar with rate and time left, where there is a terminal to show it; yields what tells it of points done."""
+def progress_bar(unit: str = "points") -> Iterator[Callable[[int, int], None]]:
+    """A bar with rate and time left, where there is a terminal to show it; yields what tells it what is done."""
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
@@ -101,7 +101,7 @@ def progress_bar() -> Iterator[Callable[[int, int], None]]:
 
         def update(done: int, count: int) -> None:
             speed = progress.tasks[0].speed or 0.0
-            shown = f"{done:,} of {count:,} points, {speed:,.0f} per second"
+            shown = f"{done:,} of {count:,} {unit}, {speed:,.0f} per second"
             progress.update(task, completed=done, total=count, shown=shown)
 
         yield update

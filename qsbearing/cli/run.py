@@ -85,7 +85,7 @@ def run(
         from qsbearing.scene.scene import Scene
 
         if not isinstance(loaded, Scene):
-            found = _of_set(loaded, accuracy)
+            found = _of_set(loaded, accuracy, plot_target)
         elif "spectrum" in loaded.readings:
             found = _of_spectrum(loaded, accuracy, plot_target)
         else:
@@ -108,7 +108,8 @@ def run(
         write_files(writers, make)
 
 
-NO_SOLUTION = "there is no solution to write"
+NO_SOLUTION, SOME_UNSOLVED = "there is no solution to write", "not all points are solved"
+NO_PICTURE = "--plot: pictures are of single operating points; --csv writes every ball of every point"
 
 
 class Found(NamedTuple):
@@ -155,7 +156,7 @@ def _of_spectrum(scene: Scene, accuracy: float | None, picture: str | None) -> F
     from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
 
     if picture is not None:
-        refuse("--plot: pictures are of single operating points; --csv writes every ball of every point")
+        refuse(NO_PICTURE)
     solution = _solved(scene, accuracy)
     readings = taken(solution)
     return Found(
@@ -164,20 +165,34 @@ def _of_spectrum(scene: Scene, accuracy: float | None, picture: str | None) -> F
         lambda: spectrum_record(solution, readings),
         lambda: [spectrum_result(solution, readings)],
         lambda: all_columns(solution, readings),
-        "" if solution.converged.all() else "not all points are solved",
+        "" if solution.converged.all() else SOME_UNSOLVED,
     )
 
 
-def _of_set(of: BearingSet, accuracy: float | None) -> Found:
+def _of_set(of: BearingSet, accuracy: float | None, picture: str | None) -> Found:
     from qsbearing.io.readings_record import taken
     from qsbearing.io.set_record import set_columns, set_record
     from qsbearing.sets.solve import solve_set
+
+    if "spectrum" in of.readings and picture is not None:
+        refuse(NO_PICTURE)
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
     with solving(of):
         solution = solve_set(of)
     readings = [taken(row) for row in solution.rows]
+    if "spectrum" in of.readings:
+        from qsbearing.io.set_spectrum_report import set_spectrum_record, set_spectrum_result
+
+        return Found(
+            solution,
+            of,
+            lambda: set_spectrum_record(solution, readings),
+            lambda: [set_spectrum_result(solution, readings)],
+            lambda: set_columns(solution, readings),
+            "" if solution.converged.all() else SOME_UNSOLVED,
+        )
 
     def tables() -> list[RenderableType]:
         from qsbearing.io.set_report import set_result

@@ -15,7 +15,7 @@ from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
 from qsbearing.messages.bearing_set import capital, row_name
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
+from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.ranked_warning import said_of
 from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution
@@ -67,6 +67,9 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             "Contact angles",
         ),
     ]
+    if solution.set.shaft is not None:
+        said = "The shaft's outline as drawn and as it bends, with bearings, loads and named points."
+        drawn.insert(0, picture(deformed_shaft(solution), said, "Deflection of the shaft"))
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),

@@ -12,6 +12,7 @@ from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     EFFECT_TABLES,
     IN_PLACE,
+    NUMBERED,
     NUMBERS,
     RING_COMPLIANCES,
     SEATS,
@@ -53,8 +54,9 @@ def find(path: str) -> Key | None:
     if within and before in ("", "effects."):
         section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
-    if table.startswith("row "):
-        table = "rows"
+    kind, _, number = table.partition(" ")
+    if number.isdigit():
+        table = NUMBERED.get(kind, table)
     if path.startswith("thermal."):
         keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())
         return next((key for key in keys if name in (key.field, key.name)), None)

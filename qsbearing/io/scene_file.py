@@ -15,7 +15,7 @@ from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.read_toml import read_text, read_toml
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
-from qsbearing.io.spectrum_table import scene_of_spectrum
+from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import (
     Errors,
     checked,
@@ -108,7 +108,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
         SceneFileError: everything that is wrong with it.
     """
     if "spectrum" in document:
-        return scene_of_spectrum(document, file, label, scene_of)
+        return over_spectrum(document, file, label, scene_of)
     errors: Errors = []
     document, thermal = heated(with_diameters(document), errors)
     _find_unknown_tables(document, errors)

@@ -14,6 +14,7 @@ from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED, is_in_radians, label_of
 from qsbearing.io.effects_table import AUTO
 from qsbearing.io.file_keys import reading_tables
+from qsbearing.io.shaft_tables import stiffness_table, surroundings_tables
 from qsbearing.material import BY_NAME, Material
 from qsbearing.scene.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.scene.keys import (
@@ -29,7 +30,6 @@ from qsbearing.scene.keys import (
     ROW,
     SEAT_MATERIALS,
     SEATS,
-    SHAFT,
     Key,
 )
 from qsbearing.scene.operation import CHANNELS
@@ -56,8 +56,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
         is_common = all(row.bearing is common and row.ring_effects is None for row in of.rows)
         tables: Tables = {"bearing": _bearing(common, of.ring_effects)} if is_common else {}
         tables["rows"] = [_row(row, None if is_common else of) for row in of.rows]
-        if of.reference_position is not None:
-            tables["shaft"] = _numbers(SHAFT, of)
+        tables |= surroundings_tables(of, _numbers, _material)
     else:
         tables = {"bearing": _bearing(of.bearing, of.ring_effects)}
     if "spectrum" in of.readings:
@@ -81,7 +80,9 @@ def input_tables(of: Scene | BearingSet) -> Tables:
 
 
 def _row(row: Row, with_bearing_of: BearingSet | None) -> Tables:
-    table = _numbers(ROW, row) | {"carries": str(row.carries), "sprung": row.sprung}
+    table: Tables = _numbers(ROW, row) | {"carries": str(row.carries), "sprung": row.sprung}
+    if row.housing_stiffness is not None:
+        table["housing_stiffness"] = stiffness_table(row.housing_stiffness, _numbers)
     if with_bearing_of is not None:
         table["bearing"] = _bearing(row.bearing, with_bearing_of.effects_of(row))
     table |= _ring_effects(row.ring_effects or ())

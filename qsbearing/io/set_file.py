@@ -12,20 +12,21 @@ from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.scene_file import document_of, heated, operation_of, preload_of, scene_of
+from qsbearing.io.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
+from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.io.unknown_key import near
-from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS, SHAFT
+from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet, Direction, Row, placement_errors
 from qsbearing.validation import ErrorDetail, SceneError
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
-OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings")
+OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
 """Tables within a row, which are judged as those of a scene are."""
 
 _ROW = table_model("rows", ROW, {"carries": (str | None, None), "sprung": (Any, None)})
-_SHAFT = table_model("shaft", SHAFT, {})
 
 
 def load_set(source: str | os.PathLike[str]) -> BearingSet:
@@ -62,8 +63,10 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     Raises:
         SceneFileError: everything that is wrong with it.
     """
+    if "spectrum" in document:
+        return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(with_diameters(document), errors)
+    document, thermal = heated(with_housing_diameter(with_diameters(document)), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
@@ -73,15 +76,14 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     effects = _effects(document, errors)
     find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
-    shaft, _ = checked(_SHAFT, "shaft", document.get("shaft", {}), errors)
+    around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
     if errors or operation is None:
         raise SceneFileError(file, errors)
     try:
-        reference = si(SHAFT, shaft).get("reference_position")
-        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label}
-        of = BearingSet(tuple(rows), operation, preload, reference, **effects, **given)
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label, **around}
+        of = BearingSet(tuple(rows), operation, preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
     wrong = _errors_of_readings(of)
@@ -102,7 +104,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):
-            known = "A set has [[rows]], [shaft], [bearing], [operation], [preload], [effects] and [readings]"
+            known = f"A set has [[rows]], {', '.join(f'[{table}]' for table in TABLES if table != 'rows')}"
             cause = f"Did you mean {'[[rows]]' if meant == 'rows' else f'[{meant}]'}?" if meant else known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:
@@ -154,6 +156,8 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
     if not isinstance(sprung, bool):
         errors.append(FileErrorDetail(f"{path}.sprung", "is neither true nor false", sprung))
     within: Errors = []
+    if "housing_stiffness" in table:
+        numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
     effects = [ring_effect(name, table[name], within) for name in EFFECT_TABLES if name in table]
     readings = asked_readings(table, within) if "readings" in table else None
     bearing = common

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.io.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
 from qsbearing.io.readings_record import Readings, all_columns, number
+from qsbearing.io.shaft_report import shaft_record
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.system_life import system_life
@@ -41,6 +42,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "warnings": solution.warnings(),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution),
+        "shaft": shaft_record(solution) if solved else None,
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
         "thermal": thermal(solution),
@@ -84,12 +86,12 @@ def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
 
 
 def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:
-    """One row per ball of every row of a single case, rows counting from 1; the shaft's values follow on each.
+    """One row per ball of every row of every case, rows counting from 1; the shaft's values follow on each.
 
     Rows that differ in what they have leave cells empty.
     """
     shaft = {
-        f"shaft_{kind}_{key}": values[i] / size
+        f"shaft_{kind}_{key}": values[..., i] / size
         for kind, keys, values in (
             ("displacement", DISPLACEMENT, solution.displacement),
             ("load", LOAD, solution.load),
@@ -110,6 +112,8 @@ def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[
     row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
     of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size
-    first, last = ({name: np.full(count, value) for name, value in some.items()} for some in (of_row, shaft))
+    case = tuple(own[f"case_{axis}"] for axis in range(len(solution.shape)))
+    first = {name: np.full(count, value) for name, value in of_row.items()}
+    last = {name: np.full(count, value[case]) for name, value in shaft.items()}
     first["carries"] = np.array([row.carries] * count, object)
     return first | own | last

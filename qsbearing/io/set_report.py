@@ -27,6 +27,7 @@ from qsbearing.io.report import (
     warnings_below,
 )
 from qsbearing.io.set_record import set_record
+from qsbearing.io.shaft_report import shaft_tables
 from qsbearing.io.tables import plain_table
 from qsbearing.judgement import percent
 from qsbearing.messages.bearing_set import capital, row_name
@@ -65,6 +66,7 @@ def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
     tables = [
         channels_table("Shaft", solution, found, noise, noise),
         *rows_tables(found),
+        *shaft_tables(found["shaft"]),
         stiffness_table(solution, found),
     ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]

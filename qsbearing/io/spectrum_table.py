@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -13,19 +13,21 @@ from qsbearing.io.table_checks import Errors, checked, table_model
 from qsbearing.scene.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
 
 _POINT = table_model("spectrum", SPECTRUM, {})
+SceneOrSet = TypeVar("SceneOrSet", bound="Scene | BearingSet")
 
 
-def scene_of_spectrum(
-    document: dict[str, Any], file: str, label: str, scene_of: Callable[[dict[str, Any], str, str], Scene]
-) -> Scene:
-    """The scene of a parsed file with [[spectrum]]; its reading "spectrum" holds the shares.
+def over_spectrum(
+    document: dict[str, Any], file: str, label: str, made_of: Callable[[dict[str, Any], str, str], SceneOrSet]
+) -> SceneOrSet:
+    """The scene or set of a parsed file with [[spectrum]]; its reading "spectrum" holds the shares.
 
     What all points share stands in [operation]; a point may replace any of it.
 
     Args:
-        scene_of: makes a scene of a file without a spectrum.
+        made_of: makes a scene or set of a file without a spectrum.
 
     Raises:
         SceneFileError: everything that is wrong with it.
@@ -38,13 +40,17 @@ def scene_of_spectrum(
         common = rest.get("operation", {})
         operation = common | point if isinstance(common, dict) else common
         try:
-            scenes.append(scene_of(rest | {"operation": operation}, file, label))
+            scenes.append(made_of(rest | {"operation": operation}, file, label))
         except SceneFileError as error:
             found = [_of_point(each, number, point) for each in error.errors]  # type: ignore[arg-type]
             errors += [each for each in found if each not in errors]
-    if "life" not in (rest.get("readings") or {}):
-        cause = "Write [readings.life] below the points, with or without keys: the spectrum adds up its damage"
-        errors.append(FileErrorDetail("readings.life", "missing", cause=cause))
+    rows = rest.get("rows", ()) if isinstance(rest.get("rows"), list) else ()
+    own = {f"row {number}.": row for number, row in enumerate(rows, 1) if isinstance(row, dict) and "readings" in row}
+    for path, table in {"": rest, **own}.items():
+        asked = table.get("readings") or {}
+        if "life" not in asked and (path or len(own) < len(rows) or not rows):
+            cause = "Write [readings.life] below the points, with or without keys: the spectrum adds up its damage"
+            errors.append(FileErrorDetail(f"{path}readings.life", "missing", cause=cause))
     if not errors:
         _find_different_channels(scenes, errors)
     if errors:
@@ -52,8 +58,14 @@ def scene_of_spectrum(
     stacked = {
         each.name: _stacked([getattr(scene.operation, each.name) for scene in scenes]) for each in fields(Operation)
     }
-    readings = {**scenes[0].readings, "spectrum": {"time_share": np.array(shares)}}
-    return replace(scenes[0], operation=Operation(**stacked), readings=readings)
+    spectrum = {"spectrum": {"time_share": np.array(shares)}}
+    changes: dict[str, Any] = {"operation": Operation(**stacked), "readings": {**scenes[0].readings, **spectrum}}
+    if isinstance(scenes[0], BearingSet):
+        changes["rows"] = tuple(
+            row if row.readings is None else replace(row, readings={**row.readings, **spectrum})
+            for row in scenes[0].rows
+        )
+    return replace(scenes[0], **changes)
 
 
 def _points(tables: Any, errors: Errors) -> tuple[list[dict[str, Any]], list[float]]:
@@ -97,7 +109,7 @@ def _of_point(error: FileErrorDetail, number: int, point: dict[str, Any]) -> Fil
     return replace(error, key=f"{SPECTRUM_POINT} {number}" + (f".{key}" if key else ""))
 
 
-def _find_different_channels(scenes: list[Scene], errors: Errors) -> None:
+def _find_different_channels(scenes: Sequence[Scene | BearingSet], errors: Errors) -> None:
     """Every point must give the same loads and displacements."""
     for key in OPERATION:
         given = [getattr(scene.operation, key.field) is not None for scene in scenes]

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from rich.console import RenderableType
+from rich.table import Table
 from rich.text import Text
 
 from qsbearing.io.readings_record import number
 from qsbearing.io.tables import digits_of, plain_table
 from qsbearing.solution.case_index import Place
-from qsbearing.thermal.state import ThermalState
-from qsbearing.units import zero_celsius
+from qsbearing.thermal.state import Course, State, ThermalState
+from qsbearing.units import rpm, zero_celsius
 
 
 def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
@@ -33,6 +35,93 @@ def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
         "limit_C": thermal.limit_temperature - zero_celsius,
         "solves": state.solves,
     }
+
+
+def course_record(course: Course) -> dict[str, Any]:
+    """Heating up in time."""
+    return {
+        "message": course.message(),
+        "end": course.end,
+        "time_s": course.time.tolist(),
+        "temperatures_C": {name: (value - zero_celsius).tolist() for name, value in course.temperatures.items()},
+        "power_W": course.powers.sum(axis=1).tolist(),
+        "axial_load_N": course.preloads.T.tolist(),
+    }
+
+
+def speeds_record(state: ThermalState) -> dict[str, Any]:
+    """Steady states over speed, and where they end."""
+    curve = state.speeds
+    return {
+        "message": state.onset(),
+        "fold": None if curve.fold is None else _at_speed(state, curve.fold),
+        "at_limit": None if curve.at_limit is None else _at_speed(state, curve.at_limit),
+        "states": [_at_speed(state, each) for each in curve.states],
+    }
+
+
+def _at_speed(state: ThermalState, each: State) -> dict[str, Any]:
+    return {
+        "speed_rpm": each.factor * float(state.speed) / rpm,
+        "temperatures_C": dict(zip(state.free, (each.temperatures - zero_celsius).tolist(), strict=True)),
+        "power_W": float(each.powers.sum()),
+        "axial_load_N": each.preloads.tolist(),
+    }
+
+
+SHOWN = 12
+"""Rows of a table of a course, about."""
+
+
+def speeds_table(found: dict[str, Any]) -> Table:
+    """Of the record of steady states over speed."""
+    fold = found["fold"]
+    rows = [(f"{each['speed_rpm']:.5g}", each, "") for each in _thinned(found["states"])]
+    if fold is not None:
+        place = max(range(len(rows)), key=lambda number: float(rows[number][1]["speed_rpm"]))
+        rows.insert(place + 1, (f"{fold['speed_rpm']:.5g}", fold, "they turn back"))
+    return _course_table("Steady states, followed from standstill in speed", "rpm", rows)
+
+
+def course_table(found: dict[str, Any]) -> Table:
+    """Of the record of heating up."""
+    times = found["time_s"]
+    rows = [(f"{times[number]:.4g}", instant(found, number), "") for number in _thinned(range(len(times)))]
+    return _course_table("Heating up", "s", rows)
+
+
+def instant(found: dict[str, Any], number: int) -> dict[str, Any]:
+    """One instant of the record of heating up, as a state over speed is recorded."""
+    return {
+        "temperatures_C": {name: values[number] for name, values in found["temperatures_C"].items()},
+        "power_W": found["power_W"][number],
+        "axial_load_N": [loads[number] for loads in found["axial_load_N"]],
+    }
+
+
+def _thinned(every: Sequence[Any]) -> list[Any]:
+    numbers = np.linspace(0, len(every) - 1, min(SHOWN, len(every))).round().astype(int)
+    return [every[number] for number in numbers]
+
+
+def hottest(temperatures: dict[str, float]) -> dict[str, float]:
+    """By kind of node: of all rows' inner rings, for instance, the hottest."""
+    found: dict[str, float] = {}
+    for name, value in temperatures.items():
+        kind = name.rstrip("0123456789 ").replace("_", " ")
+        found[kind] = max(value, found.get(kind, value))
+    return found
+
+
+def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], str]]) -> Table:
+    """Of several rows the hottest nodes and the largest load."""
+    nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
+    heads = (*(f"{node}\nC" for node in nodes), "friction\nW", "axial load\nN")
+    table = plain_table(title, (along, *heads, ""), left=(len(heads) + 1,))
+    for at, each, note in rows:
+        numbers = (*hottest(each["temperatures_C"]).values(), each["power_W"])
+        table.add_row(at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}", note)
+    return table
 
 
 def thermal_tables(found: dict[str, Any]) -> list[RenderableType]:

@@ -67,6 +67,10 @@ def with_found_temperatures(document: dict[str, Any], errors: Errors) -> dict[st
             _filled(row, nodes, f"row {number}", errors) if isinstance(row, dict) else row
             for number, row in enumerate(document["rows"], 1)
         ]
+    for body in ("shaft", "housing"):
+        own = document.get(body)
+        if body in nodes and isinstance(own, dict) and "temperature_C" in own:
+            errors.append(FileErrorDetail(f"{body}.temperature_C", FOUND, own["temperature_C"], "C"))
     oil = readings.get("lubricant") if isinstance(readings, dict) else None
     if isinstance(oil, dict) and ("oil" in nodes or "viscosity_at" in table):
         if OIL_KEY in oil:

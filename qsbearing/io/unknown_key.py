@@ -8,14 +8,27 @@ from typing import Any, NamedTuple
 from qsbearing.io.file_keys import numbers, reading_tables, sections
 from qsbearing.io.thermal_keys import CONDUCTANCES
 from qsbearing.io.thermal_keys import NUMBERS as THERMAL_NUMBERS
-from qsbearing.scene.keys import EFFECT_SECTIONS, MATERIAL_KEYS, SET_NUMBERS, SET_SECTIONS, SPECTRUM, Key
+from qsbearing.scene.keys import (
+    EFFECT_SECTIONS,
+    MATERIAL_KEYS,
+    SET_NUMBERS,
+    SET_SECTIONS,
+    SHAFT_SECTIONS,
+    SPECTRUM,
+    Key,
+)
 
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
 
 def _tables() -> dict[str, tuple[str, ...]]:
-    return sections() | {"material": MATERIAL_KEYS, **SET_SECTIONS, "spectrum": tuple(key.name for key in SPECTRUM)}
+    return sections() | {
+        "material": MATERIAL_KEYS,
+        **SET_SECTIONS,
+        **SHAFT_SECTIONS,
+        "spectrum": tuple(key.name for key in SPECTRUM),
+    }
 
 
 def _keys(section: str) -> tuple[Key, ...]:
@@ -64,7 +77,11 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
-    if table in ("rows", "spectrum"):
+    if table in ("sections", "loads", "supports"):
+        return f"[[shaft.{table}]]"
+    if table == "housing_stiffness":
+        return "[rows.housing_stiffness]"
+    if table in ("rows", "spectrum", "spacers", "floating"):
         return f"[[{table}]]"
     if table in THERMAL_NUMBERS and table != "thermal":
         return f"[[thermal.{table}]]" if table == CONDUCTANCES else f"[thermal.{table}]"

@@ -7,10 +7,19 @@ case axes, the index of one case; and returns a figure of matplotlib.
 from qsbearing.pictures.sheet import (
     contact_angles,
     contact_ellipses,
+    deformed_shaft,
     load_distribution,
     overview,
     ring_shape,
     section,
 )
 
-__all__ = ["contact_angles", "contact_ellipses", "load_distribution", "overview", "ring_shape", "section"]
+__all__ = [
+    "contact_angles",
+    "contact_ellipses",
+    "deformed_shaft",
+    "load_distribution",
+    "overview",
+    "ring_shape",
+    "section",
+]

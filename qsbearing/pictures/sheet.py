@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
+from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
 from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
@@ -35,6 +36,8 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.6, 5.6), (3.6, 3.8), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (7.0, 4.2), (3.6, 2.9))
+SHAFT_HEIGHT = 3.4
+"""Of a shaft in one plane [inches]."""
 PER_LINE = 4
 """Rows of a set side by side."""
 
@@ -76,9 +79,26 @@ def ring_shape(solution: Solution, index: Index = None) -> Figure:
     return _alone(draw_shape, (5.6, 5.6), solution, index, "polar")
 
 
+def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
+    """The shaft of a set as drawn and as it bends, with bearings, loads and points, in each plane in which it bends.
+
+    Raises:
+        ValueError: the set has no shaft of its own.
+    """
+    if solution.set.shaft is None:
+        raise ValueError("this set's shaft is rigid: qs.BearingSet(..., shaft=qs.Shaft(...))")
+    place = place_of(index, solution.shape)
+    planes = planes_of(solution, place)
+    figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.5)
+    for axes, plane in zip(figure.subplots(len(planes), 1, squeeze=False)[:, 0], planes, strict=True):
+        draw_deformed_shaft(axes, solution, place, plane)
+    write_title_of_set(figure, solution, place)
+    return figure
+
+
 def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
     """On one sheet loads, angles, ellipses and elastic grooves, or, where all balls carry alike, the section and the
-    ellipses; of a set, loads and angles of each row."""
+    ellipses; of a set, loads and angles of each row, and its shaft as it bends, if it does."""
     if isinstance(solution, SetSolution):
         return _rows([LOADS, ANGLES], solution, index)
     place = solution._place(index)
@@ -128,8 +148,12 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     lines = -(-count // PER_LINE)
     columns = -(-count // lines)
     heights = [drawing.panel[1] for drawing in drawings] * lines
+    planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
+    heights += [SHAFT_HEIGHT] * len(planes)
     figure = figure_of_size(max(columns * drawings[0].panel[0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
+    for line, plane in enumerate(planes, len(heights) - len(planes)):
+        draw_deformed_shaft(figure.add_subplot(grid[line, :]), solution, place, plane)
     drawn: list[Any] = []
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]

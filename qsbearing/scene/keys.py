@@ -137,8 +137,54 @@ BALL_DEVIATIONS = Key("ball_diameter_deviations_um", "deviations", "um", um, LEN
 """A list, of as many numbers as there are balls, which names its effect."""
 
 ROW = (Key("position_mm", "position", "mm", mm, LENGTH), Key("offset_um", "offset", "um", um, LENGTH))
-SHAFT = (Key("reference_position_mm", "reference_position", "mm", mm, LENGTH),)
-SET_NUMBERS = {"rows": ROW, "shaft": SHAFT}
+HEATED = (celsius("temperature"), celsius("reference_temperature"))
+SHAFT = (
+    Key("reference_position_mm", "reference_position", "mm", mm, LENGTH),
+    Key("start_mm", "start", "mm", mm, LENGTH),
+    *HEATED,
+)
+_POSITION = Key("position_mm", "position", "mm", mm, LENGTH)
+SECTION = (
+    Key("length_mm", "length", "mm", mm, LENGTH),
+    Key("outer_diameter_mm", "outer_diameter", "mm", mm, LENGTH),
+    Key("inner_diameter_mm", "inner_diameter", "mm", mm, LENGTH),
+)
+SHAFT_LOAD = (
+    _POSITION,
+    *(Key(f"{name}_N", name, "N", N, FORCE) for name in ("axial", "radial_y", "radial_z")),
+    *(Key(f"{name}_Nm", name, "N m", Nm, MOMENT) for name in ("moment_y", "moment_z")),
+)
+
+
+def stiffness(field: str, is_of_tilt: bool) -> Key:
+    """A stiffness of a support or a housing."""
+    if is_of_tilt:
+        return Key(f"{field}_stiffness_kNm_per_rad", field, "kN m/rad", 1e3)
+    return Key(f"{field}_stiffness_N_per_um", field, "N/um", N / um)
+
+
+SHAFT_SUPPORT = (
+    _POSITION,
+    *(stiffness(name, False) for name in ("axial", "radial_y", "radial_z")),
+    *(stiffness(name, True) for name in ("tilt_y", "tilt_z")),
+)
+HOUSING_STIFFNESS = (stiffness("axial", False), stiffness("radial", False), stiffness("tilt", True))
+SPACER = (
+    *(Key(f"{side}_length_mm", f"{side}_length", "mm", mm, LENGTH) for side in ("inner", "outer")),
+    *(celsius(f"{side}_temperature") for side in ("inner", "outer")),
+)
+FLOATING = (Key("spring_N", "spring", "N", N, FORCE),)
+SET_NUMBERS = {
+    "rows": ROW,
+    "shaft": SHAFT,
+    "housing": HEATED,
+    "spacers": SPACER,
+    "floating": FLOATING,
+    "sections": SECTION,
+    "loads": SHAFT_LOAD,
+    "supports": SHAFT_SUPPORT,
+    "housing_stiffness": HOUSING_STIFFNESS,
+}
 """The keys that hold numbers in what a file of a set has beside the tables of a scene."""
 
 MATERIALS = ("ball_material", "ring_material")
@@ -182,10 +228,27 @@ SECTIONS: dict[str, tuple[str, ...]] = {
 """Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
 
 SET_SECTIONS: dict[str, tuple[str, ...]] = {
-    "rows": (*(key.name for key in ROW), "carries", "sprung", "bearing", *EFFECT_TABLES, "readings"),
-    "shaft": tuple(key.name for key in SHAFT),
-}
+    "rows": (
+        *(key.name for key in ROW), "carries", "sprung", "housing_stiffness", "bearing", *EFFECT_TABLES, "readings",
+    ),
+    "shaft": (*(key.name for key in SHAFT), "sections", "loads", "supports", "points"),
+    "housing": (*(key.name for key in HEATED), "material", "outside_diameter_mm"),
+    "spacers": ("rows", *(key.name for key in SPACER), "inner_material", "outer_material"),
+    "floating": ("rows", *(key.name for key in FLOATING), "preload"),
+}  # fmt: skip
 """Likewise, of the tables that only a set has."""
+SHAFT_SECTIONS: dict[str, tuple[str, ...]] = {
+    "sections": (*(key.name for key in SECTION), "material"),
+    "loads": tuple(key.name for key in SHAFT_LOAD),
+    "supports": tuple(key.name for key in SHAFT_SUPPORT),
+    "housing_stiffness": (*(key.name for key in HOUSING_STIFFNESS), "matrix_SI"),
+}
+"""Likewise, of the tables within [shaft] and [[rows]]."""
+NUMBERED = {
+    "row": "rows", "spacer": "spacers", "floating": "floating",
+    "section": "sections", "load": "loads", "support": "supports",
+}  # fmt: skip
+"""What one of several tables is called in errors, its number following; and its table."""
 
 EFFECT_SECTIONS = {
     name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))

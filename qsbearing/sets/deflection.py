@@ -27,7 +27,7 @@ class ShaftPoint:
 
     position: float
     """[m]"""
-    deflection: NDArray
+    displacement: NDArray
     """Of the shaft there, from its zero; shape (*cases, 5)."""
     compliance: NDArray
     """What a small load there moves there; shape (*cases, 5, 5). Channels of the reference whose displacement is

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.scene.operation import Operation
+from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.solution import Solution
@@ -22,22 +24,29 @@ class HotSet:
         assert of.thermal is not None
         self.of, self.shape, self._solve = of, shape, solve
         self.thermal, self.operation = of.thermal, of.operation
+        plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
+        self.scenes: Sequence[Scene] = tuple(of.row_scene(number, plain) for number in range(len(of.rows)))
         self.readings: Sequence[Mapping[str, Any]] = tuple(
             of.readings if row.readings is None else row.readings for row in of.rows
         )
 
     def solve(self, temperatures: Temperatures, factor: NDArray) -> SetSolution:
         """The set's solution at these temperatures of its nodes."""
+        bodies = {name: getattr(self.of, name) for name in ("shaft", "housing")}
+        bodies = {
+            name: replace(body, temperature=temperatures[name])
+            for name, body in bodies.items()
+            if body is not None and name in temperatures
+        }
+        own = {name: value for name, value in temperatures.items() if name not in bodies}  # rows take theirs from these
         rows = []
         for number, row in enumerate(self.of.rows):
-            given = self.of.effects_of(row), self.readings[number], self.thermal, temperatures
+            effects = self.of.ring_effects if row.ring_effects is None else row.ring_effects
+            given = effects, self.readings[number], self.thermal, own
             effects, readings = hot_row(*given, number, len(self.of.rows))
             rows.append(replace(row, ring_effects=effects, readings=readings))
-        shaft = self.of.shaft
-        if shaft is not None and "shaft" in temperatures:
-            shaft = replace(shaft, temperature=temperatures["shaft"])
         operation = at_speed(self.operation, factor)
-        return self._solve(replace(self.of, rows=tuple(rows), operation=operation, shaft=shaft, thermal=None))
+        return self._solve(replace(self.of, rows=tuple(rows), operation=operation, thermal=None, **bodies))
 
     def rows(self, solution: SetSolution) -> Sequence[Solution]:
         """Each row's own."""

@@ -33,7 +33,7 @@ class SetQuantity(NamedTuple):
 
 def set_quantities(solution: SetSolution) -> dict[str, SetQuantity]:
     """Every result of this solution, by its name; those first that most readers want."""
-    found = (*_of_rows(solution), *_of_shaft(solution))
+    found = (*_of_rows(solution), *_of_shaft(solution), *_of_points(solution))
     first = [each for each in found if each.name.endswith("_axial_load")]
     first += [each for each in found if each.name.startswith("shaft_effective_stiffness")]
     return {each.name: each for each in (*first, *found)}
@@ -48,6 +48,19 @@ def _of_shaft(solution: SetSolution) -> Iterator[SetQuantity]:
 
                 def read(of: Callable[..., NDArray | None] = quantity.read) -> NDArray:
                     return np.asarray(of(solution), float)
+
+                yield SetQuantity(name, quantity.unit, column, read)
+
+
+def _of_points(solution: SetSolution) -> Iterator[SetQuantity]:
+    """Displacement and stiffness of the shaft's points, likewise."""
+    for point in {} if solution.set.shaft is None else solution.set.shaft.points:
+        for quantity in ALL.values():
+            if quantity.name.startswith(("ring_displacement_", "ring_effective_stiffness_")):
+                name, column = (text.replace("ring_", f"{point}_", 1) for text in (quantity.name, quantity.column))
+
+                def read(of: Callable[..., NDArray | None] = quantity.read, point: str = point) -> NDArray:
+                    return np.asarray(of(solution.points[point]), float)
 
                 yield SetQuantity(name, quantity.unit, column, read)
 

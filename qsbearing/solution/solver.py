@@ -68,8 +68,7 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         results, positions, controls = (array[part] for array in found)
         memory, own = working_memory(maker.ball_axis), maker.own_balls(records, part.start)
         given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
-        solve_cases(*given)
-        if results["status"].max() == UNFINISHED:
+        if solve_cases(*given):
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
             solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from qsbearing.effects import BallExpansion, RingEffect, RingExpansion
 from qsbearing.readings.asked import LUBRICANT
+from qsbearing.result_keys import NODES
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
 from qsbearing.thermal.balance import own_name
-from qsbearing.thermal.network import NODES, Thermal
+from qsbearing.thermal.network import Thermal
 
 Temperatures = Mapping[str, NDArray]
 RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")
@@ -29,7 +30,8 @@ class Machine(Protocol):
 
     thermal: Thermal
     readings: Sequence[Mapping[str, Any]]
-    """Of each row."""
+    scenes: Sequence[Scene]
+    """Both of each row."""
     operation: Operation
     shape: tuple[int, ...]
     """Of its cases."""
@@ -59,6 +61,7 @@ class HotBearing:
         self.scene, self.shape, self._solve = scene, shape, solve
         self.thermal, self.operation = scene.thermal, scene.operation
         self.readings: Sequence[Mapping[str, Any]] = (scene.readings,)
+        self.scenes: Sequence[Scene] = (scene,)
 
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Solution:
         effects, readings = hot_row(self.scene.ring_effects, self.scene.readings, self.thermal, temperatures, 0, 1)
@@ -85,7 +88,7 @@ def hot_row(
     names = {node: own_name(node, row, rows) for node in NODES}
     own = {node: temperatures[name] for node, name in names.items() if name in temperatures}
     heated = dict(readings)
-    if thermal.oil_node is not None and LUBRICANT in readings:
+    if thermal.oil_node in own and LUBRICANT in readings:
         heated[LUBRICANT] = {**readings[LUBRICANT], "oil_temperature": own[thermal.oil_node]}
     return tuple(_heated(effect, own) for effect in effects), heated
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from qsbearing.thermal.hot import HotBearing, Machine
 from qsbearing.thermal.speeds import follow_speeds
 from qsbearing.thermal.state import SpeedCurve, ThermalState, Verdict
 from qsbearing.thermal.steady import Heated, Steady, feedback, find_steady
+from qsbearing.thermal.transient import heat_up
 
 FARTHEST = 1.5
 """Times the scene's speed: how far steady states are followed in speed."""
@@ -53,17 +55,20 @@ def at_steady_temperatures(machine: Machine) -> Any:
         code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
         solution.withdraw(~good & np.asarray(solution.converged), code)
     temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
+    made = np.where(good, steady.powers, np.nan)
     named = balance.named(temperatures)
     solution.thermal = ThermalState(
         temperatures=named,
-        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, steady.powers, strict=True)},
+        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, made, strict=True)},
         flows=balance.flows(named),
-        imbalance=np.abs(balance.net_heat(temperatures, steady.powers)).max(axis=0, initial=0.0),
+        imbalance=np.abs(balance.net_heat(temperatures, made)).max(axis=0, initial=0.0),
         feedback=np.where(good, feedback(steady.slopes), np.nan),
+        free=balance.free,
         verdict=verdict,
         solves=heated.solved,
         thermal=machine.thermal,
         speed=_speed(machine),
+        heat_up=partial(heat_up, machine),
         follow=lambda: curve or follow_speeds(Heated(machine), FARTHEST),
     )
     return solution

@@ -10,6 +10,7 @@ bearing that is brought there heats up without end.
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,10 @@ FIRST, SECOND = 0.02, 0.04
 """Of the speed: where the curve is begun, slow enough to be all but cold."""
 LARGEST, SMALLEST = 0.1, 1e-4
 """Steps along the curve, in parts of the speed and of the heat that reaches the limit."""
+TURN, SHARPEST, FARTHEST = 0.12, 0.25, 1.0
+"""Radians by which the curve turns from step to step: about, at most while steps are not small, and at most."""
+COARSE = 0.005
+"""A step that is not small."""
 MOST_POINTS = 200
 
 
@@ -83,13 +88,14 @@ def follow_speeds(heated: Heated, until: float) -> SpeedCurve:
         chord = points[-1] - points[-2]
         tangent = chord / np.linalg.norm(chord)
         point = curve.corrected(points[-1] + step * tangent, tangent)
-        if point is None or (point - points[-1]) @ tangent < 0.5 * np.linalg.norm(point - points[-1]):
+        turn = pi if point is None else _angle(point - points[-1], tangent)
+        if point is None or turn > FARTHEST or (turn > SHARPEST and step > COARSE):
             step /= 3.0
             if step < SMALLEST:
                 break
             continue
         points.append(point)
-        step = min(1.5 * step, LARGEST)
+        step = min(float(np.clip(TURN / max(turn, 1e-9), 0.3, 1.5)) * step, LARGEST)
         if fold is None and points[-1][-1] < points[-2][-1]:
             fold = _fold(curve, *points[-3:])
     at_limit = _where(curve, points, lambda y: curve.hottest(y) - limit)
@@ -102,6 +108,10 @@ def follow_speeds(heated: Heated, until: float) -> SpeedCurve:
         None if at_limit is None else curve.state(at_limit),
         None if crossing is None else curve.state(crossing),
     )
+
+
+def _angle(one: NDArray, other: NDArray) -> float:
+    return float(np.arccos(np.clip(one @ other / (np.linalg.norm(one) * np.linalg.norm(other)), -1.0, 1.0)))
 
 
 def _fold(curve: _Curve, before: NDArray, middle: NDArray, after: NDArray) -> NDArray:

@@ -53,6 +53,42 @@ class Verdict(StrEnum):
     """None was found; that is no proof that there is none."""
 
 
+OVERSHOOT = 0.01
+"""Of a preload above where it ends, over where it ends: less is not worth a word."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """Temperatures and preload over time; arrays lead with the instants."""
+
+    time: NDArray
+    """[s], growing, closer where more happens."""
+    temperatures: dict[str, NDArray]
+    """Of every node [K]."""
+    powers: NDArray
+    """Of the sources [W]; shape (instant, source)."""
+    preloads: NDArray
+    """The axial load of each row [N]; shape (instant, row)."""
+    end: str
+    """What ended it: time, limit (of temperature), or no_equilibrium (of the bearing)."""
+
+    def message(self) -> str:
+        """What becomes of the preload, in a sentence or two."""
+        loads = self.preloads.max(axis=1)
+        peak, last = int(loads.argmax()), float(loads[-1])
+        ends = {name: value[-1] for name, value in self.temperatures.items()}
+        hottest = max(ends, key=lambda name: float(ends[name]))
+        state = f"{hottest.replace('_', ' ')} at {ends[hottest] - zero_celsius:.1f} C"
+        if self.end != "time":
+            what = "The limit of temperature is reached" if self.end == "limit" else "The bearing loses its equilibrium"
+            return f"{what} after {self.time[-1]:.4g} s: {state}, axial load {last:.4g} N."
+        text = f"After {self.time[-1]:.4g} s {state}, axial load {last:.4g} N"
+        if loads[peak] <= (1.0 + OVERSHOOT) * last:
+            return f"{text}; it never was above that by more than {OVERSHOOT:.0%}."
+        over = loads[peak] / last - 1.0
+        return f"{text}; on the way it overshoots to {loads[peak]:.4g} N ({over:+.0%}) at {self.time[peak]:.4g} s."
+
+
 @dataclass(frozen=True)
 class ThermalState:
     """Temperatures and heats of a solution; arrays of shape (*cases), NaN where there is no steady state."""
@@ -67,6 +103,8 @@ class ThermalState:
     """The largest heat that any free node takes in and does not give off, of what the solution's friction makes [W]."""
     feedback: NDArray
     """By how much a further watt of heat makes friction grow [-]: at 1 the preload runs away."""
+    free: tuple[str, ...]
+    """The nodes whose temperatures are found."""
     verdict: NDArray
     """`Verdict` of each case, as its word."""
     solves: int
@@ -75,6 +113,10 @@ class ThermalState:
     speed: NDArray
     """The larger one of both rings [rad/s]."""
     follow: Callable[[], SpeedCurve]
+    heat_up: Callable[..., Course]
+    """`heat_up(duration, start=None)`: the course of temperatures and preload of a single case, so many seconds at full
+    speed from the first instant; from the lowest of the given temperatures, or from `start` [K]. It needs the heat
+    capacity of every node that is found."""
 
     @cached_property
     def speeds(self) -> SpeedCurve:
@@ -112,6 +154,18 @@ class ThermalState:
             return f"Thermal runaway of the preload. {head} go up to {fold} and turn back there."
         assert curve.at_limit is not None
         return f"Too hot. {head} reach it at {self.described(curve.at_limit)}."
+
+    def onset(self) -> str:
+        """Where the steady states of a single case, followed from standstill in speed, end."""
+        curve = self.speeds
+        if curve.fold is not None:
+            return f"Thermal runaway of the preload begins at {self.described(curve.fold)}."
+        limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} C"
+        if curve.at_limit is not None:
+            return f"The limit of {limit} is reached at {self.described(curve.at_limit)}, before any runaway."
+        if not curve.states:
+            return "Steady states could not be followed from standstill."
+        return f"Steady states were followed up to {self.described(curve.states[-1])}: no runaway so far."
 
     def described(self, state: State) -> str:
         """A state of the curve in words."""

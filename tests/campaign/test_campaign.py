@@ -1,4 +1,4 @@
-"""The campaign itself: thousands of scenes against the bar, and how what goes wrong is counted, kept and told."""
+"""The campaign itself: hundreds of scenes against the bar, and how what goes wrong is counted, kept and told."""
 
 from __future__ import annotations
 
@@ -24,11 +24,12 @@ from tests.campaign.summary import quantile, summarise
 
 compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
 
-COUNTS = {"wild": 1000, "realistic": 2000, "mounted": 500}
+COUNTS = {"wild": 400, "realistic": 1000, "mounted": 200}
+"""The release gate asks ten times as many, at its quick level too."""
 FEW = GROUP if COMPILED else 4
 
 
-# Thousands of scenes --------------------------------------------------------------------------------------------------
+# Hundreds of scenes ---------------------------------------------------------------------------------------------------
 
 Campaigns = dict[str, tuple[dict[str, Any], Path]]
 
@@ -52,7 +53,7 @@ def assert_bar_is_met(summary: dict[str, Any]) -> None:
 
 @compiled_only
 @pytest.mark.parametrize("envelope", COUNTS)
-def test_thousands_of_scenes_meet_the_bar(campaigns: Campaigns, envelope: str) -> None:
+def test_hundreds_of_scenes_meet_the_bar(campaigns: Campaigns, envelope: str) -> None:
     summary, folder = campaigns[envelope]
     assert_bar_is_met(summary)
     assert summary["count"] == COUNTS[envelope] == sum(summary["classes"].values())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -78,6 +79,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return into
 
 
+@cache
 def page_of(folder: Path, name: str) -> Page:
     return Page.of((folder / f"{name}_report.html").read_text(encoding="utf-8"))
 
@@ -85,7 +87,7 @@ def page_of(folder: Path, name: str) -> Page:
 def report_of(folder: Path, text: str) -> Page:
     (folder / "one.toml").write_text(text)
     assert call(str(folder / "one.toml"), "--out", str(folder)).exit_code == 0
-    return page_of(folder, "one")
+    return page_of.__wrapped__(folder, "one")
 
 
 def titles(page: Page) -> list[str]:

@@ -6,7 +6,7 @@
 
 A block behind the comment `<!-- minutes long -->` is left to the heavy tests. Commands of qsbearing inside a sentence,
 in back quotes, run too, after the blocks, if they have arguments, none of which is a placeholder in
-capitals or opens a browser.
+capitals or opens a browser. A command that another page has run on the same files is not run again.
 """
 
 from __future__ import annotations
@@ -31,6 +31,10 @@ NOT_HERE = ("python", "python3", "pip", "pytest")
 _BLOCK = re.compile(r"(<!-- minutes long -->\n+)?^```(\w+)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)
 _INLINE = re.compile(r"`(qsbearing [a-z][^`\n]*)`")
 _PLACEHOLDER = re.compile(r"(?<![\w.])[A-Z]{3,}[A-Z.]*\b|\[|\.\.\.|--open")
+
+
+_RUN: set[tuple[str, ...]] = set()
+"""Commands that ended well, with the text of the scenes that they name."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,10 @@ def commands(text: str) -> Iterator[list[str]]:
 
 def run_command(words: list[str], folder: Path) -> None:
     """Run one command with the folder as the current one; it must end well."""
+    scenes = [folder / word for word in words if word.endswith(".toml")]
+    done = (*words, *(path.read_text(encoding="utf-8") for path in scenes if path.exists()))
+    if done in _RUN and ">" not in words:
+        return
     target = None
     program: click.Command
     if ">" in words:
@@ -74,6 +82,7 @@ def run_command(words: list[str], folder: Path) -> None:
     with contextlib.chdir(folder):
         result = CliRunner().invoke(program, words[1:], catch_exceptions=False)
     assert result.exit_code == 0, f"{shlex.join(words)}: exit code {result.exit_code}\n{result.output}"
+    _RUN.add(done)
     if target:
         target.write_text(result.stdout, encoding="utf-8")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import shutil
 import stat
 import subprocess
 import sys
@@ -75,13 +76,12 @@ def doubled(x: float) -> float:
 
 @pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
 @pytest.mark.parametrize("kind", ["nbi", "nbc"])
-def test_a_damaged_file_of_the_cache_is_compiled_anew(tmp_path: Path, kind: str) -> None:
+def test_a_damaged_file_of_the_cache_is_compiled_anew(probe: Path, tmp_path: Path, kind: str) -> None:
     """Index or machine code cut short: said once, and the next start finds a sound copy."""
-    doubled_once(tmp_path, tmp_path / "cache")
-    kept = list((tmp_path / "cache").rglob(f"*.{kind}"))
+    kept = list(cache_of(probe, tmp_path / "cache").rglob(f"*.{kind}"))
     assert len(kept) == 1
     kept[0].write_bytes(kept[0].read_bytes()[:100])
-    damaged, again = (doubled_once(tmp_path, tmp_path / "cache") for _ in range(2))
+    damaged, again = (doubled_once(probe, tmp_path / "cache") for _ in range(2))
     assert "damaged" in damaged.stderr
     assert "Traceback" not in damaged.stderr
     assert again.stderr == ""
@@ -100,12 +100,26 @@ class Crafted:
         return open, (str(self.made), "w")
 
 
-def doubled_once(folder: Path, cache: Path) -> subprocess.CompletedProcess[str]:
+@pytest.fixture(scope="module")
+def probe(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a module whose function is compiled, and its cache."""
+    folder = tmp_path_factory.mktemp("probe")
     (folder / "qsbearing_probe.py").write_text(ENTRY, encoding="utf-8")
+    doubled_once(folder, folder / "cache")
+    return folder
+
+
+def doubled_once(folder: Path, cache: Path) -> subprocess.CompletedProcess[str]:
     environment = os.environ | {"NUMBA_CACHE_DIR": str(cache)}
     done = subprocess.run(COMMAND, capture_output=True, text=True, check=True, env=environment, cwd=folder)
     assert done.stdout == "6.0\n"
     return done
+
+
+def cache_of(probe: Path, cache: Path) -> Path:
+    """A copy of the probe's cache, which a process uses."""
+    cache.parent.mkdir(exist_ok=True)
+    return shutil.copytree(probe / "cache", cache)
 
 
 @compiled_and_owned
@@ -113,38 +127,39 @@ def doubled_once(folder: Path, cache: Path) -> subprocess.CompletedProcess[str]:
     ("opened", "mode"),
     [("above", 0o002), ("root", 0o020), ("kernel", 0o002), ("within", 0o002), ("file", 0o020), ("file", 0o002)],
 )
-def test_nothing_that_others_may_have_written_is_run(tmp_path: Path, opened: str, mode: int) -> None:
+def test_nothing_that_others_may_have_written_is_run(probe: Path, tmp_path: Path, opened: str, mode: int) -> None:
     """A crafted pickle in place of a cached index, where others may write: not unpickled, and said in a sentence."""
-    cache = tmp_path / "above" / "cache"
-    doubled_once(tmp_path, cache)
+    cache = cache_of(probe, tmp_path / "above" / "cache")
     [file] = cache.rglob("*.nbi")
     places = {"file": file, "within": file.parent, "kernel": file.parent.parent, "root": cache, "above": cache.parent}
     assert [stat.S_IMODE(path.stat().st_mode) for path in (cache, file.parent.parent, file.parent)] == [0o700] * 3
     file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
     place = places[opened]
     place.chmod(stat.S_IMODE(place.stat().st_mode) | mode)
-    done = doubled_once(tmp_path, cache)
+    done = doubled_once(probe, cache)
     assert not (tmp_path / "made").exists()
     assert f"{place} is writable by others: remove it" in done.stderr
     assert done.stderr.count("\n") == 1
 
 
 @compiled_and_owned
-def test_a_cache_in_a_folder_for_all_is_the_user_s_where_only_owners_move_what_is_theirs(tmp_path: Path) -> None:
+def test_a_cache_in_a_folder_for_all_is_the_user_s_where_only_owners_move_what_is_theirs(
+    probe: Path, tmp_path: Path
+) -> None:
     """As /tmp is."""
     everyone = tmp_path / "everyone"
     everyone.mkdir()
     everyone.chmod(0o1777)
-    doubled_once(tmp_path, everyone)
-    assert doubled_once(tmp_path, everyone).stderr == ""
+    doubled_once(probe, everyone)
+    assert doubled_once(probe, everyone).stderr == ""
 
 
 @compiled_and_owned
-def test_whatever_mode_new_files_have_the_cache_is_its_user_s(tmp_path: Path) -> None:
+def test_whatever_mode_new_files_have_the_cache_is_its_user_s(probe: Path, tmp_path: Path) -> None:
     before = os.umask(0o002)
     try:
-        doubled_once(tmp_path, tmp_path / "cache")
-        assert doubled_once(tmp_path, tmp_path / "cache").stderr == ""
+        doubled_once(probe, tmp_path / "cache")
+        assert doubled_once(probe, tmp_path / "cache").stderr == ""
     finally:
         os.umask(before)
 
@@ -152,13 +167,12 @@ def test_whatever_mode_new_files_have_the_cache_is_its_user_s(tmp_path: Path) ->
 @compiled_and_owned
 @pytest.mark.skipif(getattr(os, "geteuid", int)() != 0, reason="only root may give files away")
 @pytest.mark.parametrize("level", [0, 1, 2, 3])
-def test_another_user_s_cache_is_not_read(tmp_path: Path, level: int) -> None:
-    cache = tmp_path / "cache"
-    doubled_once(tmp_path, cache)
+def test_another_user_s_cache_is_not_read(probe: Path, tmp_path: Path, level: int) -> None:
+    cache = cache_of(probe, tmp_path / "cache")
     [file] = cache.rglob("*.nbi")
     file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
     owned = [file, *file.parents][level]
     os.chown(owned, 65534, 65534)
-    done = doubled_once(tmp_path, cache)
+    done = doubled_once(probe, cache)
     assert not (tmp_path / "made").exists()
     assert f"{owned} is another user's: remove it" in done.stderr

@@ -16,6 +16,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.file_errors import SceneFileError
 from qsbearing.io.scene_file import scene_of
+from qsbearing.io.set_file import set_of
 
 GUIDE = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding="utf-8")
 
@@ -73,6 +74,79 @@ def test_run_shows_it(tmp_path: Path) -> None:
         refused = CliRunner().invoke(cli, command)
         assert refused.exit_code == 2
     assert "[[spectrum]]" in str(faults_of_study(document())[0])
+
+
+PAIR = """
+[bearing]
+name = "7210C"
+[[rows]]
+position_mm = -20
+carries = "+x"
+[[rows]]
+position_mm = 20
+carries = "-x"
+{own}
+[operation]
+moment_z_Nm = 0
+[preload]
+rigid_N = 300
+[[spectrum]]
+share = 0.7
+speed_rpm = 9000
+radial_load_y_N = 500
+[[spectrum]]
+share = 0.3
+speed_rpm = 3000
+radial_load_y_N = 2500
+axial_load_N = 400
+[readings.life]
+"""
+
+
+def pair(own: str = "") -> dict[str, Any]:
+    given = tomllib.loads(PAIR.format(own=own))
+    given["operation"]["axial_load_N"] = 0.0
+    return given
+
+
+@pytest.mark.parametrize("own", ["", "[rows.readings.life]\nreliability = 0.95\n"], ids=["alike", "a row of its own"])
+def test_a_set_has_a_life_for_each_row_and_for_all(own: str, tmp_path: Path) -> None:
+    """Each point as a file of its own, Palmgren's sum for each row, and rows that fail independently."""
+    rates = np.zeros(2)
+    for point in pair(own)["spectrum"]:
+        alone = pair(own)
+        del alone["spectrum"]
+        alone["operation"] |= {key: value for key, value in point.items() if key != "share"}
+        solution = qs.solve_set(set_of(alone, "test"))
+        for i, row in enumerate(solution.rows):
+            rates[i] += point["share"] / float(qs.readings.take_asked(row)["life"].duration)
+    hours = 1.0 / rates / 3600.0
+    file, csv = tmp_path / "pair.toml", tmp_path / "pair.csv"
+    file.write_text(PAIR.format(own=own).replace("[operation]", "[operation]\naxial_load_N = 0"), encoding="utf-8")
+    printed = CliRunner().invoke(cli, ["run", str(file), "--json", "--csv", str(csv)])
+    assert printed.exit_code == 0, printed.output
+    record = json.loads(printed.stdout)
+    assert [row["duration_h"] for row in record["rows"]] == pytest.approx(hours, rel=1e-9)
+    assert record["system_life_h"] == pytest.approx((hours ** (-10 / 9)).sum() ** (-9 / 10), rel=1e-9)
+    for i in range(2):
+        assert sum(point["rows"][i]["damage_share"] for point in record["points"]) == pytest.approx(1.0)
+    assert len(csv.read_text(encoding="utf-8").splitlines()) == 1 + 2 * 2 * int(
+        qs.load_scene("7210C").bearing.ball_count
+    )
+    (tmp_path / "again.json").write_text(printed.stdout, encoding="utf-8")
+    again = CliRunner().invoke(cli, ["run", str(tmp_path / "again.json"), "--json"])
+    assert json.loads(again.stdout)["system_life_h"] == pytest.approx(record["system_life_h"], rel=1e-12)
+    shown = CliRunner().invoke(cli, ["run", str(file)])
+    assert f"{record['system_life_h']:.5g}" in shown.output
+
+
+def test_every_row_needs_a_life_and_every_point_its_keys() -> None:
+    wrong = pair("[rows.readings.static]\n")
+    wrong["spectrum"][0]["share"] = 0.2
+    del wrong["spectrum"][1]["speed_rpm"]
+    with pytest.raises(SceneFileError) as caught:
+        set_of(wrong, "test")
+    assert {error.key for error in caught.value.errors} >= {"row 2.readings.life", "spectrum.share"}  # type: ignore[attr-defined]
 
 
 def faults_of_study(given: dict[str, Any]) -> list[Any]:

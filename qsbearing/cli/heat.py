@@ -1,0 +1,117 @@
+"""`qsbearing heat`: how hot a bearing or set runs, at which speed its preload runs away, and how it heats up."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import ExitStack
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.output import UNSOLVED, print_result, print_table, progress_bar, refuse
+from qsbearing.cli.scene import load_one, solve, solving
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.state import ThermalState
+
+
+@click.command(short_help="Temperatures over speed and time; where the preload runs away.")
+@click.argument("scene")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of tables, and nothing else.")
+@click.option(
+    "--transient",
+    type=float,
+    metavar="SECONDS",
+    help="Heat up for so long, at full speed from the first instant: temperatures and preload over time.",
+)
+@click.option("--start", type=float, metavar="C", help="With --transient: at which temperature all begins.")
+@click.option(
+    "--plot",
+    metavar="FILE",
+    help="Also draw them, over the speed or with --transient over the time; .png, .svg or .pdf.",
+)
+def heat(scene: str, as_json: bool, transient: float | None, start: float | None, plot: str | None) -> None:
+    """Steady temperatures of SCENE, which has a table [thermal]; of a bearing, or of a set of rows.
+
+    They are followed from standstill in speed, to the speed at which they turn back (thermal runaway of the preload) or
+    reach the limit of temperature.
+
+    Exit codes: 0 a steady state, 1 none, or no equilibrium, 2 bad input.
+    """
+    from qsbearing.scene.scene import Scene
+    from qsbearing.validation import SceneError
+
+    if start is not None and transient is None:
+        refuse("--start: only with --transient")
+    with ExitStack() as stack:
+        writers = claimed(stack, {"--plot": plot}, picture_problems(plot), scene)
+        loaded = load_one(scene)
+        if loaded.thermal is None:
+            refuse(f"{scene}: has no table [thermal]; `qsbearing guide heat` shows one")
+        if isinstance(loaded, Scene):
+            solution: Any = solve(loaded)
+        else:
+            from qsbearing.sets.solve import solve_set
+
+            with solving(loaded):
+                solution = solve_set(loaded)
+        state: ThermalState = solution.thermal
+        from qsbearing.io.json_record import how_it_ended, thermal
+        from qsbearing.io.thermal_report import course_record, speeds_record
+
+        found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "transient": None}
+        if transient is None:
+            with solving(loaded):
+                found["speeds"] = speeds_record(state)
+        else:
+            try:
+                found["transient"] = course_record(_course(state, transient, start))
+            except SceneError as error:
+                refuse(str(error))
+        if as_json:
+            print_result(loaded, found)
+        else:
+            _show(found)
+        if plot is not None:
+            write_files(writers, {"--plot": lambda: _picture(found, state, plot)})
+    if not solution.converged:
+        sys.exit(UNSOLVED)
+
+
+def _course(state: ThermalState, duration: float, start: float | None) -> Any:
+    from qsbearing.units import zero_celsius
+
+    with progress_bar("s") as update:
+        return state.heat_up(
+            duration,
+            start=None if start is None else start + zero_celsius,
+            progress=lambda part: update(int(part * duration), int(duration)),
+        )
+
+
+def _show(found: dict[str, Any]) -> None:
+    from rich.console import Group
+    from rich.padding import Padding
+    from rich.text import Text
+
+    from qsbearing.io.thermal_report import course_table, speeds_table, thermal_tables
+
+    parts: list[Any] = []
+    if found["status"] == "converged":
+        parts = thermal_tables(found["thermal"])
+    else:
+        parts.append(Text(found["message"]))
+    for name, table in (("speeds", speeds_table), ("transient", course_table)):
+        if found[name] is not None:
+            parts += [table(found[name]), Text(found[name]["message"])]
+    print_table(Group(*(Padding(each, (0 if number == 0 else 1, 0, 0, 0)) for number, each in enumerate(parts))))
+
+
+def _picture(found: dict[str, Any], state: ThermalState, target: str) -> bytes:
+    from qsbearing.pictures.heat import over_speed, over_time
+    from qsbearing.units import rpm
+
+    if found["transient"] is not None:
+        return picture_bytes(over_time(found["transient"]), target)
+    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm), target)

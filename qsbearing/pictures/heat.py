@@ -1,0 +1,79 @@
+"""Temperatures and preload: over the speed, with the fold where they run away, and over the time of heating up."""
+
+from __future__ import annotations
+
+from itertools import cycle
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.io.thermal_report import hottest, instant
+from qsbearing.pictures.style import GREY, ROW_LINES, figure_of_size, plain
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+RED = "#b00020"
+
+
+def over_speed(found: dict[str, Any], own: float) -> Figure:
+    """Steady states over speed.
+
+    Args:
+        found: "speeds" of `qsbearing heat --json`.
+        own: the scene's speed [rpm].
+    """
+    figure, axes = _two("speed, rpm")
+    states, fold = found["states"], found["fold"]
+    speeds = [each["speed_rpm"] for each in states]
+    at_fold = len(speeds) if fold is None else speeds.index(max(speeds)) + 1
+    marked = states if fold is None else [*states[:at_fold], fold, *states[at_fold:]]
+    _draw(axes, marked, [each["speed_rpm"] for each in marked], None if fold is None else at_fold)
+    for each in axes:
+        each.axvline(own, color=GREY, linewidth=0.8, linestyle=":", label="the scene's speed")
+        if fold is not None:
+            each.axvline(fold["speed_rpm"], color=RED, linewidth=0.9, linestyle="--", label="runaway begins")
+        each.set_xlim(left=0.0)
+    _named(axes)
+    return figure
+
+
+def over_time(found: dict[str, Any]) -> Figure:
+    """Heating up: "transient" of `qsbearing heat --json`."""
+    figure, axes = _two("time, s")
+    states = [instant(found, number) for number in range(1, len(found["time_s"]))]
+    _draw(axes, states, found["time_s"][1:], None)
+    for each in axes:
+        each.set_xscale("log")
+    _named(axes)
+    return figure
+
+
+def _two(along: str) -> tuple[Figure, Any]:
+    figure = figure_of_size(9.0, 4.4)
+    axes = figure.subplots(1, 2)
+    for each, title in zip(axes, ("Temperatures, °C", "Axial load of the bearing, N"), strict=True):
+        plain(each)
+        each.set_title(title, fontsize=10)
+        each.set_xlabel(along, fontsize=9)
+    return figure, axes
+
+
+def _draw(axes: Any, states: list[dict[str, Any]], along: list[float], fold: int | None) -> None:
+    """The hottest of the rows' nodes, and each row's load; states beyond the fold, in which no bearing stays, pale."""
+    temperatures, rows = [hottest(each["temperatures_C"]) for each in states], len(states[0]["axial_load_N"])
+    lines = [
+        {name: [each[name] for each in temperatures] for name in temperatures[0]},
+        {
+            "axial load" if rows == 1 else f"row {row + 1}": [each["axial_load_N"][row] for each in states]
+            for row in range(rows)
+        },
+    ]
+    end = len(states) if fold is None else fold + 1
+    for each, own in zip(axes, lines, strict=True):
+        for (label, values), (colour, style) in zip(own.items(), cycle(ROW_LINES)):
+            each.plot(along[:end], values[:end], linestyle=style, color=colour, linewidth=1.4, label=label)
+            each.plot(along[end - 1 :], values[end - 1 :], linestyle=style, color=colour, linewidth=0.9, alpha=0.4)
+
+
+def _named(axes: Any) -> None:
+    for each in axes:
+        each.legend(fontsize=8, frameon=False)
