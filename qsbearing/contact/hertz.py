@@ -85,7 +85,8 @@ def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, floa
         K = first_kind(kc)
         E = second_kind(kc)
         B = cosine_part(kc)
-        slope = (0.5 * (kc * kc * (K - B)) / E + 1.5 * B / K - 1.0) / _log_ratio_and_slope(kc)[1]
+        _, by_log_kc = _log_ratio_and_slope(kc)
+        slope = (0.5 * (kc * kc * (K - B)) / E + 1.5 * B / K - 1.0) / by_log_kc
         return 1.0 / kc, K, E, slope
     ratio = 1.0 / curvature_ratio
     if form == _BREWE_HAMROCK_1977:
@@ -101,7 +102,7 @@ def contact_shape(form: int, curvature_ratio: float) -> tuple[float, float, floa
 @kernel
 def stiffness_constant(k: float, K: float, E: float, curvature_sum: float, effective_modulus: float) -> float:
     """Q/approach^1.5 (19.18): pi k E' sqrt(E/(4.5 sum_rho K^3)) [N/m^1.5]."""
-    return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))
+    return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * (K * K * K)))
 
 
 @kernel

@@ -17,7 +17,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined
 from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
@@ -30,7 +30,7 @@ class CentrifugalForce:
     name: ClassVar[str] = "centrifugal_force"
 
 
-@kernel
+@inlined
 def centrifugal_force(
     mass: float, pitch_diameter: float, orbit: tuple[float, float, float]
 ) -> tuple[float, float, float]:

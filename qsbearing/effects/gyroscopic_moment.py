@@ -24,7 +24,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined
 from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
@@ -68,7 +68,7 @@ class GyroscopicMoment:
         raise_if_any(errors)
 
 
-@kernel
+@inlined
 def moment_shares(convention: int, inner_control: bool) -> tuple[float, float]:
     """(lambda_i, lambda_o)."""
     if not inner_control:
@@ -76,7 +76,7 @@ def moment_shares(convention: int, inner_control: bool) -> tuple[float, float]:
     return (1.0, 1.0) if convention == _HARRIS else (2.0, 0.0)
 
 
-@kernel
+@inlined
 def carried_friction(share: float, mg: float, load: float, bound: float) -> tuple[float, float, float, float]:
     """T, the friction at a contact that carries its share of the moment, as far as the bound on T/Q allows.
 
@@ -90,7 +90,7 @@ def carried_friction(share: float, mg: float, load: float, bound: float) -> tupl
     return slope * load, 0.0, 0.0, slope
 
 
-@kernel
+@inlined
 def gyroscopic_moment(
     inertia: float,
     orbit: tuple[float, float, float],

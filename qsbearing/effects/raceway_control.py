@@ -35,7 +35,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.entry import Entry, Errors, choice
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import friction_errors
@@ -62,7 +62,7 @@ CLEARLY_OUTER = 1.2
 (measured: 98 % of random scenes)."""
 
 
-@kernel
+@inlined
 def rotation_axis(control: int, g: float, si: float, ci: float, so: float, co: float) -> tuple[float, ...]:
     """A vector (p, q) along the ball's axis, tan(beta) = p/q, and its derivatives: (p, q, p_i, q_i, p_o, q_o)."""
     if control == INNER:

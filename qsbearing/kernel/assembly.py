@@ -68,7 +68,7 @@ def assemble_balls(case: recarray, work: recarray, balls: ndarray) -> tuple[floa
         if imbalance > worst_own * max(lighter, least):
             worst_own = imbalance / max(lighter, least)
         total += imbalance
-        inertial = max(inertial, fc, friction)
+        inertial = max(inertial, max(fc, friction))
         contact = max(contact, load)
         add_ball(work, ball)
     if case.elastic_rings:

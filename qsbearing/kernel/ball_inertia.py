@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy import recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.centrifugal_force import centrifugal_force
 from qsbearing.effects.gyroscopic_moment import gyroscopic_moment, moment_shares
 from qsbearing.effects.orbit_radius import displaced_radius
@@ -18,13 +18,13 @@ from qsbearing.kernel.raceway_stiffness import contact_loads
 POSITION_ROUNDING = 4.0 * 2.0**-52
 
 
-@kernel
+@inlined
 def is_moving(case: recarray) -> bool:
     """Whether a named effect has some speed to act at."""
     return (case.centrifugal or case.gyroscopic) and (case.inner_speed != 0.0 or case.outer_speed != 0.0)
 
 
-@kernel
+@inlined
 def motion_loads(
     case: recarray,
     work: recarray,
@@ -61,7 +61,7 @@ def inertia(
     return motion_loads(case, work, axis, 1.0, 0.5 * case.pitch_diameter, si, ci, so, co)
 
 
-@kernel
+@inlined
 def rolling_line(case: recarray, ball: recarray) -> tuple[float, float, float, float, float]:
     """The ball's inner contact line as rolling sees it, with its derivatives."""
     length = inner_length(case, ball)
@@ -69,7 +69,7 @@ def rolling_line(case: recarray, ball: recarray) -> tuple[float, float, float, f
     return inner_line(si, ci, so, co, ball.inner_approach, length)
 
 
-@kernel
+@inlined
 def orbit_radius(case: recarray, ball: recarray) -> float:
     """The radius at which the ball's centre goes round: the pitch circle's, or its own."""
     if not case.displaced_orbit:
@@ -79,7 +79,7 @@ def orbit_radius(case: recarray, ball: recarray) -> float:
     return displaced_radius(touching, outer_length(case, ball), case.cos_free, ball.outer_cosine, ball.outer_approach)
 
 
-@kernel
+@inlined
 def control_weight(ball: recarray, radius: float, ci: float, co: float, inner_load: float, outer_load: float) -> float:
     """The inner raceway's weight in the ball's axis under minimum dissipation; 0 under any other control."""
     if ball.control != MINIMUM_DISSIPATION:
@@ -87,7 +87,7 @@ def control_weight(ball: recarray, radius: float, ci: float, co: float, inner_lo
     return inner_weight(0.5 * ball.diameter / radius, ci, co, inner_load, outer_load, ball.inner_spin, ball.outer_spin)
 
 
-@kernel
+@inlined
 def ball_axis(
     ball: recarray, weight: float, radius: float, si: float, ci: float, so: float, co: float
 ) -> tuple[float, ...]:
@@ -129,13 +129,13 @@ def inertia_of(case: recarray, work: recarray, ball: recarray) -> tuple[float, f
     return fc, mg * ball.diameter
 
 
-@kernel
+@inlined
 def is_rolled(ball: recarray) -> bool:
     """Whether some raceway rolls the ball: it must be pressed by more than the rounding of its position."""
     return bool(max(ball.inner_approach, ball.outer_approach) > POSITION_ROUNDING)
 
 
-@kernel
+@inlined
 def friction_shares(case: recarray, control: int, weight: float) -> tuple[float, float]:
     """(lambda_i, lambda_o) of a ball; none where no gyroscopic moment is asked for."""
     if not case.gyroscopic:

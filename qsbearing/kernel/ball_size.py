@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.kernel.case import BALL_INERTIA, BALL_MASS
 
 
@@ -19,13 +19,13 @@ def set_diameters(case: recarray, count: int, balls: ndarray, own: ndarray) -> N
             ball.inner_stiffness, ball.outer_stiffness = own[n].inner_stiffness, own[n].outer_stiffness
 
 
-@kernel
+@inlined
 def ball_mass(diameter: float) -> float:
     """m, as the cube of the diameter."""
     return BALL_MASS * diameter * diameter * diameter
 
 
-@kernel
+@inlined
 def ball_inertia(diameter: float) -> float:
     """J = m D^2/10."""
     return BALL_INERTIA * diameter * diameter * diameter * diameter * diameter

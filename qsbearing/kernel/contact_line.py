@@ -10,16 +10,16 @@ from __future__ import annotations
 
 from math import sqrt
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined
 
 
-@kernel
+@inlined
 def inverse_of(distance: float) -> float:
     """1/distance; 0 where the points meet, since a line without direction does not turn."""
     return 1.0 / distance if distance > 0.0 else 0.0
 
 
-@kernel
+@inlined
 def direction(
     length: float, sin_free: float, cos_free: float, v1: float, v2: float
 ) -> tuple[float, float, float, float]:
@@ -35,7 +35,7 @@ def direction(
     return approach, x1 * inverse, x2 * inverse, inverse
 
 
-@kernel
+@inlined
 def line_displacement(
     length: float, sin_free: float, cos_free: float, n1: float, n2: float, approach: float
 ) -> tuple[float, float]:
@@ -43,7 +43,7 @@ def line_displacement(
     return length * (n1 - sin_free) + approach * n1, length * (n2 - cos_free) + approach * n2
 
 
-@kernel
+@inlined
 def contact_load(stiffness: float, approach: float) -> tuple[float, float]:
     """Q = K max(delta, 0)^1.5 and dQ/d delta."""
     if approach <= 0.0:
@@ -52,7 +52,7 @@ def contact_load(stiffness: float, approach: float) -> tuple[float, float]:
     return stiffness * approach * root, 1.5 * stiffness * root
 
 
-@kernel
+@inlined
 def contact_tangent(
     load: float, load_slope: float, friction_slope: float, n1: float, n2: float, inverse_distance: float
 ) -> tuple[float, float, float, float]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from numpy import recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.gyroscopic_moment import moment_shares
 from qsbearing.effects.raceway_control import INNER, MINIMUM_DISSIPATION, weight_slopes
 from qsbearing.kernel.ball_size import ball_inertia, ball_mass
@@ -31,7 +31,7 @@ def directional(
     Of omega_m = (omega_i b u + omega_o a v)/S, omega_R/|(p, q)| = -Delta a b/(g S) and what follows from them.
     """
     si, ci, so, co = lines
-    p, q = axis[0], axis[1]
+    p, q, _, _, _, _ = axis
     g = 0.5 * diameter / radius
     dg = -g * dradius / radius
     inner_speed, outer_speed = work.speed_factor * case.inner_speed, work.speed_factor * case.outer_speed
@@ -72,14 +72,17 @@ def weight_changes(
         return 0.0, 0.0, 0.0, 0.0, 0.0
     g = 0.5 * ball.diameter / radius
     si, ci, so, co = lines
+    seen_by_inner, seen_by_outer, seen_by_approach = seen
+    qi, qi_slope, by_inner_angle = inner
+    qo, qo_slope, by_outer_angle = outer
     by_seen, by_outer, by_inner_approach, by_outer_approach, by_g = weight_slopes(
-        weight, g, si, ci, so, co, inner[0], inner[1], outer[0], outer[1]
+        weight, g, si, ci, so, co, qi, qi_slope, qo, qo_slope
     )
     through_load = 4.0 / 3.0 * weight * (1.0 - weight)
     return (
-        by_seen * seen[0] + through_load * inner[2],
-        by_seen * seen[1] + by_outer - through_load * outer[2],
-        by_seen * seen[2] + by_inner_approach,
+        by_seen * seen_by_inner + through_load * by_inner_angle,
+        by_seen * seen_by_outer + by_outer - through_load * by_outer_angle,
+        by_seen * seen_by_approach + by_inner_approach,
         by_outer_approach,
         -by_g * g / radius,
     )
@@ -93,9 +96,10 @@ def axis_by_g(ball: recarray, weight: float) -> float:
     return -1.0 if ball.control == INNER else 1.0
 
 
-@kernel
+@inlined
 def inner_share_slope(case: recarray, ball: recarray) -> float:
     """d lambda_i/dw; what the outer raceway's share loses."""
     if ball.control != MINIMUM_DISSIPATION or not case.gyroscopic:
         return 0.0
-    return moment_shares(case.shares, True)[0]
+    whole, _ = moment_shares(case.shares, True)
+    return whole

@@ -41,7 +41,7 @@ def thrust_at_rest(case: recarray, axial_load: float) -> float:
     q = abs(axial_load) / (case.ball_count * case.series_stiffness)
     if case.interference > 0.0:
         # Wedged balls: the line grows by h beyond the interference e, sin a = sqrt(2 h/l), q = (e + h)^(3/2) sin a.
-        by_wedge = 0.5 * length * q * q / case.interference**3
+        by_wedge = 0.5 * length * q * q / (case.interference * case.interference * case.interference)
         size = length * sqrt(2.0 * min(by_wedge, sqrt(q * sqrt(0.5 * length))) / length)
         return size if axial_load >= 0.0 else -size
     # Near a0 = 0 the angle is made by the load: sin a = sqrt(2 d/l), q = d^(3/2) sin a.
@@ -128,7 +128,7 @@ def thrust_at_speed(case: recarray, work: recarray, control: int, axial_load: fl
         di, do = (q / (si * ki)) ** (2.0 / 3.0), (q / (so * ko)) ** (2.0 / 3.0)
         ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
         value = (li + di) * t / ri + (lo + do) * (t + ratio) / ro - radial
-        slope = (li + di) / ri**3 + (lo + do) / ro**3
+        slope = (li + di) / (ri * ri * ri) + (lo + do) / (ro * ro * ro)
         t = max(t - value / slope, 0.02)
         ri, ro = sqrt(1.0 + t * t), sqrt(1.0 + (t + ratio) * (t + ratio))
         si, ci, so, co = 1.0 / ri, t / ri, 1.0 / ro, (t + ratio) / ro

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from math import atan2, cos, sin
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined
 
 # A ball that has lost the inner raceway goes over to the orbit of equal contact angles within a gap of this part of the
 # inner line's free length. A choice: a jump would leave some balls without an equilibrium on either side of it; over
@@ -28,7 +28,7 @@ from qsbearing.compiled import kernel
 LOSING = 0.02
 
 
-@kernel
+@inlined
 def inner_line(
     si: float, ci: float, so: float, co: float, approach: float, length: float
 ) -> tuple[float, float, float, float, float]:
@@ -57,7 +57,7 @@ def inner_line(
     return so * turn_c + co * turn_s, co * turn_c - so * turn_s, by_inner, 1.0 - by_inner, slope
 
 
-@kernel
+@inlined
 def rolling_terms(
     g: float, si: float, ci: float, so: float, co: float, axis: tuple[float, ...]
 ) -> tuple[float, float, float, float, float, float, float, float, float, float]:
@@ -72,7 +72,7 @@ def rolling_terms(
     return av, av_i, av_o, bu, bu_i, bu_o, a * b, a * b_i, a_o * b, av + bu
 
 
-@kernel
+@inlined
 def orbital_speed(terms: tuple[float, ...], inner_speed: float, outer_speed: float) -> tuple[float, float, float]:
     """omega_m, the speed of the ball's centre about the bearing axis, and its derivatives by ai and ao."""
     av, av_i, av_o, bu, bu_i, bu_o, _, _, _, S = terms
@@ -83,7 +83,7 @@ def orbital_speed(terms: tuple[float, ...], inner_speed: float, outer_speed: flo
     return speed, by_inner, by_outer
 
 
-@kernel
+@inlined
 def rotation_per_axis_length(
     terms: tuple[float, ...], g: float, inner_speed: float, outer_speed: float
 ) -> tuple[float, float, float]:

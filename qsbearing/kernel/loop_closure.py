@@ -10,51 +10,51 @@ from math import atan2, cos, sin
 
 from numpy import ndarray, recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.kernel.contact_line import direction, line_displacement
 
 # Of lengths, in units of their sum: the sum of the roundings of all steps, 2e-16 or so for each line and step.
 ROUNDING = 4e-15
 
 
-@kernel
+@inlined
 def inner_length(case: recarray, ball: recarray) -> float:
     """Free length of the inner contact line, ri - D/2."""
     return case.inner_coefficient - 0.5 * ball.diameter
 
 
-@kernel
+@inlined
 def outer_length(case: recarray, ball: recarray) -> float:
     """Free length of the outer contact line, ro - D/2."""
     return case.outer_coefficient - 0.5 * ball.diameter
 
 
-@kernel
+@inlined
 def whole_length(case: recarray, ball: recarray) -> float:
     """Free length of both together, from groove centre to groove centre, ri + ro - D."""
     return case.inner_coefficient + case.outer_coefficient - ball.diameter
 
 
-@kernel
+@inlined
 def set_outer_line(ball: recarray, sine: float, cosine: float, approach: float) -> None:
     """Give the outer contact line this direction and approach."""
     ball.outer_sine, ball.outer_cosine, ball.outer_approach = sine, cosine, approach
 
 
-@kernel
+@inlined
 def set_inner_line(ball: recarray, sine: float, cosine: float, approach: float) -> None:
     """Give the inner contact line this direction and approach."""
     ball.inner_sine, ball.inner_cosine, ball.inner_approach = sine, cosine, approach
 
 
-@kernel
+@inlined
 def ball_displacement(case: recarray, ball: recarray) -> tuple[float, float]:
     """The ball's centre from the outer groove's, less touching at the free angle."""
     n1, n2, approach = ball.outer_sine, ball.outer_cosine, ball.outer_approach
     return line_displacement(outer_length(case, ball), case.sin_free, case.cos_free, n1, n2, approach)
 
 
-@kernel
+@inlined
 def closure_residual(length: float, a1: float, a2: float, w1: float, w2: float) -> tuple[float, float]:
     """What contact lines that add up to w lack of the groove centres' displacement A; 0 where rounding could make it.
 
@@ -67,7 +67,7 @@ def closure_residual(length: float, a1: float, a2: float, w1: float, w2: float) 
     return closure1, closure2
 
 
-@kernel
+@inlined
 def inner_span(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: float) -> tuple[float, float, float]:
     """(free length, w1, w2) of the inner line if the loop is closed; at rest it is the only line."""
     if at_rest:
@@ -76,13 +76,13 @@ def inner_span(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
     return inner_length(case, ball), a1 - u1, a2 - u2
 
 
-@kernel
+@inlined
 def longer_line(case: recarray, length: float) -> float:
     """The longer of the outer line and the inner one, of this length: its rounding is in what is left to the other."""
     return max(length, case.outer_coefficient - 0.5)
 
 
-@kernel
+@inlined
 def inner_closure(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> tuple[float, float]:
     """The residual of loop closure: what the inner line, of this free length, lacks of w."""
     n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
@@ -90,7 +90,7 @@ def inner_closure(case: recarray, ball: recarray, length: float, w1: float, w2: 
     return closure_residual(longer_line(case, length), w1, w2, v1, v2)
 
 
-@kernel
+@inlined
 def set_inner_from_positions(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> None:
     """Close the loop by the inner line, but keep an approach that differs by the rounding of positions only.
 

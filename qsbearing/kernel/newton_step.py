@@ -6,7 +6,7 @@ from math import inf
 
 from numpy import ndarray, recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.kernel.assembly import close_loops
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.linear import solve_in_place
@@ -67,7 +67,7 @@ def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
         da1, da2 = inner_groove_step(case, work.step, ball.cosine, ball.sine)
         if case.elastic_rings:
             da2 -= ball.give_step
-        farthest = max(farthest, abs(da1), abs(da2))
+        farthest = max(farthest, max(abs(da1), abs(da2)))
         ball.inner_step1, ball.inner_step2 = ball.closure1 + da1, ball.closure2 + da2
         outer = 0.0
         if not work.at_rest:
@@ -95,7 +95,7 @@ def is_far(work: recarray) -> bool:
     return False
 
 
-@kernel
+@inlined
 def stepped_line(
     length: float, n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float, most: float
 ) -> tuple[float, float, float]:
@@ -126,7 +126,7 @@ def stepped_line(
     return m1 * size, m2 * size, approach
 
 
-@kernel
+@inlined
 def settle_inner_line(
     case: recarray, work: recarray, ball: recarray, a1: float, a2: float, most: float, is_near: bool
 ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy import ndarray, recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.contact.hertz import (
     INNER_SIDE,
     OUTER_SIDE,
@@ -17,7 +17,7 @@ from qsbearing.effects.raceway_control import MINIMUM_DISSIPATION
 from qsbearing.kernel.contact_line import contact_load
 
 
-@kernel
+@inlined
 def groove_stiffness(case: recarray, ball: recarray, side: float, n1: float, n2: float) -> tuple[float, float]:
     """K of a raceway's contact and d ln K/d alpha: constants of bearing or ball, or at the contact's own angle."""
     if case.actual_angle:
@@ -88,4 +88,6 @@ def contact_loads(case: recarray, ball: recarray) -> tuple[float, float]:
     """(Qi, Qo) of a ball between its two contacts."""
     ki, _ = groove_stiffness(case, ball, INNER_SIDE, ball.inner_sine, ball.inner_cosine)
     ko, _ = groove_stiffness(case, ball, OUTER_SIDE, ball.outer_sine, ball.outer_cosine)
-    return contact_load(ki, ball.inner_approach)[0], contact_load(ko, ball.outer_approach)[0]
+    inner, _ = contact_load(ki, ball.inner_approach)
+    outer, _ = contact_load(ko, ball.outer_approach)
+    return inner, outer

@@ -88,7 +88,8 @@ def read_contact(
     n1, n2, delta = ball.outer_sine, ball.outer_cosine, ball.outer_approach
     if side < 0:
         n1, n2, delta = ball.inner_sine, ball.inner_cosine, ball.inner_approach
-    load, _ = contact_load(groove_stiffness(case, ball, side, n1, n2)[0], delta)
+    stiffness, _ = groove_stiffness(case, ball, side, n1, n2)
+    load, _ = contact_load(stiffness, delta)
     if load == 0.0 and not is_moving(case):
         n1, n2, delta = nan, nan, nan
     put(asked, tables, LOAD, out, k, j, load * force)
@@ -122,7 +123,7 @@ def read_motion(
     if not asked & SPEEDS:
         return
     radius, _, si, ci, axis = axis_where_it_is(case, work, ball)
-    p, q = axis[0], axis[1]
+    p, q, _, _, _, _ = axis
     g = 0.5 * ball.diameter / radius
     terms = rolling_terms(g, si, ci, ball.outer_sine, ball.outer_cosine, axis)
     put(

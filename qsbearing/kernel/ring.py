@@ -14,7 +14,7 @@ from math import cos, pi, sin
 
 from numpy import ndarray, recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.unequal_balls import from_own_touching
 
 
@@ -120,7 +120,7 @@ def couple_channels(case: recarray, work: recarray, balls: ndarray) -> None:
             ball.lever[p] = case.tilt_lever * turn if i >= 3 else turn
 
 
-@kernel
+@inlined
 def inner_groove_centre(case: recarray, displacement: ndarray, ball: recarray) -> tuple[float, float]:
     """A ball's inner groove centre at this displacement of the ring, from where the ball touches at the free angle.
 
@@ -136,7 +136,7 @@ def inner_groove_centre(case: recarray, displacement: ndarray, ball: recarray) -
     return a1, a2
 
 
-@kernel
+@inlined
 def inner_groove_step(case: recarray, displacement: ndarray, cosine: float, sine: float) -> tuple[float, float]:
     """Displacement of a ball's inner groove centre with the ring (19.3, 19.4)."""
     return (
@@ -156,7 +156,7 @@ def start_sums(case: recarray, work: recarray) -> None:
             work.matrix[p, q] = 0.0
 
 
-@kernel
+@inlined
 def add_ball(work: recarray, ball: recarray) -> None:
     """Add a ball's force to the ring's imbalance, and its condensed force and stiffness to the ring's system."""
     for p in range(work.channel_count):

@@ -260,14 +260,15 @@ def solve_cases(
     results: ndarray,
     positions: ndarray,
     controls: ndarray,
-) -> None:
+) -> int:
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
     case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
-    there are none. An unfinished case keeps its start.
+    there are none. An unfinished case keeps its start. Returns how many are unfinished.
     """
     work = workspaces[0]
+    unfinished = 0
     for k in range(cases.size):
         case, result = cases[k], results[k]
         prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
@@ -280,3 +281,6 @@ def solve_cases(
         result.status = CONVERGED if found >= CONTRADICTED else UNFINISHED
         if found >= CONTRADICTED:
             deliver(case, work, balls, result, positions[k], controls[k])
+        else:
+            unfinished += 1
+    return unfinished

@@ -97,7 +97,8 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
         si, ci = (p1 - lo * so) / li, (p2 - lo * co) / li
         f1, f2 = inertia_force(case, work, ball.control, si, ci, so, co)
         if attempt == 2:
-            f1, f2 = 0.0, corner_inertia(case, work, ball.control, si, ci, so, co)[0]
+            f2, _ = corner_inertia(case, work, ball.control, si, ci, so, co)
+            f1 = 0.0
         sine = so * ci - co * si
         sine = max(sine, STRAIGHT) if sine > 0.0 else min(sine, -STRAIGHT)
         qi, qo = (f1 * co - f2 * so) / sine, (f1 * ci - f2 * si) / sine

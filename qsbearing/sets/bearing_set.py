@@ -18,6 +18,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.elastic_seats import clearance_errors
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
@@ -312,8 +313,8 @@ def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
     found: list[list[ErrorDetail]] = []
     for number in range(len(of.rows)):
         try:
-            of.row_scene(number, plain)
-            found.append([])
+            row = of.row_scene(number, plain)
+            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, plain))
         except SceneError as error:
             found.append(list(error.errors))
     common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]

@@ -14,6 +14,7 @@ from types import CodeType, FrameType
 from typing import Any
 
 import qsbearing as qs
+from qsbearing.solution import flatten
 from tests.qsbearing.scenes import (
     B218,
     BOTH,
@@ -36,6 +37,7 @@ def calls_of(scene: qs.Scene) -> dict[str, int]:
     """How often each function was entered in a solve, a stiffness and all that every scene can be asked for."""
     seen: Counter[CodeType] = Counter()
     solve = qs.solve  # imported before anything is counted
+    flatten._stiffness_of_one.cache_clear()  # of the scene before
 
     def hook(frame: FrameType, event: str, argument: Any) -> None:
         if event == "call" and frame.f_code.co_filename.startswith(PACKAGE):
