@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from typing import TYPE_CHECKING
 
@@ -38,7 +39,9 @@ _CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z", "moment_y", "m
 
 
 def stem(name: str) -> tuple[str, str]:
-    """What results on one panel share, and what tells one from another: raceway, channel, or nothing."""
+    """What results on one panel share, and what tells one from another: row of a set, raceway, channel, or nothing."""
+    if row := re.fullmatch(r"row_(\d+)_(\w+)", name):
+        return row[2], f"row {row[1]}"
     for side in ("inner", "outer"):
         if name.startswith(f"{side}_") and "ring" not in name and name != "inner_raceway_controls":
             return name.removeprefix(f"{side}_"), side
