@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from qsbearing.result_keys import (
     DISPLACEMENT,
     GEOMETRY,
     LOAD,
+    NODES,
     RING_SHAPE,
     RING_STATE,
     STIFFNESS,
@@ -26,7 +27,10 @@ from qsbearing.result_keys import (
     split,
 )
 from qsbearing.scene.scene import Scene
-from qsbearing.units import deg
+from qsbearing.units import deg, zero_celsius
+
+if TYPE_CHECKING:
+    from qsbearing.thermal.state import ThermalState
 
 
 class Contacts(Protocol):
@@ -49,6 +53,7 @@ class Solution(Protocol):
 
     scene: Scene
     shape: tuple[int, ...]
+    thermal: ThermalState | None
 
     @property
     def inner(self) -> Contacts: ...
@@ -143,6 +148,16 @@ def _least_loaded(solution: Solution) -> NDArray:
     return np.where(known & (most - least > margin), azimuth / deg, np.nan)
 
 
+def _node_temperature(solution: Solution, node: str) -> NDArray | None:
+    if solution.thermal is None or node not in solution.thermal.temperatures:
+        return None
+    return solution.thermal.temperatures[node] - zero_celsius
+
+
+def _steady_friction(solution: Solution) -> NDArray | None:
+    return None if solution.thermal is None else np.asarray(sum(solution.thermal.powers.values()))
+
+
 def _control(solution: Solution) -> NDArray | None:
     if solution.raceway_control is None:
         return None
@@ -170,6 +185,11 @@ def _all() -> dict[str, Quantity]:
     found += [
         _of_case(f"{side}_elastic_", shown, attrgetter(f"{side}_shape")) for side in sides for shown in RING_SHAPE
     ]
+    found += [
+        _quantity("steady_", f"{node}_temperature_C", False, lambda it, node=node: _node_temperature(it, node))  # type: ignore[misc]
+        for node in NODES
+    ]
+    found.append(_quantity("steady_", "friction_W", False, _steady_friction))
     found.append(Quantity("balls_off_inner", "balls", "balls_off_inner_balls", False, _unloaded, False))
     found.append(Quantity("least_loaded_azimuth", "deg", "least_loaded_azimuth_deg", False, _least_loaded, False))
     found.append(Quantity("azimuth", "deg", "azimuth_deg", True, lambda solution: solution.azimuth / deg, False))

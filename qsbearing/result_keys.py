@@ -15,7 +15,7 @@ from qsbearing.units import MPa, Nmm, deg, mm, mrad, rpm, um
 UNITS = {
     **{"N_per_um": "N/um", "Nm_per_mrad": "N m/mrad", "MPa_m_s": "MPa m/s", "m_s": "m/s", "mm_rpm": "mm rpm"},
     **{"Nmm": "N mm", "Nm": "N m"},
-    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "mrad", "rpm", "um", "mm", "MPa")},
+    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "mrad", "rpm", "um", "mm", "MPa", "C")},
 }
 """What keys end with, and the unit that it stands for."""
 
@@ -105,3 +105,7 @@ RING_SHAPE = (
     Shown("largest_seat_pressure_MPa", "largest_seat_pressure", MPa),
 )
 """Of a `RingShape`."""
+
+OF_EACH_ROW = ("inner_ring", "balls", "outer_ring")
+NODES = (*OF_EACH_ROW, "oil", "shaft", "housing", "ambient")
+"""Of a heat balance; a set has the first three once for each row."""

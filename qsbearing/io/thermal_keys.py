@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from qsbearing.result_keys import NODES
 from qsbearing.scene.keys import Key, celsius
-from qsbearing.thermal.network import NODES
 from qsbearing.units import kg_m3, mm
 from qsbearing.validation import DENSITY, LENGTH
 

@@ -60,18 +60,31 @@ def find(name: str, known: dict[str, Result]) -> Result | None:
 
 def reading_of(name: str) -> str | None:
     """The reading that a result's name belongs to, `_max` and `_min` understood; None where it is none of a reading."""
-    full = {
-        split(entry.column(side, shown))[0]: reading
-        for reading, entry in READINGS.items()
-        if entry.table is not None  # a spectrum is asked for by its points
-        for side, shown, _ in entry.shown()
-    }
+    full = _of_readings()
     stem, _, ending = name.rpartition("_")
     for each in (name, stem) if ending in OVER_BALLS else (name,):
         meant = each if each in full else by_short_name(each, full)
         if meant is not None:
-            return full[meant]
+            return full[meant][0]
     return None
+
+
+def _of_readings() -> dict[str, tuple[str, str]]:
+    """Of each result that a reading gives, the reading and what the result is, in words."""
+    return {
+        split(entry.column(side, shown))[0]: (reading, ", ".join(filter(None, (shown.plain_name, side))))
+        for reading, entry in READINGS.items()
+        if entry.table is not None  # a spectrum is asked for by its points
+        for side, shown, _ in entry.shown()
+    }
+
+
+def long_name(name: str) -> str:
+    """A result in words: those of its reading, or those of its name."""
+    stem, _, ending = name.rpartition("_")
+    if name not in quantities.ALL and ending in OVER_BALLS:
+        return f"{long_name(stem)}, {'largest' if ending == 'max' else 'smallest'}"
+    return _of_readings().get(name, ("", name.replace("_", " ")))[1]
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

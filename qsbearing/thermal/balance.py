@@ -15,7 +15,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.thermal.network import OF_EACH_ROW, Thermal
+from qsbearing.result_keys import OF_EACH_ROW
+from qsbearing.thermal.network import Thermal
 
 INLET = "oil inlet"
 """What the oil's flow leads to, among the paths of heat."""

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from qsbearing.effects import BallExpansion, RingEffect, RingExpansion
 from qsbearing.readings.asked import LUBRICANT
+from qsbearing.result_keys import NODES
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
 from qsbearing.thermal.balance import own_name
-from qsbearing.thermal.network import NODES, Thermal
+from qsbearing.thermal.network import Thermal
 
 Temperatures = Mapping[str, NDArray]
 RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from qsbearing.result_keys import NODES, OF_EACH_ROW
 from qsbearing.units import zero_celsius
 from qsbearing.validation import (
     DENSITY,
@@ -17,10 +18,6 @@ from qsbearing.validation import (
     raise_if_any,
     within,
 )
-
-OF_EACH_ROW = ("inner_ring", "balls", "outer_ring")
-NODES = (*OF_EACH_ROW, "oil", "shaft", "housing", "ambient")
-"""A set has the first three once for each row."""
 
 READING_OF = {"contacts": "friction", "skf": "friction_estimate", "palmgren": "friction_estimate"}
 """The models of friction, and the reading whose arguments each takes."""

@@ -55,12 +55,13 @@ def at_steady_temperatures(machine: Machine) -> Any:
         code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
         solution.withdraw(~good & np.asarray(solution.converged), code)
     temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
+    made = np.where(good, steady.powers, np.nan)
     named = balance.named(temperatures)
     solution.thermal = ThermalState(
         temperatures=named,
-        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, steady.powers, strict=True)},
+        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, made, strict=True)},
         flows=balance.flows(named),
-        imbalance=np.abs(balance.net_heat(temperatures, steady.powers)).max(axis=0, initial=0.0),
+        imbalance=np.abs(balance.net_heat(temperatures, made)).max(axis=0, initial=0.0),
         feedback=np.where(good, feedback(steady.slopes), np.nan),
         free=balance.free,
         verdict=verdict,

@@ -82,6 +82,9 @@ def test_all_cases_of_an_array_are_those_alone() -> None:
     together = qs.solve(replace(one, operation=replace(one.operation, speed=speeds)))
     assert state_of(together).verdict.tolist() == ["stable", "stable", "undecided"]
     assert together.status.tolist() == ["converged", "converged", "not_converged"]
+    table = together.to_dataframe().drop_duplicates("case_0")
+    assert np.allclose(table["steady_inner_ring_temperature_C"][:2], nodes(together)[0, :2] - qs.zero_celsius)
+    assert np.isnan(table["steady_friction_W"].to_numpy()[2])
     assert np.isnan(nodes(together)[:, 2]).all() and np.isnan(together.load[2]).all()
     for number in (0, 1):
         alone = qs.solve(replace(one, operation=replace(one.operation, speed=speeds[number])))

@@ -1,0 +1,50 @@
+"""The page of symbols says of each name what the tables of keys and results say: that it is there, and its unit."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import qsbearing as qs
+from qsbearing.effects import GyroscopicMoment
+from qsbearing.io.file_keys import numbers
+from qsbearing.readings.asked import READINGS
+from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
+from qsbearing.studies import keys
+from tests.guide.pages import GUIDE
+
+LINES = re.findall(r"^\| (.+?) \| (`.+?`) \| .*? \| (.+?) \|$", (GUIDE / "symbols.md").read_text("utf-8"), re.MULTILINE)
+WRITTEN = {"um": "µm", "Mrev": "million revolutions", "1": "-", "": "-", "balls": "-"}
+"""Units that the page writes otherwise."""
+OTHERS = (qs.Solution, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
+
+
+def units() -> dict[str, set[str]]:
+    """Of each name of a key or result the units that it has in files."""
+    found: dict[str, set[str]] = {"displacement": {split(key)[1] for key, _ in DISPLACEMENT}}
+    found["load"] = {split(key)[1] for key, _ in LOAD}
+    for table in numbers().values():
+        for key in table:
+            found.setdefault(key.field, set()).add(key.unit)
+    for name, key in keys.ALL.items():
+        found.setdefault(name, set()).add(key.unit)
+    shown = [*CONTACT, *BALL, *(each for entry in READINGS.values() for _, each, _ in entry.shown())]
+    for each in shown:
+        found.setdefault(each.path, set()).add(split(each.key)[1])
+    return {name: {WRITTEN.get(unit, unit) for unit in each} for name, each in found.items()}
+
+
+@pytest.mark.parametrize(("names", "written"), [line[1:] for line in LINES], ids=lambda text: text.replace("`", ""))
+def test_a_name_has_the_unit_that_the_page_says(names: str, written: str) -> None:
+    known = units()
+    named = [name.rpartition(".")[2] for name in re.findall(r"`([\w.]+)`", names)]
+    for name in named:
+        has_it = name in known or any(name in (*dir(each), *getattr(each, "__annotations__", ())) for each in OTHERS)
+        assert has_it, f"{name} is no key, result or attribute"
+        if name in known:
+            assert known[name] & set(written.split(", ")), (name, known[name], written)
+
+
+def test_every_line_with_a_name_was_read() -> None:
+    assert len(LINES) > 20
