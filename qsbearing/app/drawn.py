@@ -44,7 +44,7 @@ class Panel(NamedTuple):
     """[inches]."""
     alt: str
     projection: str | None = None
-    room: tuple[float, float, float, float] = (0.12, 0.15, 0.84, 0.74)
+    room: tuple[float, float, float, float] = (0.15, 0.15, 0.82, 0.74)
     """Left, bottom, width, height of the axes, as parts of the picture."""
 
 
@@ -90,7 +90,7 @@ def _finish(axes: Axes, speed: float, values: Any, name: str) -> None:
 
 PANELS = {
     "section": Panel(
-        _of_point(draw_section), (6.4, 5.4), "Section through the ball that carries most.", room=(0.0, 0.0, 1.0, 0.93)
+        _of_point(draw_section), (6.4, 5.4), "Section through the ball that carries most.", room=(0.1, 0.0, 0.8, 0.93)
     ),
     "angles": Panel(_of_point(draw_angles), (5.6, 3.4), "Contact angles of every ball by its azimuth."),
     "loads": Panel(_of_point(draw_loads), (4.4, 4.2), "Contact loads of all balls around the bearing.", "polar"),

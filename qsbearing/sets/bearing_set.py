@@ -299,11 +299,11 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
     for number, row in enumerate(of.rows, 1):
         for rings in of.ring_effects if row.ring_effects is None else row.ring_effects:
             for body in ("shaft", "housing"):
-                both = (getattr(of, body), getattr(rings, f"{body}_temperature", None))
-                if both[1] is not None and getattr(both[0], "temperature", None) is not None:
+                own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
+                if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
                     cause = f"Give the {body}'s own temperature alone: its rows take it from there"
                     path = f"row {number}.ring_expansion.{body}_temperature"
-                    errors.append(ErrorDetail(path, f"is given beside {body}.temperature", cause=cause))
+                    errors.append(ErrorDetail(path, f"is another than {body}.temperature", cause=cause))
     return errors
 
 
