@@ -99,3 +99,10 @@ def difference(row: Row) -> str:
         return told.found
     deviation, uncertainty = own_difference(row) if passes_through_zero(row) else (told.deviation, told.uncertainty)
     return deviation + (f" ± {uncertainty}" if uncertainty else "")
+
+
+def deviation(row: Row) -> str:
+    """Deviation ± its uncertainty: per cent, unless a unit stands behind it; nothing of a reference that is zero."""
+    if row["found"] is None or row["reference"] == 0.0:
+        return ""
+    return difference(row) + (f" {in_unit(row)[1]}" if passes_through_zero(row) else "")

@@ -1,7 +1,7 @@
-"""The validation book: one page per published case, made by the run that checks it.
+"""The validation book: published cases, each with a record of the run that checks it.
 
 A case is one file of `cases`. A run computes its numbers, compares them with the published ones and keeps a record;
-page and picture are formatted from the record alone.
+the report's section and picture are formatted from the record alone.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Runs cases of the book and keeps records, pages and pictures."""
+"""Runs cases of the book and keeps their records."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from fem_check import memory, records_store
-from fem_check.book import page, picture, records
+from fem_check import memory
+from fem_check.book import records
 from fem_check.book.cases import ALL
 from qsbearing import provenance
 
@@ -23,8 +23,7 @@ def run_book(
 
     Args:
         names: of cases.
-        out: folder that gets `book/NAME.json`, its page `NAME.md` and picture `NAME.svg`, and the index `README.md` of
-            all records there; None writes nothing.
+        out: folder that gets `book/NAME.json` of each case; None writes nothing.
         progress: called with the name of each case before it runs, and the part that is done.
 
     Returns:
@@ -55,20 +54,4 @@ def run_book(
         found.append(records.record(case, result, run))
         if out is not None:
             records.write(found[-1], out)
-    if out is not None:
-        write_pages(out)
     return found
-
-
-def write_pages(folder: Path) -> Path:
-    """Page and picture of every record in a folder of records, and the index; returns the index's path."""
-    entries = records.read_all(folder)
-    entries = {name: entries[name] for name in ALL if name in entries}
-    target = records.folder_of(folder)
-    target.mkdir(parents=True, exist_ok=True)
-    for name, entry in entries.items():
-        records_store.replace(target / entry["picture"]["file"], picture.svg(entry))
-        records_store.replace(target / f"{name}.md", page.markdown(entry).encode())
-    path = target / "README.md"
-    records_store.replace(path, page.index(list(entries.values())).encode())
-    return path

@@ -218,7 +218,8 @@ def influence(grid: tuple[int, int], count: int, one: Body) -> Array:
     """Radial movement of the groove at each ball by the radial loads of all [m/N]; (ball, ball).
 
     The load is spread over an element to either side; what moves the ring as a body is taken from it, and a
-    half-plane's part of each harmonic, 2 r/(E n), from what it moves.
+    half-plane's part of each harmonic, 2 r/(E n), from what it moves; harmonics beyond the model's are left out, which
+    make up to 0.1 % of a displacement here.
     """
     bottom, spread = one.bore_radius, np.pi / grid[0]
     load = one.pressed(bottom, lambda angle: 1.0 * (angle < spread)) / (2.0 * spread * bottom * WIDTH)
@@ -230,7 +231,7 @@ def influence(grid: tuple[int, int], count: int, one: Body) -> Array:
     moved[2:] -= (
         2.0 * bottom / (one.material.elastic_modulus * n) * np.sinc(n * spread / np.pi) / (np.pi * bottom * WIDTH)
     )
-    moved[1] = 0.0
+    moved[1], moved[ring_compliance.MOST_HARMONICS + 1 :] = 0.0, 0.0
     angle = 2.0 * np.pi * np.arange(count) / count
     by_distance = np.cos(np.outer(angle, np.arange(len(moved)))) @ moved
     return np.asarray(by_distance[np.subtract.outer(np.arange(count), np.arange(count)) % count])

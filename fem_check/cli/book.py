@@ -7,12 +7,11 @@ import sys
 from pathlib import Path
 
 import click
-from rich.box import SIMPLE
-from rich.console import Console
-from rich.table import Table
 from rich.text import Text
 
-from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
+from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, VERDICT, progress_bar, refuse, require
+from qsbearing.cli.output import print_table, print_wrote
+from qsbearing.io.tables import plain_table
 
 
 @click.command("book")
@@ -22,14 +21,16 @@ from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse
 def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
     """Hold qsbearing against published catalogues, standards and measurements, all cases by default.
 
-    Writes a record, a page and a picture of each case, and an index, into the folder `book` of a folder of results.
+    Writes a record of each case, and all of them as one page, book.html, into the folder `book` of a folder of results.
     """
-    require("report", "matplotlib")
+    require("report", "jinja2", "markdown_it", "mdit_py_plugins", "matplotlib")
     from fem_check import book
+    from fem_check.report.files import write_book
 
     try:
         with progress_bar(as_json) as reporter:
             found = book.run_book(names, out, reporter("book"))
+        page = write_book(out)
     except book.UnknownCaseError as problem:
         refuse(str(problem))
     except OSError as problem:
@@ -38,12 +39,11 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
         for entry in found:
             print(json.dumps(entry))
     else:
-        table = Table(box=SIMPLE, padding=(0, 1), pad_edge=False)
-        for heading in ("case", "kind", "", "found"):
-            table.add_column(heading, overflow="fold")
+        table = plain_table("Published cases", ("case", "kind", "", "found"), left=(0, 1, 2, 3))
+        table.columns[-1].no_wrap = False
         for entry in found:
-            style = {"pass": "green", "fail": "bold red"}[entry["verdict"]]
-            table.add_row(entry["case"], entry["kind"], Text(entry["verdict"], style=style), Text(entry["summary"]))
-        Console().print(table)
-        Console(soft_wrap=True, highlight=False).print(f"pages: {out / 'book' / 'README.md'}")
+            verdict = Text(entry["verdict"], style=VERDICT[entry["verdict"]])
+            table.add_row(entry["case"], entry["kind"], verdict, Text(entry["summary"]))
+        print_table(table)
+        print_wrote([page])
     sys.exit(OUT_OF_TOLERANCE if any(entry["verdict"] == "fail" for entry in found) else 0)

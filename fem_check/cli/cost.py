@@ -7,11 +7,10 @@ import tempfile
 from pathlib import Path
 
 import click
-from rich.box import SIMPLE
-from rich.console import Console
-from rich.table import Table
 
 from fem_check.cli.output import FEM, progress_bar, refuse, require
+from qsbearing.cli.output import print_table, print_text, print_wrote
+from qsbearing.io.tables import plain_table
 
 
 @click.command("cost")
@@ -52,13 +51,11 @@ def cost(level: str, out: Path, as_json: bool) -> None:
     if as_json:
         print(json.dumps(found))
         return
-    console = Console()
     for each in (table.measured(found), table.mesh_choices(found)):
-        shown_table = Table(title=each.title, title_justify="left", box=SIMPLE, padding=(0, 1), pad_edge=False)
-        for index, heading in enumerate(each.headings):
-            shown_table.add_column(heading, justify="right" if index else "left", overflow="fold")
+        shown = plain_table(each.title, each.headings)
+        shown.columns[0].no_wrap = False
         for row in each.rows:
-            shown_table.add_row(*row)
-        console.print(shown_table)
-    plain = Console(soft_wrap=True, highlight=False, markup=False)
-    plain.print(table.remark(found), f"wrote {path}", sep="\n")
+            shown.add_row(*row)
+        print_table(shown)
+    print_text(f"{table.remark(found)}\n")
+    print_wrote([path])

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import click
-from rich.console import Console
-from rich.table import Table
+
+from qsbearing.cli.output import print_table
+from qsbearing.io.tables import plain_table
 
 
 @click.command("list")
@@ -14,20 +15,12 @@ def list_checks() -> None:
     from fem_check.book.cases import ALL as CASES
     from fem_check.checks import ALL, OPTIONAL
 
-    checks = _table("Checks (fem-check run)")
+    checks = plain_table("Checks (fem-check run)", ("check", "question"), left=(0, 1))
     for check in (ALL | OPTIONAL).values():
         checks.add_row(check.name, f"{check.question}\n[dim]{check.kind}; tolerance: {check.tolerance}[/dim]")
-    book = _table("Published cases (fem-check book)")
+    book = plain_table("Published cases (fem-check book)", ("case", "kind"), left=(0, 1))
     for case in CASES.values():
         book.add_row(case.name, f"{case.texts.title}\n[dim]{EVIDENCE[case.texts.evidence]}[/dim]")
-    Console(highlight=False).print(checks, "", book)
-
-
-def _table(title: str) -> Table:
-    """Names, whole at 80 columns, and what there is to say of each."""
-    table = Table(
-        title=title, title_justify="left", title_style="bold", box=None, show_header=False, padding=(0, 2, 0, 0)
-    )
-    table.add_column(no_wrap=True)
-    table.add_column()
-    return table
+    for table in (checks, book):
+        table.columns[1].no_wrap = False
+        print_table(table)

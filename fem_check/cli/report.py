@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import click
-from rich.console import Console
 
 from fem_check.cli.output import RESULTS, refuse, require
+from qsbearing.cli.output import print_text, print_wrote
+from qsbearing.validation import printable
 
 
 @click.command("report")
@@ -25,11 +26,11 @@ from fem_check.cli.output import RESULTS, refuse, require
     help="Folder of an earlier release's records, to be compared with.",
 )
 def report(out: Path, records: Path | None, previous: Path | None) -> None:
-    """Write the validation report, HTML and PDF, from records alone; runs no check.
+    """Write the validation report as HTML and PDF, and its rows as CSV and JSON, from records alone; runs no check.
 
     Exit codes: 0 written, whatever the verdict in it; 2 no records, or a missing dependency.
     """
-    require("report", "jinja2", "typst", "markdown_it", "matplotlib")
+    require("report", "jinja2", "typst", "markdown_it", "mdit_py_plugins", "matplotlib")
     from fem_check import records_store
     from fem_check.report import evidence, files
 
@@ -39,5 +40,5 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
         written = files.write(found, None if previous is None else evidence.read(previous, alone=True), out)
     except (records_store.RecordError, OSError) as problem:
         refuse(str(problem))
-    console = Console(soft_wrap=True, highlight=False)
-    console.print(*(f"wrote {path}" for path in written), f"from the records in {folder}", sep="\n")
+    print_wrote(written)
+    print_text(f"from the records in {printable(str(folder))}\n")

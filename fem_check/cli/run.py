@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.console import Console
 
 from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.contact_table import contact_tables
 from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from fem_check.ring_sections import DIMENSIONS
+from qsbearing.cli.output import print_table, print_text
+from qsbearing.validation import printable
 
 
 def ring_options(command: Any) -> Any:
@@ -54,7 +55,6 @@ def run_checks(
 
     finished: list[str] = []
     failed = False
-    console = Console()
     try:
         chosen = runner.selected(names, scene is not None)
         with progress_bar(as_json) as reporter:
@@ -64,7 +64,7 @@ def run_checks(
                 if as_json:
                     print(json.dumps(entry), flush=True)
                 else:
-                    console.print((contact_tables if entry["check"] in OF_BEARING else agreement_table)(entry))
+                    print_table((contact_tables if entry["check"] in OF_BEARING else agreement_table)(entry))
     except runner.BadInputError as problem:
         refuse(str(problem) + _kept(finished, out))
     except KeyboardInterrupt:
@@ -72,7 +72,7 @@ def run_checks(
     except OSError as problem:
         refuse(f"the records in {out} cannot be written: {problem}")
     if not as_json:
-        console.print(f"records: {out / level}", soft_wrap=True, highlight=False)
+        print_text(f"records: {printable(str(out / level))}\n")
     sys.exit(OUT_OF_TOLERANCE if failed else 0)
 
 

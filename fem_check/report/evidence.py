@@ -1,4 +1,4 @@
-"""All records that the report is made from, each with the name of its file and the command that makes it anew."""
+"""All records that the report is made from, each with the name of its file and the command that makes it again."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     return Evidence(
         records,
         checks,
-        _book(records) or ({} if alone else _book(records_store.FOLDER)),
+        published(records) or ({} if alone else published(records_store.FOLDER)),
         _cost(records) or _cost(records_store.FOLDER),
         _elsewhere("tests/reference/table.json", "python -m tests.reference.table"),
         _elsewhere("tests/relations.json", "python -m tests.relations"),
@@ -186,7 +186,8 @@ def _cost(records: Path) -> Kept | None:
     return Kept(f"{_label(records)}/cost/{level}.json", found, f"fem-check cost --level {level}")
 
 
-def _book(records: Path) -> dict[str, Kept]:
+def published(records: Path) -> dict[str, Kept]:
+    """The records of the book in a folder of records."""
     found = {}
     for path in sorted((records / "book").glob("*.json")):
         data = _load(path)

@@ -1,27 +1,77 @@
-"""The report as files: one HTML page and one PDF, both or none."""
+"""The report as files, all or none: an HTML page, a PDF without the table of every row, the rows as CSV and JSON."""
 
 from __future__ import annotations
 
+import csv
+import json
+from io import StringIO
 from pathlib import Path
+from typing import Any
 
 from fem_check import records_store
+from fem_check.book.records import folder_of
 from fem_check.report import validation
-from fem_check.report.evidence import Evidence
+from fem_check.report.evidence import Evidence, published
+from fem_check.report.sections import book
 from qsbearing.documents.html import html
+from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
 
 NAME = "validation_report"
 
 
 def write(evidence: Evidence, before: Evidence | None, out: Path) -> list[Path]:
-    """Write both forms into a folder; returns their paths.
+    """Write all forms into a folder; returns their paths.
 
     Raises:
         OSError: the folder cannot be written.
     """
     out.mkdir(parents=True, exist_ok=True)
-    document = validation.document(evidence, before)
-    forms = {out / f"{NAME}.html": html(document).encode(), out / f"{NAME}.pdf": pdf(document)}
-    for path, content in forms.items():
+    whole, on_paper = (validation.document(evidence, before, with_rows=each) for each in (True, False))
+    found = as_data(evidence)
+    forms = {
+        "html": html(whole).encode(),
+        "pdf": pdf(on_paper),
+        "csv": csv_of(found["rows"]),
+        "json": (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode(),
+    }
+    paths = {out / f"{NAME}.{form}": content for form, content in forms.items()}
+    for path, content in paths.items():
         records_store.replace(path, content)
-    return list(forms)
+    return list(paths)
+
+
+def write_book(records: Path) -> Path:
+    """The published cases of a folder of records as one HTML page, in its folder `book`.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    path = folder_of(records) / "book.html"
+    found = Evidence(records, {}, book=published(records))
+    sections = [book.computed(found), book.measured(found)]
+    said = "Published cases: standards, catalogues, other programs, and measurements."
+    records_store.replace(path, html(Document("The validation book", "qsbearing", sections, said)).encode())
+    return path
+
+
+def as_data(evidence: Evidence) -> dict[str, Any]:
+    """The verdict, every row of agreement as its record has it, and the records, for other programs."""
+    groups = {**evidence.checks, **evidence.book}
+    return {
+        "verdict": validation.verdict(evidence).status,
+        "rows": [{"check": name, **row} for name, kept in groups.items() for row in kept.data["rows"]],
+        "records": [
+            {"name": kept.name, "command": kept.command, "version": kept.version, "provenance": kept.provenance}
+            for kept in evidence.all()
+        ],
+    }
+
+
+def csv_of(rows: list[dict[str, Any]]) -> bytes:
+    """Rows of agreement as a table."""
+    text = StringIO()
+    writer = csv.DictWriter(text, list(dict.fromkeys(key for row in rows for key in row)), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue().encode()

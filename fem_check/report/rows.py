@@ -42,16 +42,21 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
     return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
 
 
-HEADINGS = ("quantity", "reference", "found", "deviation %", "± %", "tolerance", "verdict")
-ALIGN = "lrrrrrl"
+HEADINGS = ("quantity", "reference", "found", "deviation, %", "tolerance", "verdict")
+ALIGN = "lrrrrl"
+NOTES = "notes"
 
 
 def cells(row: Row) -> list[Cell]:
     """The cells of a row below `HEADINGS`."""
+    told = row_text.of_row(row)
     return [
         _headed(row["quantity"], row_text.in_unit(row)[1])
         + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
-        *row_text.of_row(row),
+        told.reference,
+        told.found,
+        row_text.deviation(row),
+        told.tolerance,
         badge(row["verdict"]),
     ]
 
@@ -66,25 +71,58 @@ def _difference_headed(row: Row) -> str:
 
 
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
-    """The rows as tables: cases that have the same quantities side by side share one, with deviations in its cells."""
+    """The rows as tables, the source and the reason of each as its footnotes.
+
+    Cases that have the same quantities side by side share one table, with deviations in its cells.
+    """
     cases: dict[str, list[Row]] = {}
     for row in rows:
         cases.setdefault(row["case"], []).append(row)
     shapes: dict[tuple[str, ...], list[str]] = {}
     for case, own in cases.items():
         shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
-    found, lines = [], []
+    found, lines, notes = [], [], _Notes()
     for heads, names in shapes.items():
         if len(names) >= 3 and len(heads) >= 2:
             found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
         else:
-            lines += [[name, *cells(row)] for name in names for row in cases[name]]
-    return ([Table(("case", *HEADINGS), lines, f"l{ALIGN}", caption)] if lines else []) + found
+            lines += [[name, *cells(row), notes.of([row])] for name in names for row in cases[name]]
+    table = Table(("case", *HEADINGS, NOTES), lines, f"l{ALIGN}l", caption, stack=True, notes=notes.listed)
+    return ([table] if lines else []) + found
 
 
 def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
-    title = f"{caption}: deviation, and ± its uncertainty" if caption else "Deviation ± uncertainty"
+    title = f"{caption}: deviation ± its uncertainty" if caption else "Deviation ± uncertainty"
     lines: list[list[Cell]] = []
+    notes = _Notes()
     for name, rows in cases:
-        lines.append([name, *map(row_text.difference, rows), badge(verdict(rows))])
-    return Table(("case", *heads, "verdict"), lines, "l" + "r" * len(heads) + "l", title)
+        lines.append([name, *map(row_text.difference, rows), badge(verdict(rows)), notes.of(rows)])
+    headings = ("case", *heads, "verdict", NOTES)
+    return Table(headings, lines, "l" + "r" * len(heads) + "ll", title, stack=True, notes=notes.listed)
+
+
+class _Notes:
+    """Footnotes of a table, in the order in which its rows need them."""
+
+    def __init__(self) -> None:
+        self.marks: dict[str, str] = {}
+
+    def of(self, rows: Sequence[Row]) -> str:
+        """The marks of what the rows rest on: where each reference is from, and why its tolerance."""
+        texts = [f"Reference: {row['reference_source']}" for row in rows]
+        for row in rows:
+            if row["why_tolerance"]:
+                texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {row['why_tolerance']}")
+        return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))
+
+    @property
+    def listed(self) -> list[tuple[str, str]]:
+        return [(mark, text) for text, mark in self.marks.items()]
+
+
+_LABELS = {"finding": "Finding", "refused": "Refused"}
+
+
+def _mark(number: int) -> str:
+    """a, b, ..., z, aa, ab, ..."""
+    return (chr(ord("a") + number // 26 - 1) if number >= 26 else "") + chr(ord("a") + number % 26)

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 from fem_check.checks import ALL
-from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.evidence import Evidence
 from fem_check.report.rows import counts
 from fem_check.report.sections import (
     book,
@@ -19,24 +16,26 @@ from fem_check.report.sections import (
     mathematics,
     previous,
     release,
+    reproducing,
     robustness,
 )
-from qsbearing.documents.model import Badge, Block, Cell, Document, Facts, Md, Remark
+from fem_check.report.sections.reproducing import NOT_RECORDED, listed
+from qsbearing.documents.model import Badge, Cell, Document, Facts, Md, Remark
 
-NOT_RECORDED = "not recorded"
 
-
-def document(evidence: Evidence, before: Evidence | None = None) -> Document:
+def document(evidence: Evidence, before: Evidence | None = None, with_rows: bool = True) -> Document:
     """The whole report.
 
     Args:
         evidence: all that is on record.
         before: of an earlier release, to be compared with.
+        with_rows: whether it ends with every row of agreement, too many for paper.
     """
     return Document(
         "qsbearing and fem_check",
         "Validation report",
         [
+            reproducing.section(evidence),
             claims.section(evidence),
             mathematics.section(evidence),
             book.computed(evidence),
@@ -46,29 +45,32 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             costs.section(evidence),
             errata.section(evidence),
             limits.section(evidence),
-            release.section(evidence),
-            previous.section(evidence, before),
-            every_row.section(evidence),
-            every_row.commands(evidence),
+            *([release.section(evidence.gate)] if evidence.gate else []),
+            *([previous.section(evidence, before)] if before else []),
+            *([every_row.section(evidence)] if with_rows else []),
         ],
         Md(
-            "How far the quasi-static model of angular-contact ball bearings can be trusted, and how that was found "
-            "out. Every number is from a record; each section names its record, the command that makes it anew, and "
-            "what it was made with."
+            "How far the quasi-static model of angular-contact ball bearings can be trusted, and the evidence for it. "
+            "Every number comes from a record; each section names its record, the command that makes it again, and "
+            "the version that it was made with."
         ),
-        [_verdict(evidence), *_mixed(evidence), Facts(_facts(evidence))],
+        [verdict(evidence), Facts(_facts(evidence))],
+        is_numbered=True,
     )
 
 
-def _verdict(evidence: Evidence) -> Remark:
-    """In a sentence: what failed, what is missing, or that all passed."""
+def verdict(evidence: Evidence) -> Remark:
+    """In a sentence: failures, missing records, or that all passed."""
     rows = [row for kept in (*evidence.checks.values(), *evidence.book.values()) for row in kept.data["rows"]]
     tally = counts(rows)
     failed = [
         name for name, kept in (*evidence.checks.items(), *evidence.book.items()) if kept.data["verdict"] == "fail"
     ]
     absent = [name for name in ALL if name not in evidence.checks] + ([] if evidence.book else ["the validation book"])
-    said = f"{tally['pass']} rows of agreement pass, {tally['fail']} fail, {tally['finding']} are findings."
+    said = (
+        f"Of {len(rows)} rows of agreement, each one quantity compared with its reference, {tally['pass']} pass, "
+        f"{tally['fail']} fail, and {tally['finding']} are findings, which have no tolerance."
+    )
     unmet = claims.unmet(evidence)
     if unmet:
         said = f"{' '.join(f'Not met: {each}' for each in unmet)} {said}"
@@ -81,59 +83,17 @@ def _verdict(evidence: Evidence) -> Remark:
     return Remark(f"Pass: {len(evidence.checks)} checks and {len(evidence.book)} published cases. {said}", "pass")
 
 
-def _mixed(evidence: Evidence) -> list[Block]:
-    """Said where records are not of one state of the source."""
-    records = list(evidence.all())
-    commits = {kept.provenance["commit"] for kept in records if kept.provenance.get("commit")}
-    unknown = [kept for kept in records if not kept.provenance.get("commit")]
-    said = []
-    if len(commits) + bool(unknown) > 1:
-        said.append(f"The records come from {len(commits)} commit{'s' if len(commits) > 1 else ''}.")
-    if unknown:
-        names = ", ".join(kept.name for kept in unknown)
-        said.append(
-            f"{len(unknown)} of {len(records)} records do not state their commit, so that their numbers cannot be "
-            f"traced to a version: {names}."
-        )
-    if any(kept.provenance.get("dirty") for kept in records):
-        said.append("Some were made with changes that were not committed.")
-    return [Remark(" ".join(said), "warning")] if said else []
-
-
 def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
     records = list(evidence.all())
-    found: Sequence[dict[str, Any]] = [kept.provenance for kept in records if kept.provenance]
-    dates = sorted(each["date"] for each in found)
-    machines = dict.fromkeys(
-        f"{each['machine']['processor']}, {each['machine']['cores']} cores, {each['machine']['memory_GB']:g} GB, "
-        f"{each['machine']['system']}, Python {each['machine']['python']}"
-        for each in found
-    )
+    dates = sorted(kept.provenance["date"] for kept in records if kept.provenance)
     return [
-        ("Version", _listed(kept.version for kept in records)),
-        ("Commit", _listed((each["commit"] or "")[:12] for each in found)),
+        ("Version", listed(kept.version for kept in records)),
         ("Dates", f"{dates[0]} to {dates[-1]}" if dates else NOT_RECORDED),
-        ("Machine", "; ".join(machines) or NOT_RECORDED),
-        ("Packages", _packages(records)),
-        ("Level of the checks", _listed(kept.data["level"] for kept in evidence.checks.values())),
-        ("Scene", _listed(kept.data["scene"] for kept in evidence.checks.values())),
+        ("Level of the checks", listed(kept.data["level"] for kept in evidence.checks.values())),
+        ("Scene", listed(kept.data["scene"] for kept in evidence.checks.values())),
         ("Records", f"{len(records)} files"),
         ("Checks that fail", _failing(evidence)),
     ]
-
-
-def _listed(values: Any) -> str:
-    return ", ".join(dict.fromkeys(str(value) for value in values if value)) or NOT_RECORDED
-
-
-def _packages(records: Sequence[Kept]) -> str:
-    """Name and versions of all packages that records name."""
-    found: dict[str, dict[str, None]] = {}
-    for kept in records:
-        for name, version in (kept.provenance.get("packages") or kept.data.get("versions") or {}).items():
-            if name not in ("qsbearing", "source", "python"):
-                found.setdefault(name, {})[version] = None
-    return ", ".join(f"{name} {' and '.join(versions)}" for name, versions in found.items()) or NOT_RECORDED
 
 
 def _failing(evidence: Evidence) -> Cell:

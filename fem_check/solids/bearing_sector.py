@@ -210,29 +210,10 @@ def condensed_ring(geometry: SectorGeometry, name: str, kinds: Sequence[str], su
         kinds: directions of the pressure, see `ContactFrame.loads`.
         support: how the cylinder away from the groove is held.
     """
-    bearing = geometry.bearing
     frame = geometry.frames[0 if name == "inner" else 1]
-    body = TetrahedralBody(geometry.mesh(name), bearing.drawing.ring)
-    section = bearing.section(frame.groove.centre, inner=name == "inner")
-    half_pitch = pi / bearing.ball_count
-    x, y, z = body.nodes
-    fixed = np.zeros((body.space.count, 3), dtype=bool)
-    fixed[np.abs(z) < NEAR, 2] = True
-    cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
-    fixed[cut, 2] = True
-    if support is OuterSupport.RIGID:
-        fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
-    else:
-        fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
-    # On the second cut plane the third unknown is the displacement across it.
-    turned = np.flatnonzero(cut)
-    turn = sp.lil_matrix(sp.identity(3 * body.space.count))
-    c, s = cos(half_pitch), sin(half_pitch)
-    turn[3 * turned + 1, 3 * turned + 1] = c
-    turn[3 * turned + 2, 3 * turned + 2] = c
-    turn[3 * turned + 2, 3 * turned + 1] = s
-    turn[3 * turned + 1, 3 * turned + 2] = -s
-    return condense_supported(body, _loads(body, [(frame, kind) for kind in kinds]), fixed, sp.csr_matrix(turn))
+    body = TetrahedralBody(geometry.mesh(name), geometry.bearing.drawing.ring)
+    loads = _loads(body, [(frame, kind) for kind in kinds])
+    return condense_supported(body, loads, *ring_support(body, geometry, name, support))
 
 
 class _State:
@@ -325,6 +306,34 @@ class _State:
             self.friction,
             (self.contact.left[:first] / frames[0].basis.forces, self.contact.left[first:] / frames[1].basis.forces),
         )
+
+
+def ring_support(
+    body: TetrahedralBody, geometry: SectorGeometry, name: str, support: OuterSupport
+) -> tuple[Array, sp.csr_matrix]:
+    """Which unknowns of a ring are zero, and the rotation of the unknowns on its second cut plane, as
+    `condense_supported` takes them."""
+    bearing, frame = geometry.bearing, geometry.frames[0 if name == "inner" else 1]
+    section = bearing.section(frame.groove.centre, inner=name == "inner")
+    half_pitch = pi / bearing.ball_count
+    x, y, z = body.nodes
+    fixed = np.zeros((body.space.count, 3), dtype=bool)
+    fixed[np.abs(z) < NEAR, 2] = True
+    cut = np.abs(z * cos(half_pitch) - y * sin(half_pitch)) < NEAR
+    fixed[cut, 2] = True
+    if support is OuterSupport.RIGID:
+        fixed[np.abs(np.hypot(y, z) - section.back_radius) < NEAR] = True
+    else:
+        fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
+    # On the second cut plane the third unknown is the displacement across it.
+    turned = np.flatnonzero(cut)
+    turn = sp.lil_matrix(sp.identity(3 * body.space.count))
+    c, s = cos(half_pitch), sin(half_pitch)
+    turn[3 * turned + 1, 3 * turned + 1] = c
+    turn[3 * turned + 2, 3 * turned + 2] = c
+    turn[3 * turned + 2, 3 * turned + 1] = s
+    turn[3 * turned + 1, 3 * turned + 2] = -s
+    return fixed, sp.csr_matrix(turn)
 
 
 def motion(ratio: float, inner_angle: float, outer_angle: float) -> tuple[float, float, float]:

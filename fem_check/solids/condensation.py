@@ -69,6 +69,20 @@ def _dilation(body: TetrahedralBody, matrix: sp.csr_matrix) -> float:
 
 def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid:
     """Condense a body that is free in its plane of symmetry z = 0, under self-balancing body forces."""
+    fixed, stops, carried, share = free_support(body, loads)
+    free = np.flatnonzero(~fixed.ravel())
+    matrix = body.stiffness
+    dilation = _dilation(body, matrix)
+    inside, to_held = sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(matrix[stops][:, free])
+    del matrix  # the factor needs the memory
+    flexibility, moved, solver = _solved(inside, sp.csc_matrix(loads[free]), to_held, carried[free], share)
+    held = moved - loads[stops].toarray() + carried[stops] @ share
+    return CondensedSolid(flexibility, len(free), solver, held, dilation)
+
+
+def free_support(body: TetrahedralBody, loads: sp.csr_matrix | Array) -> tuple[Array, list[int], Array, Array]:
+    """How a free body is held: which unknowns are zero, those three of them that only stop its rigid motions, and the
+    body forces `carried @ share`, to be taken off the loads, that balance them."""
     x, y = body.nodes[:2] - body.nodes[:2].mean(axis=1, keepdims=True)
     # Rigid motions that keep the plane of symmetry: along x, along y, about z.
     rigid = np.zeros((body.space.count, 3, 3))
@@ -85,14 +99,7 @@ def condense_free(body: TetrahedralBody, loads: sp.csr_matrix) -> CondensedSolid
     far = plane[np.argsort(np.hypot(x[plane], y[plane]))]
     stops = [3 * far[0], 3 * far[0] + 1, 3 * far[-1] + (1 if abs(x[far[-1]]) > abs(y[far[-1]]) else 0)]
     fixed.ravel()[stops] = True
-    free = np.flatnonzero(~fixed.ravel())
-    matrix = body.stiffness
-    dilation = _dilation(body, matrix)
-    inside, to_held = sp.csc_matrix(matrix[free][:, free]), sp.csr_matrix(matrix[stops][:, free])
-    del matrix  # the factor needs the memory
-    flexibility, moved, solver = _solved(inside, sp.csc_matrix(loads[free]), to_held, carried[free], share)
-    held = moved - loads[stops].toarray() + carried[stops] @ share
-    return CondensedSolid(flexibility, len(free), solver, held, dilation)
+    return fixed, stops, carried, share
 
 
 def _solved(

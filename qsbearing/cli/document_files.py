@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from qsbearing.documents.model import Document
 
-NEEDED = ("jinja2", "typst", "markdown_it", "matplotlib")
+NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
 
 
 def check_installed(what: str, needed: tuple[str, ...] = NEEDED, extra: str = "report") -> None:

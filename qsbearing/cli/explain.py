@@ -36,7 +36,7 @@ HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nnes
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
-    Each is solved with and without: what leaving it out changes of contact angles, loads, pressures, displacement and
+    Each is solved with and without: its change of contact angles, loads, pressures, displacement and
     stiffness; how much longer a solve takes with it; and a verdict: needed, not needed, likely needed but without the
     data that it takes (then its changes are estimated, and marked ≈), or not assessed and why. The indicator is a
     dimensionless number that its influence follows.
@@ -118,7 +118,7 @@ def _table(rows: Sequence[Row], tolerance: float) -> Table:
     from qsbearing.effects import QUANTITIES
     from qsbearing.io.tables import plain_table
 
-    title = f"Effects and choices: what leaving each out changes (≈ estimated); needed above {100 * tolerance:g} %"
+    title = f"Effects and choices: change when it is left out (≈ estimated); needed above {100 * tolerance:g} %"
     is_timed = any(row.time_with_over_without is not None for row in rows)  # those of a set are not
     headings = ("", "in\nscene", *(("indi-\ncator", "time") if is_timed else ()), *HEADINGS, "verdict")
     found = plain_table(title, headings, left=(0, 1, len(headings) - 1))

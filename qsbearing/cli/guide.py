@@ -69,7 +69,7 @@ def _list(pages: dict[str, Page]) -> None:
 
 
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
-    check_installed("--html" if target is not None else "--open", ("jinja2", "markdown_it"))
+    check_installed("--html" if target is not None else "--open", ("jinja2", "markdown_it", "mdit_py_plugins"))
     from qsbearing import __version__
     from qsbearing.documents.guide import document
     from qsbearing.documents.html import html

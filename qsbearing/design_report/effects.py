@@ -28,6 +28,11 @@ OF_SETS = (
     "Shaft and housing are rigid: nothing bends, and rows keep their distances but for what heat makes of them, by the "
     "temperatures of shaft and housing in the input."
 )
+OF_SHAFTS = (
+    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings give way where "
+    "the input has their stiffness, as linear springs. Rings are as wide as their balls' plane: no seat stiffens the "
+    "shaft."
+)
 RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."
 NOT_GROWN = "Rings keep the size that they have at rest and cold: neither rotation, fits nor heat change it."
@@ -44,6 +49,13 @@ UNBOUNDED = (
     "table of inertia and motion."
 )
 BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
+
+
+def _of_shaft(solution: SetSolution) -> str:
+    """What the set rests on in shaft and housing."""
+    of = solution.set
+    is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
+    return OF_SHAFTS if is_elastic else OF_SETS
 
 
 def assumptions(scene: Scene) -> list[str]:
@@ -78,7 +90,7 @@ def section_of_set(solution: SetSolution) -> Section:
     _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
-    return _section("What this solution assumes:", [OF_SETS, *said], [], rows, DEFAULT_TOLERANCE)
+    return _section("What this solution assumes:", [_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
 
 
 def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from qsbearing.documents import model
@@ -18,21 +19,22 @@ class BrokenLinkError(ValueError):
 
 def data(document: model.Document) -> Plain:
     """The document as plain data; pictures are numbered, their bytes kept apart in `pictures`."""
-    pictures: list[model.Picture] = []
+    counted = _Counted(document.is_numbered)
     found = {
         "title": document.title,
         "kind": document.kind,
         "summary": runs(document.summary),
-        "head": _blocks(document.head, 1, pictures),
-        "blocks": _blocks(document.sections, 1, pictures),
+        "head": _blocks(document.head, 1, counted),
+        "blocks": _blocks(document.sections, 1, counted),
         "contents": [
             {"title": runs(section.title), "name": section.name, "level": level}
             for section, level in document.walk()
             if level <= document.depth
         ],
         "depth": document.depth,
+        "numbered": document.is_numbered,
         "made_from": document.made_from,
-        "pictures": pictures,
+        "pictures": counted.pictures,
     }
     names = {section.name for section, _ in document.walk()}
     lost = sorted({href for href in _links(found) if href.startswith("#") and href[1:] not in names})
@@ -41,16 +43,31 @@ def data(document: model.Document) -> Plain:
     return found
 
 
-def _blocks(blocks: Sequence[model.Block], level: int, pictures: list[model.Picture]) -> list[Plain]:
-    return [_block(block, level, pictures) for block in blocks]
+@dataclass
+class _Counted:
+    """Pictures so far, and the numbers of captions."""
+
+    is_numbered: bool
+    pictures: list[model.Picture] = field(default_factory=list)
+    captions: dict[str, int] = field(default_factory=lambda: {"Table": 0, "Figure": 0})
+
+    def caption(self, kind: str, text: str) -> list[dict[str, Any]]:
+        if not (text and self.is_numbered):
+            return runs(text)
+        self.captions[kind] += 1
+        return [{"text": f"{kind} {self.captions[kind]}. ", "styles": ["strong"], "href": None}, *runs(text)]
 
 
-def _block(block: model.Block, level: int, pictures: list[model.Picture]) -> Plain:
+def _blocks(blocks: Sequence[model.Block], level: int, counted: _Counted) -> list[Plain]:
+    return [_block(block, level, counted) for block in blocks]
+
+
+def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
     match block:
         case model.Section():
             return {
                 "is": "section", "title": runs(block.title), "name": block.name, "level": level,
-                "blocks": _blocks(block.blocks, level + 1, pictures),
+                "blocks": _blocks(block.blocks, level + 1, counted),
             }  # fmt: skip
         case model.Paragraph():
             return {"is": "paragraph", "text": runs(block.text)}
@@ -70,17 +87,19 @@ def _block(block: model.Block, level: int, pictures: list[model.Picture]) -> Pla
         case model.Table():
             return {
                 "is": "table", "headings": [runs(heading) for heading in block.headings], "align": block.alignment,
-                "caption": runs(block.caption), "tools": block.tools, "stack": block.stack,
+                "caption": counted.caption("Table", block.caption),
+                "notes": [[mark, runs(text)] for mark, text in block.notes],
+                "tools": block.tools, "stack": block.stack,
                 "rows": [
                     {"across": runs(row.text)} if isinstance(row, model.Group) else {"cells": list(map(_cell, row))}
                     for row in block.rows
                 ],
             }  # fmt: skip
         case model.Picture():
-            pictures.append(block)
+            counted.pictures.append(block)
             return {
-                "is": "picture", "number": len(pictures) - 1, "alt": block.alt, "caption": runs(block.caption),
-                "form": block.form, "width": block.width,
+                "is": "picture", "number": len(counted.pictures) - 1, "alt": block.alt,
+                "caption": counted.caption("Figure", block.caption), "form": block.form, "width": block.width,
             }  # fmt: skip
     raise TypeError(f"{type(block).__name__} is no piece of a document")
 

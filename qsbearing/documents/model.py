@@ -89,7 +89,7 @@ class Facts:
 
 @dataclass(frozen=True)
 class Trace:
-    """Where the numbers above come from: the record, the command that makes it anew, and what it was made with."""
+    """Where the numbers above come from: the record, the command that makes it again, and what it was made with."""
 
     record: str
     command: str
@@ -109,6 +109,8 @@ class Table:
     caption: str = ""
     tools: bool = False
     stack: bool = False
+    notes: Sequence[tuple[str, str]] = ()
+    """Below it: a mark that its rows have, and what it says."""
 
     def __post_init__(self) -> None:
         width = len(self.headings)
@@ -172,6 +174,8 @@ class Document:
     """What stands before the contents: the verdict and the facts about it."""
     depth: int = 2
     """Levels of headings in the table of contents."""
+    is_numbered: bool = False
+    """Whether tables and pictures with a caption are numbered."""
     made_from: str = ""
     """What the HTML says of its source, for programs."""
 

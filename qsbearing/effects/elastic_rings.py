@@ -20,6 +20,7 @@ Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
@@ -129,6 +130,9 @@ class ElasticRings:
     shaft_poisson_ratio: ArrayLike | None = None
     inner_compliance: tuple[float, ...] | None = None
     """Likewise, of the inner ring."""
+    housing_touches: ArrayLike | None = None
+    shaft_touches: ArrayLike | None = None
+    """0 where a clearance stays open, so that the ring is free, else 1: the solver's, no input."""
     name: ClassVar[str] = "elastic_rings"
 
     def __post_init__(self) -> None:
@@ -172,11 +176,14 @@ class ElasticRings:
             housing = Annulus(outside, _half(self.housing_outside_diameter), *material)
         height = self._bending_height("outer", outside - at.outer_bottom, at)
 
-        def given(bottom: Any) -> RingGive:
-            give = outer_ring_give(Annulus(bottom, outside, at.modulus, at.poisson_ratio), housing)
-            return _given(give, bottom, self.outer_width, at.modulus, None if housing is None else outside)
+        def held(seat: Annulus | None) -> RingGive:
+            def given(bottom: Any) -> RingGive:
+                give = outer_ring_give(Annulus(bottom, outside, at.modulus, at.poisson_ratio), seat)
+                return _given(give, bottom, self.outer_width, at.modulus, None if seat is None else outside)
 
-        return _grown_and_bent(given(at.outer_bottom), None if height is None else given(outside - height))
+            return _grown_and_bent(given(at.outer_bottom), None if height is None else given(outside - height))
+
+        return _touching(self.housing_touches, held, housing)
 
     def _inner(self, at: Grooves) -> RingGive | None:
         if self.inner_compliance is not None:
@@ -190,11 +197,14 @@ class ElasticRings:
             shaft = Annulus(hollow, bore, *material)
         height = self._bending_height("inner", at.inner_bottom - bore, at)
 
-        def given(bottom: Any) -> RingGive:
-            give = inner_ring_give(Annulus(bore, bottom, at.modulus, at.poisson_ratio), shaft)
-            return _given(give, bottom, self.inner_width, at.modulus, None if shaft is None else bore)
+        def held(seat: Annulus | None) -> RingGive:
+            def given(bottom: Any) -> RingGive:
+                give = inner_ring_give(Annulus(bore, bottom, at.modulus, at.poisson_ratio), seat)
+                return _given(give, bottom, self.inner_width, at.modulus, None if seat is None else bore)
 
-        return _grown_and_bent(given(at.inner_bottom), None if height is None else given(bore + height))
+            return _grown_and_bent(given(at.inner_bottom), None if height is None else given(bore + height))
+
+        return _touching(self.shaft_touches, held, shaft)
 
     def _bending_height(self, side: str, thickness: Any, at: Grooves) -> NDArray | None:
         """Of the section with its shoulders, given as diameters; None where no shoulder is."""
@@ -229,6 +239,18 @@ def _grown_and_bent(grown: RingGive, bent: RingGive | None) -> RingGive:
 
     seat = None if grown.seat is None or bent.seat is None else joined(grown.seat, bent.seat)
     return RingGive(joined(grown.by_load, bent.by_load), seat)
+
+
+def _touching(touches: Any, held: Callable[[Annulus | None], RingGive], seat: Annulus | None) -> RingGive:
+    """On its seat where it touches it, free elsewhere."""
+    on_seat = held(seat)
+    if touches is None or on_seat.seat is None:
+        return on_seat
+    is_free = np.asarray(touches) == 0.0
+    free = held(None).by_load
+    axes = max(is_free.ndim, free.ndim - 1, on_seat.by_load.ndim - 1)
+    by_load, free, pressed = (_with_axes(each, axes) for each in (on_seat.by_load, free, on_seat.seat))
+    return RingGive(np.where(is_free, free, by_load), np.where(is_free, 0.0, pressed))
 
 
 def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:

@@ -87,18 +87,24 @@ RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
 Seat = tuple[NDArray, NDArray]
 
 
-def fit(inside: Body, outside: Body, radius: Any, interference: Any) -> Seat:
-    """Pressure at a seat [Pa], and the gap in diameter [m] where there is none."""
+def fit(inside: Body, outside: Body, radius: Any, interference: Any, touches: Any = None) -> Seat:
+    """Pressure at a seat [Pa], and the gap in diameter [m] where there is none.
+
+    Args:
+        touches: where the balls close the gap: there the pressure is below zero, what they must make up first.
+    """
     overlap = 0.5 * interference + inside.free_growth(radius) - outside.free_growth(radius)
     compliance = outside.compliance(radius, 1.0, 0.0) - inside.compliance(radius, 0.0, 1.0)
-    return np.maximum(overlap / compliance, 0.0), np.maximum(-2.0 * overlap, 0.0)
+    least = 0.0 if touches is None else np.where(np.asarray(touches) > 0.0, -np.inf, 0.0)
+    return np.maximum(overlap / compliance, least), np.maximum(-2.0 * overlap, 0.0)
 
 
 class RingState(NamedTuple):
     """How one ring is found in operation; arrays over the cases that it depends on."""
 
     seat_pressure: NDArray | None
-    """On the shaft or in the housing [Pa]; None where no fit is given."""
+    """On the shaft or in the housing [Pa]; None where no fit is given. Below zero where elastic rings close a gap: what
+    it takes from the balls' pressure there."""
     seat_gap: NDArray | None
     """By how much ring and seat stand apart, in diameter [m]; zero where they press."""
     groove_growth: NDArray
@@ -143,6 +149,9 @@ class RingExpansion:
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
+    shaft_touches: ArrayLike | None = None
+    housing_touches: ArrayLike | None = None
+    """1 where the balls close the gap of elastic rings, 0 where they do not: the solver's, no input."""
     name: ClassVar[str] = "ring_expansion"
 
     def __post_init__(self) -> None:
@@ -256,11 +265,13 @@ class RingExpansion:
         if self.shaft_interference is not None:
             hollow = 0.0 if self.shaft_bore_diameter is None else 0.5 * np.asarray(self.shaft_bore_diameter, float)
             shaft = body("shaft", hollow, bore, self.shaft_material or bearing.ring_material, speeds[0])
-            on_shaft = fit(shaft, inner, bore, np.asarray(self.shaft_interference, float))
+            on_shaft = fit(shaft, inner, bore, np.asarray(self.shaft_interference, float), self.shaft_touches)
         if self.housing_interference is not None:
             end = 0.5 * np.asarray(self.housing_outside_diameter, float)
             housing = body("housing", outside, end, self.housing_material or bearing.ring_material, speeds[1])
-            in_housing = fit(outer, housing, outside, np.asarray(self.housing_interference, float))
+            in_housing = fit(
+                outer, housing, outside, np.asarray(self.housing_interference, float), self.housing_touches
+            )
         return (
             _state(inner, inner_bottom, centres[0], on_shaft, on_shaft[0] if on_shaft else 0.0, 0.0),
             _state(outer, outer_bottom, centres[1], in_housing, 0.0, in_housing[0] if in_housing else 0.0),
@@ -287,7 +298,7 @@ def _state(
 ) -> RingState:
     """The ring between its seat and the bottom of its groove, under the pressure of its seat."""
     growth = displacement(bottom, ring.stress(bottom, bore_pressure, outside_pressure), ring.elastic)
-    radial, hoop = ring.stress(ring.a, bore_pressure, outside_pressure)
+    radial, hoop = ring.stress(ring.a, np.maximum(bore_pressure, 0.0), np.maximum(outside_pressure, 0.0))
     equivalent = np.maximum(np.abs(hoop - radial), np.maximum(np.abs(hoop), np.abs(radial)))
     pressure, gap = (None, None) if seat is None else seat
     return RingState(pressure, gap, growth * (1.0 + ring.strain) + ring.strain * centre, hoop, equivalent)

@@ -33,7 +33,7 @@ from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.solution.solution import Solution
 from qsbearing.units import GPa, MPa, mrad, um
 
-STATUSES = "how_to#what-a-status-means"
+STATUSES = "how_to#meaning-of-each-status"
 
 SMALL_TILT = 0.02
 """Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""

@@ -48,7 +48,7 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
             )
 
         yield stress > effect.yield_strength, yields
-        if state.seat_gap is None:
+        if state.seat_gap is None or state.seat_pressure is None:
             continue
         gap, interference = cases(state.seat_gap), cases(getattr(effect, f"{seat}_interference"))
 
@@ -61,7 +61,12 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
                 HEAT,
             )
 
-        yield (interference > 0.0) & (gap > 0.0), lost
+        closed = cases(state.seat_pressure) < 0.0  # by the balls of elastic rings
+        yield (interference > 0.0) & (gap > 0.0) & ~closed, lost
+
+
+def _cases(values: NDArray, part: slice) -> NDArray:
+    return np.asarray(values).reshape(-1)[part]
 
 
 THIN = 0.5
@@ -82,6 +87,8 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
         if shape is None:
             continue
         if shape.least_seat_pressure is not None:
+            flag = getattr(rings, f"{seat}_touches")
+            is_open = np.broadcast_to(False if flag is None else np.asarray(flag) == 0.0, solution.shape)
             fitted = 0.0 if state is None or state.seat_pressure is None else state.seat_pressure
             short = -(shape.least_seat_pressure + fitted).reshape(-1)[part]
 
@@ -92,7 +99,18 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
                     GIVE,
                 )
 
-            yield np.asarray(short > 0.0), parts
+            yield np.asarray(short > 0.0) & ~_cases(is_open, part), parts
+            reach = np.maximum(shape.growth + shape.bending, 0.0)
+            touching = is_open & (2.0 * reach > (0.0 if state is None or state.seat_gap is None else state.seat_gap))
+
+            def touches(i: int, side: str = side, seat: str = seat) -> str:
+                return check_data(
+                    f"The {side} ring stands off the {seat} in the mean, but bends as far as to touch it somewhere: it "
+                    f"gives way less there than computed.",
+                    GIVE,
+                )
+
+            yield _cases(touching, part), touches
         if diameter is None:
             continue
         thickness = np.abs(0.5 * np.asarray(diameter, float) - np.asarray(bottom))

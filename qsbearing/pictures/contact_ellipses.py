@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways
+from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways, round_length
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.solution import Solution
 from qsbearing.units import MPa, mm
@@ -78,17 +78,11 @@ def _draw_ellipse(axes: Axes, side: str, x: float, y: float, a: float, b: float)
 
 def _scale_bar(axes: Axes, left: float, tallest: float) -> None:
     """A length to measure the ellipses by, in the gap between the two rows."""
-    length = _round_length(0.8 * tallest)
+    length = round_length(0.8 * tallest)
     axes.plot([left, left], [-length / 2.0, length / 2.0], color="black", linewidth=1.5)
     for end in (-length / 2.0, length / 2.0):
         axes.plot([left - 0.06 * tallest, left + 0.06 * tallest], [end, end], color="black", linewidth=1.0)
     axes.text(left + 0.15 * tallest, 0.0, f"{length:g} mm", fontsize=8, va="center")
-
-
-def _round_length(length: float) -> float:
-    """The nearest lower 1, 2 or 5 times a power of ten."""
-    power = 10.0 ** np.floor(np.log10(length))
-    return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= length * (1.0 + 1e-9)) * power)
 
 
 def _columns(solution: Solution, place: Place) -> tuple[NDArray, list[str], str]:

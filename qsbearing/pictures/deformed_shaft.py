@@ -54,7 +54,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
                 bent = factor * moved[some, channel], factor * sign * moved[some, slope]
                 _outline(axes, x[some], *bent, radius, color="0.25", lw=1.1, ls=line)
     axes.plot(x / mm, factor * moved[:, channel] / mm, color=STYLE["outer"]["color"], lw=1.2, ls="-.")
-    top = 0.5 * widest
+    top = (0.5 + 0.5 * SHOWN) * widest
     for number, row in enumerate(of.rows, 1):
         _bearing(axes, solution, place, number, factor, channel)
         top = max(top, 0.5 * float(np.ravel(row.bearing.pitch_diameter)[0]))
@@ -67,18 +67,19 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
             axes.annotate("", (at, head * top / mm), (at, tail * top / mm), arrowprops=arrow)
             beside = {"va": "center", "fontsize": 8, "color": STYLE["inner"]["color"]}
             axes.annotate(f"{abs(value):.4g} N", (at, tail * top / mm), (4, 0), textcoords="offset points", **beside)
-    for support in shaft.supports:
+    for support in (each for each in shaft.supports if each.stiffness[channel, channel] > 0.0):
         axes.plot(float(support.position) / mm, -1.15 * top / mm, marker="^", ms=8, color=GREY, mfc="none")
     for label, position in shaft.points.items():
         at = solution.deflection(position)[place][0, channel]
         axes.plot(position / mm, factor * at / mm, marker="o", ms=4, color="black", zorder=3)
         text = f"{label}: {at / um:.3g} um"
-        axes.annotate(text, (position / mm, 1.3 * top / mm), ha="center", fontsize=8)
-        axes.plot(2 * [position / mm], [factor * at / mm, 1.25 * top / mm], color="0.6", lw=0.6, ls=":")
+        axes.annotate(text, (position / mm, 1.65 * top / mm), ha="center", fontsize=8)
+        axes.plot(2 * [position / mm], [factor * at / mm, 1.6 * top / mm], color="0.6", lw=0.6, ls=":")
     axes.set_title(f"Shaft in the plane x{name}: deflection x {factor:,.0f}", fontsize=10)
     axes.set_xlabel("x, mm", fontsize=9)
     axes.set_ylabel(f"{name}, mm", fontsize=9)
-    axes.set_ylim(-1.6 * top / mm, 1.6 * top / mm)
+    axes.set_ylim(-1.6 * top / mm, 1.85 * top / mm)
+    axes.margins(x=0.08)
     axes.set_aspect("equal")
     axes.tick_params(labelsize=8)
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from math import floor, log10
 from typing import Any
 
 import numpy as np
 
-from qsbearing.pictures.style import balls, line_style
+from qsbearing.pictures.style import balls, line_style, round_length
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.ring_shape import AROUND, groove_shape
 from qsbearing.solution.solution import Solution
@@ -33,7 +32,7 @@ def draw_shape(axes: Any, solution: Solution, place: Place) -> None:
     load = solution.inner.load[place][present]
     size = load / max(float(load.max()), np.finfo(float).tiny)
     axes.scatter(azimuth, np.full(azimuth.size, 0.81), s=20.0 + 130.0 * size, color="0.75", edgecolor="0.4", zorder=2)
-    step = _round(largest / um)
+    step = round_length(largest / um)
     axes.plot([0.0, 0.0], [1.0, 1.0 + scale * step * um], color="black", linewidth=2.0, solid_capstyle="butt")
     axes.set_title(f"Grooves under load; bar at 0°: {step:g} µm", fontsize=10, pad=18)
     axes.set_ylim(0.0, 1.0 + 1.4 * LARGEST)
@@ -41,11 +40,3 @@ def draw_shape(axes: Any, solution: Solution, place: Place) -> None:
     axes.set_thetagrids(range(0, 360, 45), ["y  0°", "45°", "z  90°", "135°", "180°", "225°", "270°", "315°"])
     axes.tick_params(axis="both", labelsize=8)
     axes.grid(color="0.9", linewidth=0.5)
-
-
-def _round(value: float) -> float:
-    """The largest of 1, 2, 5 times a power of ten that is no more."""
-    if value <= 0.0:
-        return 0.0
-    power = 10.0 ** floor(log10(value))
-    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= value)

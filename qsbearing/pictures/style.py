@@ -139,6 +139,14 @@ def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[fl
     return float(tried[np.argmax(np.minimum(away.min(axis=(1, 2)), 3.0))])
 
 
+def round_length(most: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is no more, but for rounding; 0 of nothing."""
+    if most <= 0.0:
+        return 0.0
+    power = 10.0 ** np.floor(np.log10(most))
+    return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= most * (1.0 + 1e-9)) * power)
+
+
 def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> None:
     """Crosses where a ball has lost a raceway; what was lost stands in the legend."""
     azimuth, present = balls(solution, place)

@@ -1,8 +1,9 @@
 """Elastic rings beside fits, rotation and heat: one description of each seat.
 
-While an interference lasts, ring and seat act as one body and their give adds to the growth by fit, rotation and heat
-(both are linear). Where a clearance remains, the ring must first grow through it, and rests on one side of its seat
-under a radial load: that is not modelled, and refused.
+While an interference lasts, ring and seat act as one body and their deflection adds to the growth by fit, rotation
+and heat (both are linear). Where a clearance remains, the ring is free until the mean growth by its balls has closed
+it; then ring and seat are one body again, whose seat pressure the clearance lessens by what it takes to close (the
+same sum, with a fit's pressure below zero). Which of the two holds, the solver finds (`solution.closing_seats`).
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.effects import ElasticRings, RingExpansion
 from qsbearing.scene.bearing import BallBearing
@@ -24,32 +26,50 @@ _SEATS = (
 """Of each seat: the ring's diameter and its own, and which of a bearing's rings it holds."""
 
 
-def seat_errors(
-    rings: ElasticRings, expansion: RingExpansion, bearing: BallBearing, operation: Operation
-) -> list[ErrorDetail]:
-    """What the two say differently of a ring or its seat, and seats with clearance in operation."""
+def seat_errors(rings: ElasticRings, expansion: RingExpansion) -> list[ErrorDetail]:
+    """What the two say differently of a ring or its seat."""
     errors: list[ErrorDetail] = []
-    states = expansion.states(bearing, operation)
-    for seat, ring, own, which in _SEATS:
+    for seat, ring, own, _ in _SEATS:
         word, has_body = getattr(rings, seat), getattr(rings, own) is not None or getattr(rings, seat) == "solid"
         errors += _differing(rings, expansion, ring)
         interference = getattr(expansion, f"{seat}_interference")
         if interference is None or word == "rigid":
             continue
-        field, gap = f"{rings.name}.{seat}", states[which].seat_gap
         if word == "free":
             cause = f"Describe the {seat} here too, or leave out {seat}_interference there"
+            field = f"{rings.name}.{seat}"
             errors.append(ErrorDetail(field, f"is free, but ring_expansion fits it to a {seat}", "free", cause=cause))
         elif has_body:
             errors += _differing(rings, expansion, own)
-            apart = np.asarray(gap) > 0.0
-            if gap is not None and apart.any():
-                (found,) = first(apart, np.asarray(gap))
-                problem = f"gives way, but stands {found / um:.4g} um (diametral) off its ring in operation"
-                cause = (
-                    f'A clearance closes first, which is not modelled: a tighter fit, or {seat} = "free" while it lasts'
-                )
-                errors.append(ErrorDetail(field, problem, cause=cause, where=apart))
+    return errors
+
+
+def clearances(
+    rings: ElasticRings | None, expansion: RingExpansion | None, bearing: BallBearing, operation: Operation
+) -> dict[str, NDArray]:
+    """By how much elastic rings stand off what holds them before loads act, by seats that do so anywhere [m]."""
+    if rings is None or expansion is None:
+        return {}
+    found = {}
+    for seat, _, own, which in _SEATS:
+        if getattr(rings, own) is None and getattr(rings, seat) != "solid":
+            continue
+        gap = expansion.states(bearing, operation)[which].seat_gap
+        if gap is not None and (np.asarray(gap) > 0.0).any():
+            found[seat] = np.asarray(gap)
+    return found
+
+
+def clearance_errors(
+    rings: ElasticRings | None, expansion: RingExpansion | None, bearing: BallBearing, operation: Operation
+) -> list[ErrorDetail]:
+    """Such seats, where the balls cannot close them: in a set, whose rows are solved together."""
+    errors = []
+    for seat, gap in clearances(rings, expansion, bearing, operation).items():
+        (found,) = first(gap > 0.0, gap)
+        problem = f"gives way, but stands {found / um:.4g} um (diametral) off its ring in operation"
+        cause = f'A clearance closes in a bearing alone: a tighter fit, or {seat} = "free" while it stays open'
+        errors.append(ErrorDetail(f"elastic_rings.{seat}", problem, cause=cause, where=gap > 0.0))
     return errors
 
 

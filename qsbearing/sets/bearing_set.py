@@ -18,6 +18,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
 from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
+from qsbearing.scene.elastic_seats import clearance_errors
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
@@ -298,11 +299,11 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
     for number, row in enumerate(of.rows, 1):
         for rings in of.ring_effects if row.ring_effects is None else row.ring_effects:
             for body in ("shaft", "housing"):
-                both = (getattr(of, body), getattr(rings, f"{body}_temperature", None))
-                if both[1] is not None and getattr(both[0], "temperature", None) is not None:
+                own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
+                if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
                     cause = f"Give the {body}'s own temperature alone: its rows take it from there"
                     path = f"row {number}.ring_expansion.{body}_temperature"
-                    errors.append(ErrorDetail(path, f"is given beside {body}.temperature", cause=cause))
+                    errors.append(ErrorDetail(path, f"is another than {body}.temperature", cause=cause))
     return errors
 
 
@@ -312,8 +313,8 @@ def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
     found: list[list[ErrorDetail]] = []
     for number in range(len(of.rows)):
         try:
-            of.row_scene(number, plain)
-            found.append([])
+            row = of.row_scene(number, plain)
+            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, plain))
         except SceneError as error:
             found.append(list(error.errors))
     common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]

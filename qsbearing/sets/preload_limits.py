@@ -12,6 +12,7 @@ from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
 from qsbearing.sets.set_solution import SetSolution
+from qsbearing.sets.shaft import with_loads
 from qsbearing.solution.preload_state import PreloadState
 from qsbearing.units import rpm, um
 from qsbearing.validation import RATIO, SPEED, ErrorDetail, SceneError, within
@@ -117,15 +118,19 @@ def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = No
 
 
 def loads_of(of: BearingSet) -> dict[str, Any]:
-    """The loads and moments on the shaft that are not zero, by their fields."""
+    """The loads and moments on the shaft that are not zero, by their fields; its own by their numbers."""
     given = {channel.load: getattr(of.operation, channel.load) for channel in CHANNELS}
+    if of.shaft is not None:
+        for number, load in enumerate(of.shaft.loads, 1):
+            given |= {f"load {number}, channel {i}": value for i, value in enumerate(load.values)}
     return {name: value for name, value in given.items() if value is not None and np.any(np.asarray(value) != 0.0)}
 
 
 def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
     """The set under these multiples of its loads, without its readings."""
-    loads = {name: np.asarray(value, float) * factors for name, value in loads_of(of).items()}
-    return replace(of, operation=replace(of.operation, **loads), readings={})
+    own = {channel.load for channel in CHANNELS}
+    loads = {name: np.asarray(value, float) * factors for name, value in loads_of(of).items() if name in own}
+    return replace(of, operation=replace(of.operation, **loads), shaft=with_loads(of.shaft, factors), readings={})
 
 
 def load_sentence(of: BearingSet, change: Change) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -300,3 +300,13 @@ def outside(of: Shaft, positions: list[tuple[str, Any]]) -> list[ErrorDetail]:
 def _temperatures(path: str, of: Shaft | Housing) -> list[ErrorDetail]:
     given = [name for name in ("temperature", "reference_temperature") if getattr(of, name) is not None]
     return [error for name in given for error in temperature_errors(f"{path}.{name}", getattr(of, name))]
+
+
+def with_loads(of: Shaft | None, factors: ArrayLike) -> Shaft | None:
+    """A shaft under these multiples of its loads."""
+    if of is None:
+        return None
+    scaled = (
+        ShaftLoad(load.position, *(np.asarray(value, float) * factors for value in load.values)) for load in of.loads
+    )
+    return replace(of, loads=tuple(scaled))

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.elastic_rings import RingGive, grooves_of
+from qsbearing.effects.elastic_rings import ElasticRings, RingGive, grooves_of
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
 from qsbearing.quantities import Solution
 
@@ -71,6 +71,14 @@ def shape_of(solution: Solution, side: str) -> RingShape | None:
     growth = amplitude[..., 0].real
     bending = np.abs(moved - growth[..., None]).max(axis=-1)
     return RingShape(growth * solved, bending * solved, np.abs(amplitude) * solved[..., None], *pressures)
+
+
+def mean_seat_pressure(solution: Solution, rings: ElasticRings, side: str) -> NDArray:
+    """By the solution's loads at the seat of one of these rings; shape (*cases) [Pa]."""
+    number = ("inner", "outer").index(side)
+    give = rings.gives(grooves_of(solution.scene.operating_bearing))[number]
+    assert give is not None and give.seat is not None
+    return np.asarray(give.seat[0] * radial_loads(solution)[number].sum(axis=-1))
 
 
 def groove_shape(solution: Solution, side: str, azimuth: NDArray) -> NDArray:

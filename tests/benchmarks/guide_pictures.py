@@ -7,6 +7,7 @@ import io
 import json
 import re
 import tempfile
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -21,12 +22,13 @@ from fem_check import records_store
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
 from fem_check.report.figures.sector import bearing_sector
-from qsbearing.pictures import overview
+from qsbearing.io.set_file import set_of
+from qsbearing.pictures import deformed_shaft, overview
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
 from qsbearing.readings.rating_life import MILLION, Life
 from qsbearing.studies.cost import figures
 from tests.benchmarks.coordinate_drawing import coordinate_drawing
-from tests.guide.pages import run_page
+from tests.guide.pages import blocks, run_page
 from tests.rotordynamics import spindle
 
 GUIDE = Path(qs.__file__).parent / "guide"
@@ -83,6 +85,12 @@ def lives() -> list[LifePanel]:
     ]
 
 
+def deformed_spindle() -> Figure:
+    """The spindle of the guide's page as it bends."""
+    file = next(block.text for block in blocks(GUIDE / "spindle.md") if block.language == "toml")
+    return deformed_shaft(qs.solve_set(set_of(tomllib.loads(file), "spindle.toml", "spindle")))
+
+
 def svg(figure: Figure) -> str:
     """A figure as SVG: no date and a fixed salt, so that the same picture is the same file."""
     file = io.StringIO()
@@ -126,6 +134,7 @@ def main() -> None:
     (GUIDE / "section.svg").write_text(svg(overview(qs.solve(qs.load_scene("b218")))), encoding="utf-8")
     (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
     (GUIDE / "spindle.svg").write_text(svg(spindle.picture(spindle.read())), encoding="utf-8")
+    (GUIDE / "deformed_shaft.svg").write_text(svg(deformed_spindle()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 

@@ -203,7 +203,7 @@ def campaigns() -> str:
             ]
         )
     headings = ["envelope", "seed", "scenes", "converged", "no equilibrium", "not converged", "wrong"]
-    return markdown([*headings, "iterations: median / 99 % / most", "largest error of any balance"], rows)
+    return markdown([*headings, "iterations: median / 99 % / most", "largest imbalance"], rows)
 
 
 def hard_cases() -> str:

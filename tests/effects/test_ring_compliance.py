@@ -127,17 +127,18 @@ def test_cases_are_as_each_alone() -> None:
 
 
 def test_what_is_left_of_bending_without_local_compression() -> None:
-    """A half-plane's part goes, which high harmonics of any body have in common; so do waves shorter than the width."""
+    """A half-plane's part goes, which high harmonics of any body have in common."""
     ring = Annulus(73.863e-3, 80e-3, E, NU)
     give = outer_ring_give(ring, None).groove
-    left = of_section(give, ring.a, 0.03, E)
+    left = of_section(give, ring.a, E)
     assert left[:3] == pytest.approx(give[:3], rel=5e-4)
     assert left[0] == give[0]
-    assert left[15] > 0.0  # 30.9 mm long
-    assert np.all(left[16:] == 0.0)
-    narrow = by_load(of_section(give, ring.a, 0.01, E), ring.a, 0.01)
+    # Thin beside its harmonics' lengths the ring bends; where they are as short as it is thick, it hardly does.
+    assert left[16] > 0.5 * give[16]
+    assert left[24] < 0.5 * give[24]
+    narrow = by_load(left, ring.a, 0.01)
     assert narrow[13:].sum() < 1.5e-3 * narrow.sum()
     solid = inner_ring_give(Annulus(0.045, 0.052, E, NU), Annulus(0.0, 0.045, E, NU)).groove
     half_plane = 2 * 0.052 / (E * np.arange(16, 25))
     np.testing.assert_allclose(solid[16:], half_plane, rtol=0.1)  # wavelengths of a fifth of the shaft
-    assert np.all(of_section(solid, 0.052, 0.01, E)[16:] < 0.1 * half_plane)
+    assert np.all(of_section(solid, 0.052, E)[16:] < 0.1 * half_plane)

@@ -11,7 +11,15 @@ import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import meshing, records_store, sector_comparison, sector_judgement, sector_pictures, sector_statics
+from fem_check import (
+    cutaway,
+    meshing,
+    records_store,
+    sector_comparison,
+    sector_judgement,
+    sector_pictures,
+    sector_statics,
+)
 from fem_check.agreement import Level, Row
 from fem_check.checks import bearing_sector
 from fem_check.report.figures import sector as figures
@@ -229,3 +237,48 @@ def test_what_the_comparison_resolves_is_said_of_each_series_for_itself():
     allowed = bearing_sector.BOUNDS["axial_displacement"]
     assert (max(curve["uncertainty"]) > allowed) == ("it would fail: axial" in bearing_sector.moment_note(series))
     assert len(bearing_sector.uncertainty_rows({"rigid": series["rigid"]})) == len(alone)
+
+
+@pytest.fixture(scope="module")
+def cut_open(sector):
+    load = SectorLoad(POINT.axial_load, POINT.speed)
+    record = {"pictures": {"sector": sector_pictures.of_sector(sector, sector.solve(load), POINT.label)}}
+    record["mesh"] = {"elements_per_semi_axis": sector.geometry.elements}
+    return record, cutaway.bodies(record, sector.geometry)
+
+
+def test_stress_below_a_contact_is_hertz(sector, cut_open):
+    """Von Mises' stress of a slender ellipse is largest below the surface, 0.55 to 0.63 of p0 (Johnson, section 4.3),
+    and falls off: at the ball's centre it is that of a point load's far field, a small part."""
+    record, found = cut_open
+    assert cutaway.geometry_of(record) == sector.geometry
+    for body in found.values():
+        p0 = body.pressure.max()
+        assert 0.5 < body.stress.max() / p0 < 0.7
+    ball = found["ball"]
+    centre = 1e3 * np.array([*sector.geometry.expected.ball_centre, 0.0])
+    depth = np.linalg.norm(ball.nodes - centre[:, None], axis=0)
+    assert ball.stress[depth < 2.0].max() < 0.05 * ball.pressure.max()
+    worst = ball.nodes[:, ball.stress.argmax()]
+    below = 0.5 * 22.225 - np.linalg.norm(worst - centre)
+    minor = np.linalg.norm(cutaway.hertz_ellipse(record, sector.geometry)[3])
+    assert 0.2 * minor < below < 1.5 * minor
+
+
+def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
+    record, found = cut_open
+    _, contact, major, minor = cutaway.hertz_ellipse(record, sector.geometry)
+    ball = found["ball"]
+    offset = ball.nodes - contact[:, None]
+    along = offset.T @ major / (major @ major), offset.T @ minor / (minor @ minor)
+    near = np.linalg.norm(offset, axis=0) < 2.0 * np.linalg.norm(major)
+    pressed = near & (ball.pressure > 0.2 * ball.pressure.max())
+    assert pressed.sum() > 20
+    assert np.hypot(*along)[pressed].max() < 1.15
+
+
+def test_the_picture_is_drawn(sector, cut_open, tmp_path):
+    pytest.importorskip("pyvista")
+    record, found = cut_open
+    cutaway.draw(found, cutaway.hertz_ellipse(record, sector.geometry), tmp_path / "cut.png", (320, 160))
+    assert matplotlib.pyplot.imread(tmp_path / "cut.png").std() > 0.05

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import dataclasses
 import json
 import re
@@ -9,7 +10,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from io import BytesIO
+from io import BytesIO, StringIO
 from pathlib import Path
 from typing import Any
 
@@ -19,23 +20,31 @@ from click.testing import CliRunner
 from fem_check import records_store
 from fem_check.agreement import Row
 from fem_check.cli import cli
-from fem_check.report import evidence, validation
+from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import agreement, quantity
-from fem_check.row_text import UNITS
+from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
 from tests.documents.browser import Browser, installed
 from tests.documents.page import Page
+from tests.documents.test_browser import DEAD, OVERFLOWS
 from tests.documents.test_pdf import fonts
 
+PAGES = 45
+"""At most, on paper."""
 SMALL = ("patch_test", "hertz_formula", "body_size")
 
 
 @pytest.fixture(scope="module")
 def shipped() -> Document:
     return validation.document(evidence.read())
+
+
+@pytest.fixture(scope="module")
+def paper() -> Document:
+    return validation.document(evidence.read(), with_rows=False)
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +90,8 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
     kept = [(name, row) for each in (found.checks, found.book) for name, k in each.items() for row in k.data["rows"]]
     assert len(kept) == len(table) - 1 > 400
     for (name, row), cells in zip(kept, table[1:], strict=True):
-        check, case, what, reference, value, deviation, _, tolerance, verdict = cells
+        check, case, what, reference, value, difference, tolerance, verdict = cells
+        deviation = difference.split(" ± ")[0]
         assert (check, case, verdict) == (name, row["case"], row["verdict"])
         assert what.startswith(quantity(row["quantity"]))
         factor = UNITS.get(row["unit"], (1.0, ""))[0]
@@ -90,6 +100,10 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
         assert (tolerance == "") == (row["tolerance_percent"] is None)
         if row["reference"] == 0.0:
             assert deviation == ""
+            continue
+        if passes_through_zero(row):
+            assert float(deviation) == pytest.approx((row["found"] - row["reference"]) * factor, rel=0.06)
+            assert difference.endswith(f" {UNITS[row['unit']][1]}")
             continue
         last_digit = 0.1 * (row["uncertainty_percent"] or 0.0)
         assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=max(last_digit, 1e-300))
@@ -117,15 +131,54 @@ def test_every_record_is_named_with_its_command(read: Page) -> None:
         assert kept.command in read.text
 
 
-def test_the_pdf_holds_its_fonts_and_says_the_verdict(shipped: Document) -> None:
+def test_the_pdf_holds_its_fonts_and_says_the_verdict(paper: Document) -> None:
     pypdf = pytest.importorskip("pypdf")
-    reader = pypdf.PdfReader(BytesIO(pdf(shipped, strict=True)))
+    reader = pypdf.PdfReader(BytesIO(pdf(paper, strict=True)))
     held = fonts(reader)
     assert held
     assert all(held.values())
     first = re.sub(r"\s", "", reader.pages[0].extract_text())
     assert "Validationreport" in first or "VALIDATIONREPORT" in first
-    assert re.sub(r"\s", "", "rows of agreement pass") in first
+    assert re.sub(r"\s", "", "rows of agreement, each one quantity compared with its reference") in first
+    assert len(reader.pages) <= PAGES
+    assert "Reproducing this report" in reader.pages[1].extract_text()
+
+
+def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:
+    """As JSON and as CSV, with reason and source; one count of them."""
+    found = evidence.read()
+    told = files.as_data(found)
+    kept = [row for each in (found.checks, found.book) for k in each.values() for row in k.data["rows"]]
+    assert [{key: value for key, value in row.items() if key != "check"} for row in told["rows"]] == kept
+    table = list(csv.DictReader(StringIO(files.csv_of(told["rows"]).decode())))
+    assert [row["why_tolerance"] for row in table] == [row["why_tolerance"] for row in kept]
+    assert float(table[0]["found"]) == kept[0]["found"]
+    assert f"Of {len(kept)} rows of agreement" in validation.verdict(found).text
+
+
+def test_levels_of_evidence_count_every_row_once(page: str) -> None:
+    table = next(table for table in Page.of(page).tables if table[0][0] == "level of evidence")
+    *levels, every = [[int(cell) for cell in line[2:6]] for line in table[1:]]
+    assert [sum(column) for column in zip(*levels, strict=True)] == every
+    assert every[0] == sum(every[1:])
+    assert every[0] == len(files.as_data(evidence.read())["rows"])
+
+
+def test_footnotes_are_the_rows_own() -> None:
+    """Each row's marks lead to its source and to the reason of its tolerance."""
+    rows = [
+        Row(f"case {number}", "load", "N", 1.0, source, 1.0, None, tolerance, why).as_dict()
+        for number, (source, tolerance, why) in enumerate(
+            (("a book", 1.0, "printed digits"), ("a book", None, "not known"), ("a chart", 1.0, "printed digits"))
+        )
+    ]
+    (table,) = agreement(rows, "Agreement")
+    texts = dict(table.notes)
+    assert [{texts[mark] for mark in line[-1].split()} for line in table.rows] == [
+        {"Reference: a book", "Tolerance: printed digits"},
+        {"Reference: a book", "Finding: not known"},
+        {"Reference: a chart", "Tolerance: printed digits"},
+    ]
 
 
 def test_the_same_records_are_the_same_report(records: Path) -> None:
@@ -229,8 +282,8 @@ def test_two_commands_make_it_the_second_from_records_alone(tmp_path: Path) -> N
         assert "pip install" in said
         assert "Traceback" not in said
     names = sorted(path.name for path in (tmp_path / "report").iterdir())
-    assert names == ["validation_report.html", "validation_report.pdf"]
-    text = Page.of((tmp_path / "report" / names[0]).read_text(encoding="utf-8")).text
+    assert names == [f"validation_report.{form}" for form in ("csv", "html", "json", "pdf")]
+    text = Page.of((tmp_path / "report" / names[1]).read_text(encoding="utf-8")).text
     assert f"fem-check run patch_test --level {level}" in text
     assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
 
@@ -257,11 +310,14 @@ def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) ->
         assert 0 < len(some) < every
         assert all("bearing_sector" in text and "angle" in text for text in some)
         browser.click(f"{every_row}.querySelectorAll('th button')[5]")
-        deviations = [float(text) for text in browser.value(f"{shown}.map(r => r.cells[5].textContent)") if text]
+        cells = browser.value(f"{shown}.map(r => r.cells[5].textContent)")
+        deviations = [float(text.split()[0]) for text in cells if text]
         assert deviations == sorted(deviations)
-        for width in (360, 1280):
+        for width in (390, 768, 1280):
             browser.open(path, width=width)
             assert browser.value("document.documentElement.scrollWidth") <= width
+            assert browser.value(OVERFLOWS) == []
+        assert browser.value(DEAD) == []
         assert browser.complaints == []
 
 
@@ -317,7 +373,8 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
-    before, _, after = read.text.partition("In a checkout of the repository")
+    text = read.text[read.text.index("The report formats records") : read.text.index("What is claimed")]
+    before, _, after = text.partition("In a checkout of the repository")
     assert "python -m tests.reference.table" in after
     assert "fem-check book iso_281_ratings" in before
     assert "fem-check book iso_281_ratings" not in after

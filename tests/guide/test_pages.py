@@ -55,6 +55,19 @@ def test_a_page_that_does_not_run_is_found(wrong: str, tmp_path: Path) -> None:
         run_page(page, tmp_path, heavy=False)
 
 
+def test_each_section_of_how_to_runs_on_its_own(tmp_path: Path) -> None:
+    """Its imports are in it: it may be the only one that somebody copies."""
+    sections = re.split(r"^(?=## )", (GUIDE / "how_to.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
+    alone = [
+        "".join(re.findall(r"^```python\n.*?^```\n", section, flags=re.DOTALL | re.MULTILINE)) for section in sections
+    ]
+    assert sum(map(bool, alone)) >= 3
+    for number, section in enumerate(filter(None, alone)):
+        page = tmp_path / f"{number}.md"
+        page.write_text(section, encoding="utf-8")
+        run_page(page, tmp_path, heavy=False)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_scripts_of_the_repository_exist(page: Path) -> None:
     for name in re.findall(r"python -m ([\w.]+)", page.read_text(encoding="utf-8")):

@@ -123,8 +123,8 @@ def test_rings_take_their_seat_from_the_shaft() -> None:
     bores = (20 * qs.mm, 20 * qs.mm, 30 * qs.mm, 30 * qs.mm)
     for row, bore in zip(of.rows, bores, strict=True):
         assert of.effects_of(row) == (qs.RingExpansion(**seat, **given, shaft_bore_diameter=bore),)
-    with pytest.raises(qs.SceneError, match=r"beside shaft\.temperature"):
-        replace(of, ring_effects=(qs.RingExpansion(**seat, **given),))
+    with pytest.raises(qs.SceneError, match=r"another than shaft\.temperature"):
+        replace(of, ring_effects=(qs.RingExpansion(**seat, shaft_temperature=WARM + 5.0),))
 
 
 def test_every_error_of_surroundings_is_named() -> None:

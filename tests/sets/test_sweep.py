@@ -75,3 +75,18 @@ def test_the_command_sweeps_a_set(tmp_path: Path) -> None:
     assert qs.open_results(out)["shaft_load_axial"].values == pytest.approx(200.0, rel=1e-15)
     wrong = CliRunner().invoke(cli, ["sweep", str(path), "--vary", "spring_N=1,2"])
     assert wrong.exit_code == 2 and "whose outer ring it presses" in wrong.stderr
+
+
+def test_rows_share_a_panel_and_the_title_names_bearing_and_preload(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    from qsbearing.pictures.study import picture
+
+    found = qs.sweep(qs.Study.of(written(tmp_path, PAIR_FILE), {"speed_rpm": [0, 6000, 12000]}))
+    figure = picture(found)
+    rows = {axes.get_title("left").partition(",")[0]: len(axes.lines) for axes in figure.axes}
+    assert rows["axial load"] == rows["inner load"] == 2  # one panel, so one scale
+    (legend,) = figure.legends
+    assert [text.get_text() for text in legend.get_texts()][:2] == ["row 1", "row 2"]
+    title = figure.get_suptitle().replace("\n", " ")
+    assert "2 rows 7210C" in title
+    assert "rigid preload" in title

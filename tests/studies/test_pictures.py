@@ -16,7 +16,7 @@ from qsbearing.pictures.study import Kind, PictureError, picture, select
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, label_curves
 from qsbearing.pictures.study.maps import extended_below_zero
-from qsbearing.pictures.study.rank_correlation import rank_correlation
+from qsbearing.pictures.study.spread import rank_correlation
 from qsbearing.pictures.style import figure_of_size, label_angle
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep

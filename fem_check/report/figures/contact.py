@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
-from fem_check.report.figures.style import FOUND, HERTZ, Entry
+from fem_check.report.figures.style import FOUND, HERTZ, PRESSURE, Entry, map_of
 
 
 def pressure_map(entry: Entry) -> Figure:
@@ -30,14 +30,9 @@ def pressure_map(entry: Entry) -> Figure:
     u, v, w = (np.concatenate(parts) for parts in (every_x, every_y, every_p))
     _, first = np.unique(np.round(np.stack([u, v]), 6), axis=1, return_index=True)
     a, b = contact["a_mm"], contact["b_mm"]
-    # Triangles of the circle that the stretched ellipse is: those of the ellipse itself would be slivers.
-    corners = Triangulation(u[first], v[first]).triangles
-    shown, pressure = Triangulation(u[first] * a, v[first] * b, corners), w[first] * contact["p0_MPa"]
-    # Without pressure no colour, so that nothing seems to be pressed outside the contact.
-    levels = np.linspace(0.01, 1.0, 17) * pressure.max()
-    picture = axes.tricontourf(shown, pressure, levels=levels, cmap="viridis")
+    picture = map_of(axes, u[first] * a, v[first] * b, w[first] * contact["p0_MPa"], a, b)
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
-    axes.plot(a * np.cos(angle), b * np.sin(angle), color="#c44e52", linewidth=1.2, label="Hertz's edge")
+    axes.plot(a * np.cos(angle), b * np.sin(angle), color="black", linewidth=1.2, label="Hertz's edge")
     axes.legend(loc="upper right")
     figure.colorbar(picture, ax=axes, label="pressure, MPa", ticks=MaxNLocator(8))
     axes.set(xlabel="across the groove, mm", ylabel="along rolling, mm (stretched)", title=title(contact))
@@ -76,10 +71,10 @@ def shear_map(entry: Entry) -> Figure:
     seen = (z < 2.2) & (y < 1.35)
     figure, axes = plt.subplots(figsize=(6.0, 4.4), layout="constrained")
     mirrored = Triangulation(np.concatenate([y[seen], -y[seen]]), np.concatenate([z[seen], z[seen]]))
-    picture = axes.tricontourf(mirrored, np.concatenate([tau[seen], tau[seen]]), levels=18, cmap="magma")
+    picture = axes.tricontourf(mirrored, np.concatenate([tau[seen], tau[seen]]), levels=18, cmap=PRESSURE)
     figure.colorbar(picture, ax=axes, label="largest shear stress over p0")
-    axes.plot(0.0, contact["max_shear_depth_over_b"], "wx", markersize=9, label="theory: largest on the axis")
-    axes.legend(loc="lower right", facecolor="grey", labelcolor="white")
+    axes.plot(0.0, contact["max_shear_depth_over_b"], "k+", markersize=11, label="theory: largest on the axis")
+    axes.legend(loc="lower right")
     axes.invert_yaxis()
     axes.set(xlabel="y/b", ylabel="depth z/b", title=title(contact))
     return figure
@@ -95,8 +90,8 @@ def mesh(entry: Entry) -> Figure:
         _grid(axes, lines[first], lines[second])
         axes.set(xlabel=labels[0], ylabel=labels[1], aspect="equal")
     angle = np.linspace(0.0, 0.5 * np.pi, 91)
-    panels[0].plot(np.cos(angle), np.sin(angle), color="#c44e52", linewidth=1.8)
-    panels[1].plot([0.0, 1.0], [0.0, 0.0], color="#c44e52", linewidth=4)
+    panels[0].plot(np.cos(angle), np.sin(angle), color="#d55e00", linewidth=1.8)
+    panels[1].plot([0.0, 1.0], [0.0, 0.0], color="#d55e00", linewidth=4)
     panels[1].invert_yaxis()
     figure.suptitle(f"{lines['elements']} hexahedra with 20 nodes; red: the contact", fontsize=10)
     return figure

@@ -25,7 +25,7 @@ class Drawing(NamedTuple):
 DRAWN = {
     "contact": Drawing(
         contact.pressure_map,
-        "Pressure over the ellipse, Hertz's edge in red; no colour where there is less than a hundredth of the largest",
+        "Pressure over the ellipse, smooth between the nodes of the mesh, and Hertz's edge",
         "Map of the contact pressure: elliptic contours, highest in the middle, ending at Hertz's outline.",
     ),
     "contact profiles": Drawing(
@@ -72,13 +72,13 @@ DRAWN = {
     ),
     "sector bodies": Drawing(
         sector.sector_bodies,
-        "What was solved: half a ball and its segments of both rings, as meshed",
+        "Half a ball and its segments of both rings, as meshed",
         "The meshed half ball between segments of both rings, and the ball alone with its contact in colour.",
     ),
     "sector contacts": Drawing(
         sector.sector_contacts,
-        "Pressure and gap of both contacts of the ball, at the corners of the pressure's cells. Four to six cells a "
-        "semi-axis leave the contours ragged, at the quick level most: that is the mesh, not the contact",
+        "Pressure and gap of both contacts of the ball. The maps are smoothed between the corners of the pressure's "
+        "cells, four to six a semi-axis; the curves show those corners as computed",
         "Pressure maps of the inner and the outer contact, and pressure and gap across the groove.",
     ),
     "bearing_sector": Drawing(
@@ -90,12 +90,20 @@ DRAWN = {
 }
 
 
-def draw_all(entry: Entry) -> list[Picture]:
+SHOWN_IN = {"contact": "ball_in_inner_groove", "mesh": "ball_in_inner_groove"}
+"""Pictures that would look alike in every check of one contact are shown in this one."""
+INCHES = 12.0
+"""Width of a figure that would fill the page."""
+
+
+def draw_all(name: str, entry: Entry) -> list[Picture]:
     """Every picture that a record has numbers for."""
     found = []
     for key, drawing in DRAWN.items():
-        if key.split()[0] in entry["pictures"]:
+        source = key.split()[0]
+        if source in entry["pictures"] and SHOWN_IN.get(source, name) == name:
             figure = drawing.draw(entry)
-            found.append(picture(figure, drawing.alt, drawing.caption, min(1.0, figure.get_size_inches()[0] / 9.0)))
+            width = min(1.0, figure.get_size_inches()[0] / INCHES)
+            found.append(picture(figure, drawing.alt, drawing.caption, width))
             plt.close(figure)
     return found

@@ -8,10 +8,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from matplotlib.tri import Triangulation
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 
-from fem_check.report.figures.style import HERTZ, Entry, load_axis
+from fem_check.report.figures.style import HERTZ, PRESSURE, Entry, load_axis, map_of
 from fem_check.report.rows import quantity
 
 
@@ -83,7 +82,7 @@ def sector_bodies(entry: Entry) -> Figure:
     """Ball and ring segments as they were meshed, cut at the plane of symmetry; pressure in colour."""
     bodies = entry["pictures"]["sector"]["bodies"]
     most = max(max(body["pressure"]) for body in bodies.values())
-    colours, scale = plt.get_cmap("plasma"), Normalize(0.0, most)
+    colours, scale = PRESSURE, Normalize(0.0, most)
     figure = plt.figure(figsize=(10.0, 5.6), layout="constrained")
     views = (
         ("all three bodies", "outer ball inner", -62.0, 18.0),
@@ -128,10 +127,10 @@ def sector_contacts(entry: Entry) -> Figure:
     figure, grid = plt.subplots(2, 2, figsize=(9.6, 5.6), layout="constrained")
     for (race, contact), (over, along) in zip(sector["contacts"].items(), grid, strict=True):
         x, y, p, gap = (np.asarray(contact[name]) for name in ("x", "y", "p", "gap"))
-        mirrored = Triangulation(np.concatenate([x, x[y > 0.0]]), np.concatenate([y, -y[y > 0.0]]))
-        # Without pressure no colour, so that nothing seems to be pressed outside the contact.
-        levels = np.linspace(0.01, 1.0, 17) * p.max()
-        picture = over.tricontourf(mirrored, np.concatenate([p, p[y > 0.0]]), levels=levels, cmap="plasma")
+        u, v, w = np.concatenate([x, x[y > 0.0]]), np.concatenate([y, -y[y > 0.0]]), np.concatenate([p, p[y > 0.0]])
+        pressed = w > 0.0
+        a, b = np.abs(u[pressed]).max(), np.abs(v[pressed]).max()
+        picture = map_of(over, u, v, w, a, b)
         figure.colorbar(picture, ax=over, label="pressure, MPa", ticks=MaxNLocator(6))
         over.set(
             xlabel="across the groove, mm",
@@ -139,12 +138,12 @@ def sector_contacts(entry: Entry) -> Figure:
             title=f"{race} raceway, {contact['load_N']:.0f} N",
         )
         middle = y < 1e-9
-        along.plot(x[middle], p[middle], "o-", color="#c44e52", markersize=3)
+        along.plot(x[middle], p[middle], "o-", color="#d55e00", markersize=3)
         along.set(xlabel="across the groove, mm", ylabel="pressure, MPa", title="in the plane of symmetry")
         right = along.twinx()
-        right.plot(x[middle], np.maximum(gap[middle], 0.0), "s--", color="#4c72b0", markersize=3)
+        right.plot(x[middle], np.maximum(gap[middle], 0.0), "s--", color="#0072b2", markersize=3)
         right.set_ylabel("gap, µm")
-        along.text(0.0, 0.1 * p.max(), "pressure", color="#c44e52", ha="center")
-        right.text(x[middle].max(), 0.9 * gap[middle].max(), "gap", color="#4c72b0", ha="right")
+        along.text(0.0, 0.1 * p.max(), "pressure", color="#d55e00", ha="center")
+        right.text(x[middle].max(), 0.9 * gap[middle].max(), "gap", color="#0072b2", ha="right")
     figure.suptitle(sector["label"], fontsize=10)
     return figure

@@ -28,9 +28,9 @@ def body_size(entry: Entry) -> Figure:
     series = entry["pictures"]["body_size"]
     figure, axes = plt.subplots(figsize=(6.0, 3.4), layout="constrained")
     inverse = 1.0 / np.asarray(series["size"])
-    axes.plot(inverse, 1e6 * np.asarray(series["approach"]), "o", color="#c44e52", label="clamped boxes")
-    axes.plot([0.0], [1e6 * series["limit"]], "s", color="#c44e52", label="their limit")
-    axes.plot([0.0], [1e6 * series["far_field"]], "x", color="#4c72b0", markersize=10, label="exact far field")
+    axes.plot(inverse, 1e6 * np.asarray(series["approach"]), "o", color="#d55e00", label="clamped boxes")
+    axes.plot([0.0], [1e6 * series["limit"]], "s", color="#d55e00", label="their limit")
+    axes.plot([0.0], [1e6 * series["far_field"]], "x", color="#0072b2", markersize=10, label="exact far field")
     axes.axhline(1e6 * series["hertz"], label="Hertz", **HERTZ)
     axes.set(xlabel="semi-major axis over half-width of the box", ylabel="approach, µm")
     axes.legend()
@@ -66,8 +66,8 @@ def true_geometry(entry: Entry) -> Figure:
         for race, part in series.items():
             style = "-" if race == "inner" else "--"
             for key, colour, label in (
-                ("gap_shape", "#4c72b0", "exact gap"),
-                ("true_contact", "#c44e52", "exact gap, pressure along the surface"),
+                ("gap_shape", "#0072b2", "exact gap"),
+                ("true_contact", "#d55e00", "exact gap, pressure along the surface"),
             ):
                 values, spread = part[f"{key}_percent"][name], part[f"{key}_uncertainty"][name]
                 axes.errorbar(

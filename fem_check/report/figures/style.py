@@ -4,11 +4,36 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.tri import Triangulation
+from numpy.typing import NDArray
 
 Entry = dict[str, Any]
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
-FOUND: dict[str, Any] = {"color": "#c44e52", "marker": ".", "linestyle": "none", "markersize": 3}
+FOUND: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
+
+
+PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#f2f5f7", "#a9c4d3", "#0072b2", "#d55e00", "#7a1f00"])
+"""The colours of the other pictures: none, blue, orange."""
+
+
+def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a: float, b: float) -> Any:
+    """Contours of a contact pressure over an ellipse of semi-axes a and b, smoothed between the mesh's points.
+
+    The square is smoothed, which for Hertz's pressure is a parabola that crosses zero at the edge; the pressure itself
+    has an infinite slope there. The points are those of a circle: an ellipse's own triangles would be slivers.
+    """
+    from scipy.interpolate import RBFInterpolator
+
+    pressed = values > 0.0
+    known, square = np.column_stack([x / a, y / b])[pressed], (values[pressed] / values.max()) ** 2
+    smooth = RBFInterpolator(known, square, kernel="thin_plate_spline", degree=2, smoothing=0.02 * len(known))
+    u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 241), np.linspace(-1.12, 1.12, 161)))
+    shown = values.max() * np.sqrt(np.clip(smooth(np.column_stack([u, v])), 0.0, None))
+    levels = np.linspace(0.02, 1.02, 51) * values.max()  # without pressure no colour
+    return axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)
 
 
 def load_axis(axes: Axes, loads: list[float]) -> None:

@@ -57,11 +57,10 @@ def _page(name: str, kept: Kept) -> Section:
     blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]))
     if entry["inputs"]:
         inputs = [list(map(str, each)) for each in entry["inputs"]]
-        blocks.append(Table(("input", "value", "from"), inputs, "lll", "What went in"))
+        blocks.append(Table(("input", "value", "from"), inputs, "lll", f"{entry['title']}. Inputs"))
     blocks += _lists(entry)
     blocks += _picture(kept)
-    blocks += agreement(entry["rows"], "Agreement")
-    blocks += _reasons(entry["rows"])
+    blocks += agreement(entry["rows"], f"{entry['title']}. Agreement")
     points = entry.get("points")
     if points and len(points["rows"]) <= LONGEST:
         rows = [[_cell(value) for value in row] for row in points["rows"]]
@@ -71,7 +70,7 @@ def _page(name: str, kept: Kept) -> Section:
     return Section(entry["title"], [*blocks, kept.trace], f"book-{name.replace('_', '-')}")
 
 
-LONGEST = 60
+LONGEST = 12
 """Points that a page shows one by one."""
 
 LISTS = {
@@ -84,24 +83,15 @@ LISTS = {
 
 
 def _lists(entry: dict[str, Any]) -> list[Block]:
-    return [
-        block
-        for key, heading in LISTS.items()
-        if entry.get(key)
-        for block in (Paragraph(f"{heading}:"), Bullets(entry[key]))
-    ]
-
-
-def _reasons(rows: list[dict[str, Any]]) -> list[Block]:
-    why = dict.fromkeys(row["why_tolerance"] for row in rows if row["why_tolerance"])
-    return [Paragraph("Why these tolerances:"), Bullets(list(why))] if why else []
+    items = [f"{heading}: {'; '.join(entry[key])}" for key, heading in LISTS.items() if entry.get(key)]
+    return [Bullets(items)] if items else []
 
 
 def _picture(kept: Kept) -> list[Block]:
     told = kept.data.get("picture")
     if not told:
         return []
-    return [Picture(picture.svg(kept.data), told["alt"], told["caption"], "svg", 0.85)]
+    return [Picture(picture.svg(kept.data), told["alt"], told["caption"], "svg", 0.62)]
 
 
 def _cell(value: Any) -> str:

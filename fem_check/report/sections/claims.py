@@ -8,11 +8,13 @@ from typing import Any, NamedTuple
 from fem_check import row_text
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.figures import overview
 from fem_check.report.rows import counts, quantity
 from fem_check.report.sections.mathematics import CHECKS as OF_FORMULAS
 from fem_check.report.sections.robustness import GOOD
 from fem_check.row_text import number
-from qsbearing.documents.model import Badge, Cell, Md, Paragraph, Section, Table
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Badge, Cell, Md, Paragraph, Picture, Section, Table
 
 Row = dict[str, Any]
 NONE = Badge("not on record", "missing")
@@ -32,18 +34,22 @@ def section(evidence: Evidence) -> Section:
             ),
             Paragraph(
                 Md(
-                    "What is not claimed stands under [known limits](#known-limits). *Verification*: the equations are "
-                    "solved right; the reference is exact or another method's result for the same problem. "
+                    "For limits of the claims, see [known limits](#known-limits). *Verification*: the equations are "
+                    "solved correctly; the reference is exact or another method's result for the same problem. "
                     "*Model comparison*: how far the model is from one with fewer simplifications. *Validation*: how "
-                    "far it is from measurement, and nothing else. A finding is a difference without a tolerance."
+                    "far it is from measurement. A finding is a difference without a tolerance. A row of agreement is "
+                    "one quantity compared with its reference; fifty-digit scenes, relations, hard cases and random "
+                    "scenes are judged as a whole and are not counted as rows."
                 )
             ),
             Table(
-                ("level of evidence", "kind", "pass", "fail", "findings", "not on record"),
+                ("level of evidence", "kind", "rows", "pass", "fail", "findings", "judged as a whole", "not on record"),
                 _levels(evidence),
-                "llrrrr",
-                "Levels of evidence",
+                "llrrrrll",
+                "Levels of evidence, and the rows of agreement of each",
+                stack=True,
             ),
+            *scatter(evidence),
         ],
     )
 
@@ -198,45 +204,85 @@ def _hard_cases(kept: Kept | None) -> tuple[str | None, bool]:
 
 
 def _levels(evidence: Evidence) -> list[list[Cell]]:
-    def line(text: str, kind: str, rows: Sequence[Row], absent: Sequence[str]) -> list[Cell]:
-        return [Md(text), kind, *map(str, counts(rows).values()), ", ".join(absent)]
-
-    def of_checks(names: Sequence[str]) -> tuple[list[Row], list[str]]:
-        there = [evidence.checks[name] for name in names if name in evidence.checks]
-        return [row for kept in there for row in kept.data["rows"]], [n for n in names if n not in evidence.checks]
-
-    def of_book(measured: bool) -> list[Row]:
-        chosen = [kept for kept in evidence.book.values() if (kept.data["kind"] == "M") == measured]
-        return [row for kept in chosen for row in kept.data["rows"]]
-
-    exact = [{"verdict": each["verdict"]} for each in (evidence.reference.data["cases"] if evidence.reference else ())]
-    relations = [
-        {"verdict": each["verdict"]} for each in (evidence.relations.data["files"] if evidence.relations else ())
-    ]
-    hard = [
-        {"verdict": "pass" if each["verdict"] in GOOD else "fail"}
-        for each in (evidence.hard_cases.data["cases"] if evidence.hard_cases else ())
-    ]
-    bars = [{"verdict": "pass" if each.data["bar"]["met"] else "fail"} for each in evidence.campaigns]
-    formulas, no_formulas = of_checks(OF_FORMULAS)
-    kinds = {
-        kind: of_checks([name for name, check in ALL.items() if str(check.kind) == kind and name not in OF_FORMULAS])
-        for kind in ("verification", "model comparison")
-    }
-    no_book = () if evidence.book else ("the book",)
-    absent = [
-        name
-        for name, there in (("fifty-digit solutions", exact), ("relations", relations))
-        if not there
-    ]  # fmt: skip
-    return [
-        line("[Mathematics](#mathematics)", "verification", exact + relations + formulas, absent + no_formulas),
-        line("[Other programs, standards, catalogues](#computed-by-others)", "comparison", of_book(False), no_book),
-        line("[Finite elements: half-spaces](#finite-elements)", "verification", *kinds["verification"]),
-        line("[Finite elements: true bodies](#finite-elements)", "model comparison", *kinds["model comparison"]),
-        line("[Measurements](#measurements)", "validation", of_book(True), no_book),
-        line(
-            "[Hard cases and random scenes](#robustness)", "robustness", hard + bars,
-            [name for name, there in (("hard cases", hard), ("campaigns", bars)) if not there],
+    groups, absent = by_kind(evidence), {name for name in ALL if name not in evidence.checks}
+    wholes = {
+        "Mathematics": (
+            _passed("fifty-digit scenes", evidence.reference, "cases"),
+            _passed("files of relations", evidence.relations, "files"),
         ),
-    ]  # fmt: skip
+        "Hard cases and random scenes": (
+            _passed("hard cases", evidence.hard_cases, "cases", GOOD),
+            _met(evidence.campaigns),
+        ),
+    }
+    lines: list[list[Cell]] = []
+    for name, (kind, link) in LEVELS.items():
+        rows, whole = groups.get(name, []), wholes.get(name, ())
+        missing = [each.removesuffix("not on record") for each in whole if each.endswith("not on record")]
+        missing += [check for check in sorted(absent) if _level_of(check) == name]
+        missing += ["the book"] if kind in ("comparison", "validation") and not evidence.book else []
+        judged = [each for each in whole if not each.endswith("not on record")]
+        found = [len(rows), *counts(rows).values()]
+        lines.append([Md(f"[{name}]({link})"), kind, *map(str, found), ", ".join(judged), ", ".join(missing)])
+    every = [row for rows in groups.values() for row in rows]
+    return [*lines, ["all", "", str(len(every)), *map(str, counts(every).values()), "", ""]]
+
+
+LEVELS = {
+    "Mathematics": ("verification", "#mathematics"),
+    "Standards, catalogues, programs": ("comparison", "#computed-by-others"),
+    "Finite elements: half-spaces": ("verification", "#finite-elements"),
+    "Finite elements: true bodies": ("model comparison", "#finite-elements"),
+    "Measurements": ("validation", "#measurements"),
+    "Hard cases and random scenes": ("robustness", "#robustness"),
+}
+
+
+def by_kind(evidence: Evidence) -> dict[str, list[Row]]:
+    """Every row of agreement by its level of evidence."""
+    found: dict[str, list[Row]] = {}
+    for name, kept in evidence.checks.items():
+        found.setdefault(_level_of(name, kept.data["kind"]), []).extend(kept.data["rows"])
+    for kept in evidence.book.values():
+        name = "Measurements" if kept.data["kind"] == "M" else "Standards, catalogues, programs"
+        found.setdefault(name, []).extend(kept.data["rows"])
+    return found
+
+
+def _level_of(check: str, kind: str = "") -> str:
+    if check in OF_FORMULAS:
+        return "Mathematics"
+    kind = kind or str(ALL[check].kind)
+    return "Finite elements: half-spaces" if kind == "verification" else "Finite elements: true bodies"
+
+
+def _passed(what: str, kept: Kept | None, key: str, good: Sequence[str] = ("pass",)) -> str:
+    if kept is None:
+        return f"{what} not on record"
+    cases = kept.data[key]
+    return f"{sum(each['verdict'] in good for each in cases)} of {len(cases)} {what}"
+
+
+def _met(campaigns: Sequence[Kept]) -> str:
+    if not campaigns:
+        return "random scenes not on record"
+    met = sum(each.data["bar"]["met"] for each in campaigns)
+    return f"{met} of {len(campaigns)} campaigns of random scenes"
+
+
+def scatter(evidence: Evidence) -> list[Picture]:
+    """All rows: what was found against the reference, and how much of its tolerance each takes."""
+    groups = {name: rows for name, rows in by_kind(evidence).items() if overview.drawable(rows)}
+    if not groups:
+        return []
+    figure = overview.scatter(groups)
+    found = picture(
+        figure,
+        "For each kind of evidence a panel of found against reference values on the line of equality, and a panel of "
+        "deviations below the line where they would equal their tolerances.",
+        "All rows of agreement by kind of evidence, in SI units. Above: found against reference; the band is the "
+        "largest tolerance of that kind. Below: deviation and uncertainty together, against the row's tolerance; "
+        "points below the line pass",
+    )
+    overview.plt.close(figure)
+    return [found]

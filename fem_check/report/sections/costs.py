@@ -32,6 +32,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
         "Errors of angles, loads, pressures, displacement and stiffness against the speed, a line for every level.",
         "Errors of every level against the finest, over the speed. A peak at a single speed: there two levels choose "
         "another controlling raceway for one of the balls",
+        0.85,
     )
     blocks = [*from_rich(tables.report(kept.data)), speeds, kept.trace]
     if auto is not None:
@@ -54,12 +55,10 @@ def _elements(kept: Kept | None) -> list[Block]:
     figure = cost_picture.draw(found)
     drawn = picture(
         figure, "Worst error against time in double logarithms, a line for every family of elements.",
-        "Error against time, by element family and mesh",
+        "Error against time, by element family and mesh", 0.7,
     )  # fmt: skip
     cost_picture.plt.close(figure)
-    tables = [
-        Table(each.headings, each.rows, "l" + "r" * (len(each.headings) - 1), each.title)
-        for each in (cost_table.mesh_choices(found), cost_table.measured(found))
-    ]
+    choices = cost_table.mesh_choices(found)
+    table = Table(choices.headings, choices.rows, "l" + "r" * (len(choices.headings) - 1), choices.title)
     remark = cost_table.remark(found).replace("`", "")
-    return [Paragraph(remark), drawn, *tables, kept.trace]
+    return [Paragraph(remark), drawn, table, kept.trace]

@@ -8,7 +8,7 @@ from typing import Any
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import badge, quantity
 from fem_check.row_text import number
-from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
 
 SAME = 1e-9
 """Relative change below which a number found is the same: rounding of sums in another order."""
@@ -18,11 +18,8 @@ SHOWN = 60
 Row = dict[str, Any]
 
 
-def section(now: Evidence, before: Evidence | None) -> Section:
+def section(now: Evidence, before: Evidence) -> Section:
     """Rows that differ, checks that came or went."""
-    if before is None:
-        words = Md("No earlier records were given: `fem-check report --previous DIR` compares with a folder of them.")
-        return Section("Against the previous release", [Paragraph(words)], "previous")
     old, new = _rows(before), _rows(now)
     changed = sorted(
         ((key, _change(old[key], new[key])) for key in old.keys() & new.keys()), key=lambda each: (-each[1], each[0])

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from fem_check.report.evidence import Evidence
-from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Section, Table
+from fem_check.report.evidence import Kept
+from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Section, Table
 
 
-def section(evidence: Evidence) -> Section:
+def section(kept: Kept) -> Section:
     """Its steps, with the time of each."""
-    kept = evidence.gate
-    if kept is None:
-        words = Md("These records were not made by one release run, `python -m fem_check release`.")
-        return Section("Release run", [Paragraph(words)], "release-run")
     rows: list[list[Cell]] = [
         [
             name,

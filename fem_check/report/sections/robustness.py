@@ -52,10 +52,11 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
         for each in kept
         if "not asked" not in each.data["no_equilibrium"]["certificates"]
     )
-    words = f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence."
-    lost = [name for each in kept for name in each.data["not_converged"]]
-    named = [Paragraph(f"Not converged, by envelope, seed, chunk and number: {', '.join(lost)}.")] if lost else []
-    return [table, Paragraph(words), *named, Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
+    words = (
+        f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence. "
+        "The records name each scene that did not converge."
+    )
+    return [table, Paragraph(words), Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
 
 
 def _hard_cases(kept: Kept | None) -> list[Block]:

@@ -63,9 +63,13 @@ def _title(chosen: Selection) -> str:
     label = str(chosen.results.attrs.get("title", "")).removeprefix("Study of ")
     if set(scene.get("bearing", {})) == {"name"}:
         label = label.removesuffix(", modified")  # what is modified is what varies
-    parts, operation = [label], scene.get("operation", {})
-    for name, value in operation.items():
-        if name not in chosen.results.coords and value:
+    if rows := scene.get("rows"):
+        common = scene.get("bearing", {}).get("name", "")
+        bearings = dict.fromkeys(str(row.get("bearing", {}).get("name", common)) for row in rows)
+        label = f"{label}: {len(rows)} rows {' and '.join(filter(None, bearings))}".rstrip()
+    parts = [label]
+    for name, value in {**scene.get("operation", {}), **scene.get("preload", {})}.items():
+        if name not in chosen.results.coords and value and not isinstance(value, str):
             parts.append(f"{words(_without_unit(name))} {value:.6g} {name.rpartition('_')[2]}")
     for values in chosen.results.coords.values():
         if values.ndim == 0 and float(values) != 0.0:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.pictures.study.labels import nearest
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.contour import QuadContourSet
@@ -67,8 +69,8 @@ def _places(
         if _length(piece) < max(SHORTEST, 3.0 * HALF_LETTER * letters[number]):
             continue
         others = [other for i, other in enumerate(pieces) if i != number]
-        free = _distance(piece, others, FARTHEST)
-        apart = _distance(piece, taken, 1.0)
+        free = nearest(piece, others, FARTHEST)
+        apart = nearest(piece, taken, 1.0)
         inside = _inside(piece, letters[number])
         allowed = (inside >= 0.0) & (free >= CLEAR) & (apart >= APART)
         worth = np.where(allowed, free + 0.1 * np.minimum(apart, 0.4) + np.minimum(inside, 0.05), -np.inf)
@@ -89,12 +91,3 @@ def _inside(piece: NDArray, letters: int) -> NDArray:
 
 def _length(piece: NDArray) -> float:
     return float(np.hypot(*np.diff(piece, axis=0).T).sum())
-
-
-def _distance(points: NDArray, others: list[NDArray], most: float) -> NDArray:
-    """From each point to the nearest of the others, at most this."""
-    if not others:
-        return np.full(len(points), most)
-    from scipy.spatial import cKDTree
-
-    return np.minimum(cKDTree(np.concatenate(others)).query(points)[0], most)

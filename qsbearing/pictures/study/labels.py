@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from typing import TYPE_CHECKING
 
@@ -38,7 +39,9 @@ _CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z", "moment_y", "m
 
 
 def stem(name: str) -> tuple[str, str]:
-    """What results on one panel share, and what tells one from another: raceway, channel, or nothing."""
+    """What results on one panel share, and what tells one from another: row of a set, raceway, channel, or nothing."""
+    if row := re.fullmatch(r"row_(\d+)_(\w+)", name):
+        return row[2], f"row {row[1]}"
     for side in ("inner", "outer"):
         if name.startswith(f"{side}_") and "ring" not in name and name != "inner_raceway_controls":
             return name.removeprefix(f"{side}_"), side
@@ -121,8 +124,7 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
         curve, half = curves[number], np.array([HALF_LETTER * max(len(text), 3), HALF_HEIGHT])
         if not len(curve):
             continue
-        others = np.concatenate([*(each for i, each in enumerate(curves) if i != number), np.empty((0, 2))])
-        free = _nearest(curve / half, others / half)
+        free = nearest(curve / half, [each / half for i, each in enumerate(curves) if i != number])
         for there, extent in taken:
             free = np.minimum(free, CLOSEST * (np.abs(curve - there) / (half + extent)).max(axis=1))  # no overlap
         inside = np.all(np.abs(curve - 0.5) <= 0.49 - half, axis=1)
@@ -177,10 +179,10 @@ def _dense(curve: NDArray) -> NDArray:
     return np.column_stack([np.interp(even, length, along) for along in known.T])
 
 
-def _nearest(points: NDArray, others: NDArray) -> NDArray:
-    """From each point to the nearest of the others; 10 where there is none."""
-    if not len(others):
-        return np.full(len(points), 10.0)
+def nearest(points: NDArray, others: list[NDArray], most: float = 10.0) -> NDArray:
+    """From each point to the nearest of the others, at most this."""
+    if not sum(map(len, others)):
+        return np.full(len(points), most)
     from scipy.spatial import cKDTree
 
-    return np.asarray(cKDTree(others).query(points)[0])
+    return np.minimum(cKDTree(np.concatenate(others)).query(points)[0], most)

@@ -12,7 +12,7 @@ from qsbearing.block_statistics import MOST
 from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
-from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain
+from qsbearing.pictures.style import GREY, ROW_LINES, STYLE, figure_of_size, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -125,6 +125,9 @@ def _mark_jumps(axes: Axes, results: Dataset, x: NDArray, line: NDArray, along: 
 
 
 def _style(which: str) -> dict[str, Any]:
+    if which.startswith("row "):
+        number = int(which.removeprefix("row ")) - 1
+        return {"marker": "D", **dict(zip(("color", "linestyle"), ROW_LINES[number % len(ROW_LINES)], strict=True))}
     return STYLE[which] if which in STYLE else {"marker": "D", **_CHANNEL_STYLES.get(which, _CHANNEL_STYLES[""])}
 
 

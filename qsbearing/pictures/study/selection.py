@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -149,6 +150,9 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
         wanted += ["ring_effective_stiffness_axial"]
     elif kind is Kind.AZIMUTH:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
+    elif rows := [row[1] for name in results if (row := re.fullmatch(r"(row_\d+)_axial_load", str(name)))]:
+        wanted = [f"{each}_{name}" for name in ("axial_load", "inner_load_max", "outer_load_max") for each in rows]
+        wanted.append("shaft_effective_stiffness_axial")
     else:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
         if _varies(results, "ring_load_radial_y"):

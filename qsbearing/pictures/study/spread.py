@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from qsbearing.block_statistics import blocks, histogram, quantiles
 from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
-from qsbearing.pictures.study.rank_correlation import rank_correlation
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, plain
 
@@ -90,3 +89,13 @@ def _numbers(values: DataArray) -> Iterator[NDArray]:
     """One number of each point, in blocks: of what each ball has, the largest."""
     for block in blocks(values):
         yield np.fmax.reduce(block, axis=-1) if BALL in values.dims else block
+
+
+def rank_correlation(one: NDArray, other: NDArray) -> float:
+    """Spearman's coefficient over the pairs of which both are finite, from -1 to +1; NaN where either is constant."""
+    from scipy.stats import rankdata
+
+    known = np.isfinite(one) & np.isfinite(other)
+    if known.sum() < 3 or np.ptp(one[known]) == 0.0 or np.ptp(other[known]) == 0.0:
+        return float("nan")
+    return float(np.corrcoef(rankdata(one[known]), rankdata(other[known]))[0, 1])
