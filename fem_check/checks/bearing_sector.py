@@ -146,7 +146,8 @@ def study(
         if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
             found[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
-            found[name], of_mesh = values[-1], convergence.uncertainty_at_order(sizes, values, ORDER)
+            found[name] = values[-1]
+            of_mesh = convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), ORDER)
         uncertainty[name] = of_mesh + last.position_uncertainty[name]
     as_read = _finest(sizes, [mesh.as_read for mesh in meshes])
     return Studied(point, replace(last, found=found), uncertainty, sector, as_read, gyroscopic_moment)
@@ -156,7 +157,9 @@ def _finest(sizes: list[float], meshes: list[Values]) -> Values:
     """The finest mesh's values; the uncertainty from all meshes and the positions together."""
     last = meshes[-1]
     both = {
-        name: convergence.uncertainty_at_order(sizes, [mesh.found[name] for mesh in meshes], ORDER)
+        name: convergence.uncertainty_at_order(
+            *convergence.well_apart(sizes, [mesh.found[name] for mesh in meshes]), ORDER
+        )
         + last.position_uncertainty[name]
         for name in QUANTITIES
     }

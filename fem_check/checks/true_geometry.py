@@ -66,8 +66,15 @@ class Solved:
         return values[-1], convergence.largest_change(values)
 
     def ratio(self, above: list[dict[str, float]], below: list[dict[str, float]], name: str) -> tuple[float, float]:
-        """Of two results of the same mesh, whose errors largely cancel; with its uncertainty."""
-        return self.estimate([one[name] / other[name] for one, other in zip(above, below, strict=True)])
+        """Of two results of the same mesh, whose errors largely cancel; with its uncertainty.
+
+        Of approaches the difference over Hertz's, and 1: what the bodies' size adds is the same in both, -2 % of
+        Hertz's at 5 kN, and in a ratio would be taken for 2 % more of the gap's effect.
+        """
+        pairs = zip(above, below, strict=True)
+        if name == "approach":
+            return self.estimate([1.0 + one[name] - other[name] for one, other in pairs])
+        return self.estimate([one[name] / other[name] for one, other in pairs])
 
 
 def contacts(scene: str, race: str, load: float, elements: tuple[int, ...]) -> list[TrueContact]:

@@ -36,6 +36,19 @@ def random_points(count: int, seed: int = 0) -> qs.Scene:
     return at_speed(qs.Operation(speed=speed, axial_load=axial, radial_load_y=radial, moment_z=0.0))
 
 
+def random_general_points(count: int, seed: int = 0) -> qs.Scene:
+    """The same with loads in all five channels: radial along z up to 0.3 of the axial load, moments up to 50 N m."""
+    planar, rng = random_points(count, seed).operation, np.random.default_rng(seed + 1)
+    return at_speed(
+        dataclasses.replace(
+            planar,
+            radial_load_z=planar.axial_load * rng.uniform(-0.3, 0.3, count),
+            moment_y=rng.uniform(-50.0, 50.0, count),
+            moment_z=rng.uniform(-50.0, 50.0, count),
+        )
+    )
+
+
 def plain_start(scene: qs.Scene) -> qs.Solution:
     """What one starts from without thinking: pure thrust at rest, every ball at its static contact angle."""
     operation = qs.Operation(axial_load=scene.operation.axial_load)

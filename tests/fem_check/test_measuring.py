@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from fem_check import boundary_element, contact, half_space_contact, measuring
+from fem_check import boundary_element, contact, convergence, half_space_contact, measuring
 from fem_check.checks import load_power_law
 from fem_check.contact_problem import QUANTITIES
 from fem_check.measuring import Measured, Soundness
@@ -79,3 +79,10 @@ def test_scatter_of_positions_is_the_largest_of_all_loads():
     assert blind.position_uncertainty("approach") < 1e-12
     for series in ([blind, seen], [seen, blind]):
         assert load_power_law.position_scatter(series, "approach") == pytest.approx(0.01, rel=1e-9)
+
+
+def test_meshes_too_near_the_finest_are_no_estimate():
+    # Cells per half-side of the sector's patch with 2 to 5 elements a semi-axis: the last two differ by a fifth only.
+    sizes, values = [1 / 3, 1 / 4, 1 / 5, 1 / 6], [0.6, 0.3, 0.54, 1.06]
+    assert convergence.well_apart(sizes, values) == ([1 / 3, 1 / 4, 1 / 6], [0.6, 0.3, 1.06])
+    assert convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), 2.0) == pytest.approx(0.76)

@@ -47,6 +47,16 @@ def test_gap_of_the_true_bodies_is_the_boundary_elements(condensed):
     assert gap_misses(condensed) == []
 
 
+@pytest.mark.parametrize("bodies", [-0.02, 0.0, 0.05])
+def test_what_the_bodies_add_to_both_approaches_is_no_part_of_the_gap_s(bodies):
+    half_spaces = {"approach": 1.008, "semi_major_axis": 0.98}
+    parabola = [{"approach": 1.0 + bodies, "semi_major_axis": 1.0}] * 3
+    exact_gap = [half_spaces | {"approach": half_spaces["approach"] + bodies}] * 3
+    solved = true_geometry.Solved(groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, "")
+    for name, expected in half_spaces.items():
+        assert solved.ratio(exact_gap, parabola, name)[0] == pytest.approx(expected, rel=1e-12)
+
+
 def test_ball_moves_out_at_its_equator_like_an_elastic_sphere(condensed):
     found, exact = condensed.bulges(LOAD)
     assert found == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
