@@ -109,7 +109,9 @@ def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:
     entry = next((each for each in EFFECTS if each.name == effect), None)
     if entry is None:
         raise SceneFileError("page", [FileErrorDetail("", "no such effect")])
-    scene = _named(document, label).scene
+    scene = _scene(document, label)
+    if scene.tolerance is not None:
+        scene = _named(document, label).scene
     return shown(input_tables((entry.finer if is_on else entry.coarser)(scene)))
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from qsbearing.chooser.choose import solve
 from qsbearing.design_report.curves import finish, mark_stiffness
 from qsbearing.documents.drawing import inlined
 from qsbearing.pictures.contact_angles import draw_angles
@@ -21,7 +22,6 @@ from qsbearing.readings.asked import take_asked
 from qsbearing.readings.rating_life import HOUR
 from qsbearing.scene.scene import SPEED_PARAMETER_MAX
 from qsbearing.solution.solution import Solution
-from qsbearing.solution.solver import solve
 from qsbearing.units import mm, rpm, um
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _over_speed(solution: Solution) -> tuple[Solution, Any, int]:
 def _stiffness(axes: Axes, solution: Solution) -> None:
     swept, along, own = _over_speed(solution)
     mark_stiffness(axes, along, swept.locked_stiffness, swept.converged)
-    _finish(axes, along[own], swept.locked_stiffness[own, :2] * um, "locked stiffness, N/µm")
+    _finish(axes, along[own], swept.locked_stiffness[own, :2] * um, "locked stiffness, N/µm", solution)
 
 
 def _life(axes: Axes, solution: Solution) -> None:
@@ -80,11 +80,12 @@ def _life(axes: Axes, solution: Solution) -> None:
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter("{x:,.0f}")  # powers of ten as formulas take longer than all the rest
     axes.yaxis.set_minor_formatter(lambda *_: "")
-    _finish(axes, along[own], hours[own : own + 1], "life, h")
+    _finish(axes, along[own], hours[own : own + 1], "life, h", solution)
 
 
-def _finish(axes: Axes, speed: float, values: Any, name: str) -> None:
-    finish((axes,), (name,), speed, "inner ring, rpm")
+def _finish(axes: Axes, speed: float, values: Any, name: str, solution: Solution) -> None:
+    held = "" if solution.thermal is None else ", temperatures as here"  # to balance heat again takes seconds
+    finish((axes,), (f"{name}{held}",), speed, "inner ring, rpm")
     axes.plot(np.full(np.size(values), speed), values, "o", color=GREY, markersize=7, markerfacecolor="none")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import re
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,6 +25,7 @@ from qsbearing.io.read_toml import LARGEST_FILE
 from qsbearing.io.scene_file import load_scene
 from qsbearing.studies import keys
 from tests.app.served import asked, served, started
+from tests.guide.pages import GUIDE
 
 SESSIONS = 20
 
@@ -108,6 +110,15 @@ def test_each_effect_is_switched_and_back(address: str, scene: dict[str, Any]) -
         switched += after[name]["is_in"] != before[name]["is_in"]
     assert switched == 3
     assert not before["ring_expansion"]["can"]  # its numbers are not known
+
+
+def test_a_switch_leaves_all_other_tables() -> None:
+    """A heat balance among them, whose solution holds temperatures in place of it."""
+    tables = re.findall(r"```toml\n(# tight.toml\n.*?)```", (GUIDE / "heat.md").read_text(), flags=re.DOTALL)[0]
+    hot = answers.opened(tables, "tight")
+    after = answers.switched(hot["document"], "tight", "hertz_angle", True)["document"]
+    assert after["effects"].pop("hertz_angle") == "actual" and hot["document"]["effects"].pop("hertz_angle") == "free"
+    assert after == hot["document"] and "thermal" in after
 
 
 def test_a_case_without_solution_says_why(address: str, scene: dict[str, Any]) -> None:
