@@ -76,7 +76,7 @@ BALL = (
     Shown("orbital_speed_rpm", "orbital_speed", rpm),
     Shown("rotation_speed_rpm", "rotation_speed", rpm),
     Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
-    Shown("groove_give_um", "groove_give", um),
+    Shown("groove_deflection_um", "groove_deflection", um),
 )
 """Arrays of a solution (*cases, ball), those of contacts for either raceway."""
 

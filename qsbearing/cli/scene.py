@@ -77,16 +77,21 @@ def solve(scene: Scene, tolerance: float | None = None) -> Solution:
 
 @contextmanager
 def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
-    """Say on a terminal, once, that it takes longer than anybody waits in silence."""
+    """Say on a terminal, once, that it takes longer than anybody waits in silence; ends with exit code 2 where what is
+    asked turns out to be wrong."""
     if asked is not None and asked.thermal is not None:  # friction is integrated on the way, which needs it
         importlib.import_module("scipy.linalg")
     timer = threading.Timer(PATIENCE, note, ["still solving ..."])
     timer.daemon = True
     if sys.stderr.isatty():
         timer.start()
+    from qsbearing.validation import SceneError
+
     try:
         with _out_of_reach("scipy.linalg"):
             yield
+    except SceneError as error:  # what only a heat balance finds wrong
+        refuse(str(error))
     finally:
         timer.cancel()
 

@@ -64,7 +64,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
         counts = [f"{(codes == code).sum()} {word}" for code, word in STATUS_OF_CODE.items() if (codes == code).any()]
         return f"{codes.size} cases: {', '.join(counts)}."
     k = solution._flat_index(index)
-    if solution.thermal is not None and solution.thermal.verdict.flat[k] != "stable" and outcome.status[k] != CONVERGED:
+    if solution.thermal is not None and solution.thermal.withdrawn.flat[k]:
         return solution.thermal.message(index)
     if outcome.status[k] == CONVERGED:
         return (

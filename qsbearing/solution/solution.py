@@ -402,7 +402,7 @@ class Solution(Plotted):
         return shape_of(self, "outer")
 
     @cached_property
-    def groove_give(self) -> NDArray | None:
+    def groove_deflection(self) -> NDArray | None:
         """By how much elastic rings' grooves part at each ball; shape (*cases, ball) [m]; None between rigid rings."""
         if self.scene.elastic_rings is None:
             return None

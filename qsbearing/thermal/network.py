@@ -186,6 +186,8 @@ class Thermal:
         cooled = {*self.fixed, *(() if self.oil is None else ("oil",))}
         for _ in self.nodes:
             cooled |= {end for each in self.conductances if cooled & set(each.between) for end in each.between}
+        if set(self.nodes) <= set(self.fixed):
+            errors.append(ErrorDetail("thermal.fixed", "gives every temperature: nothing is left to be found"))
         if stuck := [node for node in self.nodes if node not in cooled]:
             cause = "Conductances must lead from every node to a fixed temperature or to the flow of oil"
             errors.append(ErrorDetail("thermal.conductances", f"let no heat out of {', '.join(stuck)}", cause=cause))

@@ -48,12 +48,13 @@ def at_steady_temperatures(machine: Machine) -> Any:
             steady = find_steady(heated, curve.crossing.powers)
             good = _is_stable(steady)
         verdict = np.asarray(Verdict.STABLE if good else _verdict_of(curve))
-    solution, balance = steady.solution, heated.balance
+    solution, balance, withdrawn = steady.solution, heated.balance, ~good
     if not good.all():
         cold = balance.temperatures(np.where(good, steady.x, 0.0))
         solution, _ = heated.at(cold)
         code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
-        solution.withdraw(~good & np.asarray(solution.converged), code)
+        withdrawn = ~good & np.asarray(solution.converged)
+        solution.withdraw(withdrawn, code)
     temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
     made = np.where(good, steady.powers, np.nan)
     named = balance.named(temperatures)
@@ -65,6 +66,7 @@ def at_steady_temperatures(machine: Machine) -> Any:
         feedback=np.where(good, feedback(steady.slopes), np.nan),
         free=balance.free,
         verdict=verdict,
+        withdrawn=withdrawn,
         solves=heated.solved,
         thermal=machine.thermal,
         speed=_speed(machine),

@@ -38,7 +38,7 @@ class _Curve:
         self.cold = heated.balance.temperatures(cold)
         rise = float((heated.balance.temperatures(first) - self.cold).max())
         room = heated.machine.thermal.limit_temperature - float(self.cold.max())
-        self.scale = max(float(first.sum()) * max(room, 1.0) / max(rise, 1e-9), 1e-9)
+        self.scale = float(np.maximum(first.sum() * max(room, 1.0) / max(rise, 1e-9), 1e-9))
         """The heat that reaches the limit, about [W]."""
 
     def residual(self, y: NDArray) -> NDArray:
@@ -77,6 +77,8 @@ def follow_speeds(heated: Heated, until: float) -> SpeedCurve:
     curve, limit = _Curve(heated), heated.machine.thermal.limit_temperature
     in_speed = np.eye(curve.count + 1)[-1]
     points: list[NDArray] = []
+    if not np.isfinite(curve.scale):
+        return SpeedCurve((), None, None, None)  # the cold bearing has no equilibrium
     for factor in (FIRST, SECOND):
         powers = heated.friction(np.zeros(curve.count), factor) / curve.scale
         point = curve.corrected(np.append(powers, factor), in_speed)
@@ -137,6 +139,8 @@ def _where(curve: _Curve, points: list[NDArray], of: Callable[[NDArray], float])
     before, after = points[-2:]
     if of(after) < 0.0:
         return None
+    if of(before) >= 0.0:
+        return before
     tangent = (after - before) / np.linalg.norm(after - before)
 
     def point(along: float) -> NDArray:

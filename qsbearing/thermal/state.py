@@ -107,6 +107,8 @@ class ThermalState:
     """The nodes whose temperatures are found."""
     verdict: NDArray
     """`Verdict` of each case, as its word."""
+    withdrawn: NDArray
+    """Whether a case has an equilibrium, but counts as not solved for want of a steady state."""
     solves: int
     """States of the bearing or set that were solved for it, of each case."""
     thermal: Thermal

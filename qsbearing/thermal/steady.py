@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from qsbearing.thermal.balance import HeatBalance
 from qsbearing.thermal.hot import Machine
 from qsbearing.thermal.sources import powers, sources_of
-from qsbearing.validation import SceneError, raise_if_any
+from qsbearing.validation import TEMPERATURE, ErrorDetail, SceneError, raise_if_any
 
 TOLERANCE = 1e-11
 """Of the balance, over the whole heat: temperatures to some 1e-9 K; ten times what the bearing's residual leaves."""
@@ -39,8 +39,18 @@ class Heated:
         raise_if_any(thermal.errors(machine.readings))
         self.machine = machine
         self.balance = HeatBalance(thermal, [sources_of(thermal.friction, each) for each in machine.readings])
+        raise_if_any(self._too_hot_already())
         self.solved = 0
         """States of the machine solved, of each case."""
+
+    def _too_hot_already(self) -> list[ErrorDetail]:
+        cold = self.balance.temperatures(np.zeros(len(self.balance.sources)))
+        found, limit = float(cold.max()), self.machine.thermal.limit_temperature
+        if found < limit:
+            return []
+        cause = f"Without any friction {self.balance.free[int(cold.argmax())]} is at {found:.6g} K"
+        problem = "is reached by the given temperatures and heats alone"
+        return [ErrorDetail("thermal.limit_temperature", problem, limit, TEMPERATURE, cause=cause)]
 
     def at(self, temperatures: NDArray, factor: Any = 1.0) -> tuple[Any, NDArray]:
         """The machine's solution and the powers of its sources; NaN where it has no equilibrium.

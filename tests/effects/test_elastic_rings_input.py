@@ -214,9 +214,9 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
         )
     )  # fmt: skip
     give = gives_at_balls(rings.gives(grooves_of(B218)), s.azimuth, *radial_loads(s))
-    np.testing.assert_allclose(s.groove_give, give, rtol=1e-9)
+    np.testing.assert_allclose(s.groove_deflection, give, rtol=1e-9)
     both = groove_shape(s, "inner", s.azimuth) + groove_shape(s, "outer", s.azimuth)
-    np.testing.assert_allclose(s.groove_give, both, rtol=1e-9)
+    np.testing.assert_allclose(s.groove_deflection, both, rtol=1e-9)
     assert s.outer_shape is not None and s.inner_shape is not None
     # The harmonic n = Z moves all balls alike.
     even = sum(shape.growth + shape.amplitudes[16] for shape in (s.outer_shape, s.inner_shape))
@@ -233,10 +233,10 @@ def test_the_command_prints_it(tmp_path: Path) -> None:
     assert elastic["outer"]["growth_um"] > 5.0
     assert elastic["outer"]["seat_pressure_MPa"] is None
     assert elastic["inner"]["seat_pressure_MPa"] > 0.0
-    assert record["balls"][0]["groove_give_um"] > 5.0
+    assert record["balls"][0]["groove_deflection_um"] > 5.0
     plain = json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).output)
     assert plain["elastic_rings"] is None
-    assert plain["balls"][0]["groove_give_um"] is None
+    assert plain["balls"][0]["groove_deflection_um"] is None
 
 
 def test_its_picture(tmp_path: Path) -> None:

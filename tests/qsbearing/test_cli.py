@@ -122,7 +122,7 @@ def test_json_has_the_agreed_keys_and_the_solutions_numbers(scene: Any) -> None:
             "orbital_speed_rpm",
             "rotation_speed_rpm",
             "ball_diameter_deviation_um",
-            "groove_give_um",
+            "groove_deflection_um",
             "raceway_control",
             "slips",
         ),

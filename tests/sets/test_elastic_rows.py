@@ -49,9 +49,9 @@ def test_rows_alone(where: str, speed: int, radial: int, tmp_path: Path) -> None
         assert (row.scene.elastic_rings is not None) == (where == "all" or number == 0)
         alone = qs.solve(row.scene)
         np.testing.assert_allclose(alone.inner.load, row.inner.load, rtol=1e-7, atol=1e-6)
-        if row.groove_give is not None:
-            assert alone.groove_give is not None
-            assert np.nanmax(row.groove_give) > 0.1 * qs.um
-            np.testing.assert_allclose(row.groove_give, alone.groove_give, rtol=1e-7, atol=1e-13)
+        if row.groove_deflection is not None:
+            assert alone.groove_deflection is not None
+            assert np.nanmax(row.groove_deflection) > 0.1 * qs.um
+            np.testing.assert_allclose(row.groove_deflection, alone.groove_deflection, rtol=1e-7, atol=1e-13)
         total += (1.0 if number == 0 else -1.0) * alone.load[0], alone.load[1]
     assert total == pytest.approx([200.0, radial], abs=1e-4)

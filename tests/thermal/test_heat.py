@@ -71,6 +71,7 @@ def test_temperatures_meet_another_root_finder_on_equations_written_by_hand() ->
     assert np.abs(nodes(solution) - found).max() < KELVIN
     assert found[0] - cold()[0] > 5.0
     assert state_of(solution).solves <= 20
+    assert state_of(solution).imbalance < 1e-10 * sum(state_of(solution).powers.values())
     rings = solution.scene.ring_expansion
     assert rings is not None and rings.inner_ring_temperature == nodes(solution)[0]
     assert solution.load[0] > 1.5 * float(solution.preload_at_rest)
@@ -225,6 +226,10 @@ WRONG = [
     ({"friction": "skv"}, "thermal.friction = 'skv': is no model of friction"),
     ({"friction": "skf"}, "Give [readings.friction_estimate]"),
     ({"oil": {"flow_cm3_min": 10}}, "thermal.oil.density_kg_m3: missing"),
+    (
+        {"fixed": dict.fromkeys(("inner_ring_C", "balls_C", "outer_ring_C", "ambient_C"), 30)},
+        "nothing is left to be found",
+    ),
     ({"conductances": None}, "[[thermal.conductances]]: missing"),
     ({"conductances": [{"between": ["inner_ring", "bals"], "W_per_K": 1}]}, "'bals': is no node"),
     ({"conductances": [{"between": ["inner_ring", "balls"], "W_per_K": -1}]}, "conductances 1.W_per_K = -1 W/K: is"),
@@ -240,6 +245,13 @@ def test_errors_help(changed: dict[str, Any], said: str) -> None:
     with pytest.raises(qs.SceneFileError) as raised:
         scene(thermal=thermal)
     assert said in str(raised.value)
+
+
+def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:
+    with pytest.raises(qs.SceneError, match="reached by the given temperatures and heats alone"):
+        qs.solve(scene(thermal=tables()["thermal"] | {"heats": {"inner_ring_W": 5000}}))
+    reversed_load = qs.solve(scene(preload=None, operation={"speed_rpm": 8000, "axial_load_N": -400}))
+    assert str(reversed_load.reason) == "open_side" and "open side of the groove" in qs.message(reversed_load)
 
 
 def test_a_temperature_that_the_balance_finds_is_refused() -> None:
