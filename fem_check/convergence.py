@@ -37,8 +37,11 @@ def uncertainty_at_order(sizes: list[float], values: list[float], order: float) 
 
 
 def well_apart(sizes: list[float], values: list[float]) -> tuple[list[float], list[float]]:
-    """The meshes whose elements are at least `APART` times those of the finest, and the finest, with their values."""
+    """The meshes whose elements are at least `APART` times those of the finest, and the finest, with their values; all
+    where fewer than three would be left, for of two chance may bring the values together."""
     kept = [(size, value) for size, value in zip(sizes[:-1], values[:-1], strict=True) if size >= APART * sizes[-1]]
+    if len(kept) < 2:
+        return sizes, values
     coarser, found = zip(*kept, strict=True)
     return [*coarser, sizes[-1]], [*found, values[-1]]
 

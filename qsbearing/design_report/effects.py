@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from qsbearing.chooser.explain import Row, explain
 from qsbearing.chooser.explain_set import explain_set
-from qsbearing.design_report.rows import of_rows
+from qsbearing.design_report.evidence import of_rows
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.effects import QUANTITIES
 from qsbearing.effects.hertz_angle import HertzAngle

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import TypeVar
 
 from qsbearing.design_report.conditions import Difference, facts_of
-from qsbearing.design_report.rows import of_rows
 from qsbearing.design_report.set_statements import OF_SETS
 from qsbearing.design_report.statements import STATEMENTS
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.solution.solution import Solution
 
+Said = TypeVar("Said")
 COVERED, SIMILAR, NOT_COVERED = Badge("covered", "pass"), Badge("similar", "finding"), Badge("not covered", "missing")
 MEANING = (
     "*Covered*: effects, choices and numbers of this {what} lie within what was checked.",
@@ -59,3 +60,19 @@ def judged(differences: Sequence[Difference]) -> list[Cell]:
         return [COVERED, ""]
     badge = NOT_COVERED if any(each.in_kind for each in differences) else SIMILAR
     return [badge, "; ".join(each.reason for each in differences)]
+
+
+def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]:
+    """Each thing once, in its order, with "row 1 and 3", or None where it is said of every row.
+
+    Args:
+        said: of each row, by its number.
+    """
+    rows: dict[Said, list[int]] = {}
+    for number, found in said.items():
+        for each in found:
+            rows.setdefault(each, []).append(number)
+    return [
+        (each, None if len(numbers) == len(said) else f"row {' and '.join(map(str, numbers))}")
+        for each, numbers in rows.items()
+    ]

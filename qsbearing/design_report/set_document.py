@@ -88,4 +88,4 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     )
     said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))
-    return Section(title, [*tables, drawn, *from_rich(readings_tables(found)), *said], f"row-{number + 1}")
+    return Section(title, [*said, *tables, drawn, *from_rich(readings_tables(found))], f"row-{number + 1}")

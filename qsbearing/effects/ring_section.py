@@ -27,7 +27,8 @@ def bending_height(thickness: Any, width: Any, groove_radius: Any, shoulders: tu
         groove_radius: of the groove's profile [m].
         shoulders: heights of both above the groove's bottom [m]; 0 where there is none.
     """
-    moments = np.zeros((3, *np.broadcast_shapes(*map(np.shape, (thickness, width, groove_radius, *shoulders)))))
+    shape = np.broadcast_shapes(*map(np.shape, (thickness, width, groove_radius, *shoulders)))
+    moments, thickness = np.zeros((3, *shape)), np.broadcast_to(thickness, shape)
     for shoulder in shoulders:
         height, half = np.asarray(shoulder, float), 0.5 * np.asarray(width, float)
         edge = np.minimum(np.sqrt(height * (2.0 * groove_radius - height)), half)

@@ -126,8 +126,10 @@ class BearingSet(InNotebooks):
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise SceneError([ErrorDetail("rows", "is not a tuple of rows", cause="Write (qs.Row(...), qs.Row(...))")])
-        raise_if_any([*_row_errors(self.rows), *_number_errors(self)])
-        raise_if_any([*_place_errors(self), *_preload_errors(self)])
+        numbers = _number_errors(self)
+        # Whether a preload has rows to press against is known only once groups name rows that there are.
+        preload = [] if numbers else _preload_errors(self)
+        raise_if_any([*_row_errors(self.rows), *numbers, *_place_errors(self), *preload])
         rows = (replace(row, carries=Direction(row.carries)) for row in self.rows)
         object.__setattr__(self, "rows", tuple(rows))
         raise_if_any(_temperature_errors(self) or _scene_errors(self))
@@ -193,7 +195,7 @@ class BearingSet(InNotebooks):
 
     def opposes(self, group: tuple[int, ...]) -> bool:
         """Whether rows of a group carry in both directions."""
-        return len({self.rows[number].sign for number in group}) == 2
+        return len({str(self.rows[number].carries) for number in group}) == 2
 
     @property
     def is_opposed(self) -> bool:

@@ -95,10 +95,10 @@ def test_a_dragged_slider_shows_what_run_prints(page: Browser, address: str, tmp
 def test_a_wrong_number_is_told_at_its_field(page: Browser) -> None:
     before = page.value(KEY)
     write(page, DIAMETER, "-3")
+    said = f"document.getElementById({DIAMETER}.getAttribute('aria-describedby'))?.textContent"
+    wait(page, f"{said}?.includes('ball_diameter_mm = -3 mm') && {said}.includes('allowed')")
     wait(page, f"{DIAMETER}.getAttribute('aria-invalid') === 'true'")
-    said = page.value(f"document.getElementById({DIAMETER}.getAttribute('aria-describedby')).textContent")
-    assert "ball_diameter_mm = -3 mm" in said and "allowed" in said
-    assert page.value("document.getElementById('key').classList.contains('stale')")
+    wait(page, "document.getElementById('key').classList.contains('stale')")
     page.click(UNDO)
     wait(page, f"!{DIAMETER}.hasAttribute('aria-invalid') && {KEY} === {before!r}")
     assert page.complaints == []
@@ -110,9 +110,19 @@ def test_keys_move_a_slider_and_undo(page: Browser) -> None:
     for kind in ("rawKeyDown", "keyUp"):
         page.ask("Input.dispatchKeyEvent", type=kind, key="PageUp", code="PageUp", windowsVirtualKeyCode=33)
     wait(page, f"{KEY} !== {before!r}")
+    assert page.value(f"document.activeElement === {SLIDER}")
     for kind in ("rawKeyDown", "keyUp"):
         page.ask("Input.dispatchKeyEvent", type=kind, key="z", code="KeyZ", windowsVirtualKeyCode=90, modifiers=2)
     wait(page, f"{KEY} === {before!r} && {LOAD}.value === {load!r}")
+
+
+def test_the_focus_stays_where_tab_brings_it(page: Browser) -> None:
+    page.value(f"(e => {{ e.focus(); e.select(); }})({LOAD})")
+    page.type("1300")
+    for kind in ("rawKeyDown", "keyUp"):
+        page.ask("Input.dispatchKeyEvent", type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9)
+    wait(page, f"Number({SLIDER}.max) === 2600")  # the fields are new ones around the number typed
+    assert page.value("document.activeElement !== document.body")
 
 
 def test_a_switch_takes_an_effect_out(page: Browser) -> None:

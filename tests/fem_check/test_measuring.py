@@ -86,3 +86,4 @@ def test_meshes_too_near_the_finest_are_no_estimate():
     sizes, values = [1 / 3, 1 / 4, 1 / 5, 1 / 6], [0.6, 0.3, 0.54, 1.06]
     assert convergence.well_apart(sizes, values) == ([1 / 3, 1 / 4, 1 / 6], [0.6, 0.3, 1.06])
     assert convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), 2.0) == pytest.approx(0.76)
+    assert convergence.well_apart(sizes[:3], values[:3]) == (sizes[:3], values[:3])

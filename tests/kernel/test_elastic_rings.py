@@ -98,6 +98,7 @@ def second_moment(shoulders: tuple[float, float], height: float = 6.1376, radius
 @pytest.mark.parametrize("shoulders", [(7.65, 0.7), (4.15, 4.15), (0.0, 0.0), (11.0, 0.0)])
 def test_a_section_with_shoulders_bends_as_its_second_moment_says(shoulders: tuple[float, float]) -> None:
     found = bending_height(6.1376, 30.0, 11.6281, shoulders)
+    assert bending_height(6.1376, np.array([20.0, 30.0]), 11.6281, shoulders)[1] == found  # widths of a study
     assert 30.0 * found**3 / 12.0 == pytest.approx(second_moment(shoulders), rel=3e-5)  # the sum's steps
 
 

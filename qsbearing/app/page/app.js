@@ -54,11 +54,13 @@ function show(found) {
     if (!groups.has(title)) groups.set(title, []);
     groups.get(title).push(fieldOf(field));
   }
+  const focused = document.activeElement?.id;
   $("inputs").replaceChildren(...[...groups].map(([title, fields]) => {
     const set = make("fieldset");
     set.append(make("legend", {}, title), ...fields);
     return set;
   }));
+  if (focused) document.getElementById(focused)?.focus();
   const first = make("option", {value: ""}, "choose ...");
   $("add").replaceChildren(first, ...found.addable.map((key, number) => make("option", {value: number}, key.path.join("."))));
   $("add").onchange = () => add(found.addable[$("add").value]);
@@ -76,7 +78,7 @@ function fieldOf({path, words, unit, options, low, high, step, is_needed}) {
     input.onchange = () => { put(path, input.value); renew(); };
     row.append(input);
   } else {
-    const range = make("input", {type: "range", min: low, max: high, step, value, ariaLabel: `${words}, slider`});
+    const range = make("input", {id: `${id} slider`, type: "range", min: low, max: high, step, value, ariaLabel: `${words}, slider`});
     const number = make("input", {id, type: "number", step: "any", value});
     range.dataset.slides = id;
     range.oninput = () => { number.value = range.value; put(path, Number(range.value)); solve(); };
@@ -86,7 +88,7 @@ function fieldOf({path, words, unit, options, low, high, step, is_needed}) {
     row.append(range, number, make("span", {}, unit));
   }
   if (!is_needed) {
-    const remove = make("button", {type: "button", title: `Leave out ${words}`, ariaLabel: `Leave out ${words}`}, "×");
+    const remove = make("button", {id: `${id} out`, type: "button", title: `Leave out ${words}`, ariaLabel: `Leave out ${words}`}, "×");
     remove.onclick = () => { put(path, undefined); renew(); };
     row.append(remove);
   }

@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing.judgement import WORDS
 from qsbearing.studies.cost.levels import Level
-from qsbearing.studies.cost.machine import in_a_line
+from qsbearing.studies.cost.measuring import in_a_line
 from qsbearing.studies.cost.speeds import OWN
 from qsbearing.studies.cost.tables import levels_of, select
 

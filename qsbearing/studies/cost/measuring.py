@@ -19,6 +19,9 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing import __version__
+from qsbearing.provenance import PACKAGES, hardware, versions
+
 ROUND = 0.01
 """Seconds that a round spends on a call that takes less: the median of its repeats is the round's value, so that what
 else the machine did meanwhile drops out."""
@@ -85,3 +88,14 @@ def peak_MB() -> float:
 
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak / 1024.0 / (1024.0 if sys.platform == "darwin" else 1.0)
+
+
+def machine() -> dict[str, Any]:
+    """The machine and the packages that the solver rests on."""
+    return {**hardware(), **versions(PACKAGES), "qsbearing": __version__}
+
+
+def in_a_line(found: dict[str, Any]) -> str:
+    """The machine for the foot of a figure."""
+    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES))
+    return f"{found['processor']}, {found['cores']} cores, load average {found['load_average']}; {versions}"

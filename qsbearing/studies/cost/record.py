@@ -31,7 +31,7 @@ from qsbearing.solution.solution import Solution
 from qsbearing.solution.solver import solve
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.levels import LEVELS, Level
-from qsbearing.studies.cost.machine import machine
+from qsbearing.studies.cost.measuring import machine
 
 
 @dataclass(frozen=True)

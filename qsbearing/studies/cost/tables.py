@@ -14,7 +14,7 @@ from rich.text import Text
 from qsbearing.io.tables import plain_table
 from qsbearing.judgement import WORDS
 from qsbearing.studies.cost.levels import LEVELS, Level
-from qsbearing.studies.cost.machine import in_a_line
+from qsbearing.studies.cost.measuring import in_a_line
 
 Row = dict[str, Any]
 
