@@ -53,7 +53,7 @@ def pair(**changed: Any) -> qs.BearingSet:
     own = tables() | {
         "rows": [{"position_mm": 0.0, "carries": "+x"}, {"position_mm": 50.0, "carries": "-x"}],
         "effects": EFFECTS | {"ring_expansion": {"shaft_interference_um": 1.0}},
-        "operation": {"speed_rpm": 5000, "radial_load_y_N": 100, "moment_z_Nm": 0},
+        "operation": {"speed_rpm": 5000, "radial_load_y_N": 100, "axial_load_N": 60, "moment_z_Nm": 0},
         "preload": {"rigid_N": 60},
         "readings": {"lubricant": {"iso_viscosity_grade": 32}, "friction_estimate": {}},
         "thermal": {
