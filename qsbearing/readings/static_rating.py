@@ -214,7 +214,7 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
             BearingNumbers(bearing).is_hybrid,
             good_to_know(
                 f"ceramic balls are judged by {STATIC_PRESSURE / MPa:.0f} MPa like steel ones; ISO 20056-2 allows more",
-                "readings#what-is-not-here",
+                "readings#not-included",
             ),
         ),
     ]

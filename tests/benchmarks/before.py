@@ -83,7 +83,7 @@ def command_time(checkout: Path, cache: str) -> float:
 def measure(earlier: Path) -> dict[str, Any]:
     """The record: medians before and now, and the median ratio with its 5 % and 95 % quantiles."""
     from qsbearing import provenance
-    from qsbearing.studies.cost import machine, measuring
+    from qsbearing.studies.cost import measuring
 
     both = {"before": earlier.resolve(), "now": Path(__file__).parents[2]}
     times: dict[str, dict[str, list[float]]] = {name: {version: [] for version in both} for name in (*CALLS, *COMMANDS)}
@@ -134,7 +134,7 @@ def measure(earlier: Path) -> dict[str, Any]:
     return {
         "made_by": command,
         "provenance": provenance.of_run(command),
-        "machine": machine.machine(),
+        "machine": measuring.machine(),
         "before": named.stdout.strip(),
         "figures": {
             name: {

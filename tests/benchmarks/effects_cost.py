@@ -16,7 +16,7 @@ import qsbearing as qs
 from qsbearing import provenance
 from qsbearing.chooser.choose import completed
 from qsbearing.solution.solver import solve
-from qsbearing.studies.cost import machine, measuring, speeds
+from qsbearing.studies.cost import measuring, speeds
 
 PAGE = Path(qs.__file__).parent / "guide" / "timing.md"
 RECORD = Path(__file__).with_suffix(".json")
@@ -54,7 +54,7 @@ def measure() -> dict[str, Any]:
     return {
         "made_by": command,
         "provenance": provenance.of_run(command),
-        "machine": machine.machine(),
+        "machine": measuring.machine(),
         "seconds": rows,
     }
 

@@ -9,6 +9,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
+from tests.campaign import spindles
 from tests.campaign.checks import MOST_IMBALANCE
 from tests.campaign.group import GROUP
 from tests.campaign.sets import draw_sets, wrong_of
@@ -30,6 +31,28 @@ def wrong_sets(seed: int, calls: int) -> list[str]:
 @compiled_only
 def test_random_sets_are_what_their_rows_say() -> None:
     assert wrong_sets(seed=2, calls=4) == []
+
+
+def wrong_spindles(seed: int, calls: range) -> list[str]:
+    """The same of sets on elastic shafts."""
+    found = []
+    for call in calls:
+        with np.errstate(all="ignore"):
+            wrong = spindles.wrong_of(qs.solve_set(spindles.draw_spindles(np.random.default_rng([seed, call]))))
+        found += [f"{call}/{k}: {name}" for name, bad in wrong.items() for k in np.flatnonzero(bad)]
+    return found
+
+
+@compiled_only
+def test_a_random_spindle_is_what_its_parts_say() -> None:
+    """Two rows with a spacer on a warm shaft with a support."""
+    assert wrong_spindles(7, range(1)) == []
+
+
+@compiled_only
+@pytest.mark.heavy
+def test_random_spindles_are_what_their_parts_say() -> None:
+    assert wrong_spindles(5, range(40)) == []
 
 
 @compiled_only

@@ -396,8 +396,8 @@ PLANTED |= {
     ),
     "contact angle + 0.3 degrees": (
         "qsbearing/solution/flatten.py",
-        'sin_free, cos_free = np.sin(v["free_contact_angle"]), np.cos(v["free_contact_angle"])',
-        'sin_free, cos_free = np.sin(v["free_contact_angle"] + 0.005), np.cos(v["free_contact_angle"] + 0.005)',
+        '_sine_and_cosine(v["free_contact_angle"])',
+        '_sine_and_cosine(v["free_contact_angle"] + 0.005)',
         SECTOR,
     ),
     # In the sector itself.

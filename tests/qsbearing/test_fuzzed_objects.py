@@ -32,13 +32,13 @@ def nothing_but_numbers() -> Iterator[list[int]]:
     """Look at every case record on its way into the solver."""
     solve_cases, passed = solving.solve_cases, [0]
 
-    def watched(cases: NDArray, *rest: Any) -> None:
+    def watched(cases: NDArray, *rest: Any) -> int:
         for name in cases.dtype.names or ():
             field = cases[name]
             if field.dtype.kind == "f":
                 assert np.isfinite(field).all(), f"the solver is handed {name} = {field}"
         passed[0] += cases.size
-        solve_cases(cases, *rest)
+        return solve_cases(cases, *rest)
 
     # Compiling, or loading, the kernel takes its own time.
     assert_result(qs.solve(qs.load_scene("b218")))

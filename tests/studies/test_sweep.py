@@ -49,8 +49,20 @@ RINGS["effects"]["ball_expansion"] = {"ball_temperature_C": 50.0}
 SEAT = {"elastic_modulus_GPa": 208.0, "poisson_ratio": 0.3}
 ELASTIC = copy.deepcopy(COMBINED)
 ELASTIC["effects"]["elastic_rings"] = {
-    "outer": {"outside_diameter_mm": 160.0, "width_mm": 30.0, "housing": {"outside_diameter_mm": 200.0, **SEAT}},
-    "inner": {"bore_diameter_mm": 90.0, "width_mm": 30.0, "shaft": {"bore_diameter_mm": 20.0, **SEAT}},
+    "outer": {
+        "outside_diameter_mm": 160.0,
+        "width_mm": 30.0,
+        "shoulder_diameter_mm": 130.0,
+        "open_diameter_mm": 144.0,
+        "housing": {"outside_diameter_mm": 200.0, **SEAT},
+    },
+    "inner": {
+        "bore_diameter_mm": 90.0,
+        "width_mm": 30.0,
+        "shoulder_diameter_mm": 118.0,
+        "open_diameter_mm": 106.0,
+        "shaft": {"bore_diameter_mm": 20.0, **SEAT},
+    },
 }
 WITHOUT_TEMPERATURES = {"ring_expansion": {"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0}}
 ESTIMATE = {
