@@ -132,7 +132,10 @@ def test_a_finished_file_is_replaced_only_where_that_is_asked_for(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
-@pytest.mark.parametrize(("out", "begun", "left"), [("r.nc", "r.nc.parts", "r.nc.parts"), ("r.csv", "*.part", None)])
+@pytest.mark.parametrize(
+    ("out", "begun", "left"),
+    [("r.nc", "r.nc.parts/plan.json", "r.nc.parts"), ("r.csv", "qsbearing-*/*/plan.json", None)],
+)
 def test_a_run_that_is_terminated_leaves_nothing_half_written(
     out: str, begun: str, left: str | None, tmp_path: Path
 ) -> None:
