@@ -12,7 +12,6 @@ import argparse
 import importlib
 import json
 import os
-import re
 import resource
 import statistics
 import subprocess
@@ -169,11 +168,9 @@ def table(found: dict[str, Any]) -> str:
 
 def filled(page: str, found: dict[str, Any]) -> str:
     """The page with its table made from the record."""
-    pattern = r"(<!-- before: made by tests/benchmarks/before.py -->\n).*?(<!-- end of before -->)"
-    page, count = re.subn(pattern, lambda match: f"{match[1]}{table(found)}\n{match[2]}", page, flags=re.DOTALL)
-    if count != 1:
-        raise ValueError(f"the page has {count} tables beside an earlier version, not one")
-    return page
+    from tests.benchmarks import marked
+
+    return marked.filled(page, "before", "before", table(found))
 
 
 def load() -> dict[str, Any]:

@@ -6,7 +6,6 @@ The record of one scene, its pictures and its table in the guide; with `--from-r
 from __future__ import annotations
 
 import json
-import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -14,7 +13,7 @@ from typing import Any
 import qsbearing as qs
 from qsbearing.studies.cost import figures, record
 from qsbearing.studies.cost.tables import levels_of, select, worst
-from tests.benchmarks import auto_accuracy
+from tests.benchmarks import auto_accuracy, marked
 
 PAGE = Path(qs.__file__).parent / "guide" / "accuracy.md"
 """Shows the table."""
@@ -100,11 +99,7 @@ def _power(value: float) -> str:
 
 def filled(page: str, found: dict[str, Any]) -> str:
     """The page with its table made anew."""
-    pattern = rf"(<!-- {MARK}: made by tests/benchmarks/cost.py -->\n).*?(<!-- end of {MARK} -->)"
-    page, count = re.subn(pattern, lambda m: f"{m[1]}{table(found)}\n{m[2]}", page, flags=re.DOTALL)
-    if count != 1:
-        raise ValueError(f"{PAGE.name} has {count} tables marked {MARK}, not one")
-    return page
+    return marked.filled(page, MARK, "cost", table(found))
 
 
 def main() -> None:

@@ -4,7 +4,6 @@ table; with `--from-record` only the table. Each column adds to the one before; 
 from __future__ import annotations
 
 import json
-import re
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -17,6 +16,7 @@ from qsbearing import provenance
 from qsbearing.chooser.choose import completed
 from qsbearing.solution.solver import solve
 from qsbearing.studies.cost import measuring, speeds
+from tests.benchmarks import marked
 
 PAGE = Path(qs.__file__).parent / "guide" / "timing.md"
 RECORD = Path(__file__).with_suffix(".json")
@@ -71,11 +71,7 @@ def table(found: dict[str, Any]) -> str:
 
 def filled(page: str, found: dict[str, Any]) -> str:
     """The page with its table made from the record."""
-    pattern = r"(<!-- effects: made by tests/benchmarks/effects_cost.py -->\n).*?(<!-- end of effects -->)"
-    page, count = re.subn(pattern, lambda match: f"{match[1]}{table(found)}\n{match[2]}", page, flags=re.DOTALL)
-    if count != 1:
-        raise ValueError(f"the page has {count} tables of effects, not one")
-    return page
+    return marked.filled(page, "effects", "effects_cost", table(found))
 
 
 def load() -> dict[str, Any]:

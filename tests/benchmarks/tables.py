@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
 from fem_check.report.figures import sector as sector_figures
+from tests.benchmarks import marked
 from tests.benchmarks.record import RECORD
 from tests.design_report import evidence_numbers
 from tests.rotordynamics import spindle
@@ -257,11 +257,7 @@ def filled(page: str) -> str:
     """A page of the guide with its tables made anew."""
     text = (GUIDE / page).read_text(encoding="utf-8")
     for name, make in PAGES[page].items():
-        pattern = rf"(<!-- {name}: made by tests/benchmarks/tables.py -->\n).*?(<!-- end of {name} -->)"
-        table = make()
-        text, found = re.subn(pattern, lambda m, t=table: f"{m[1]}{t}\n{m[2]}", text, flags=re.DOTALL)
-        if found != 1:
-            raise ValueError(f"{page} has {found} places for the table {name}, not one")
+        text = marked.filled(text, name, "tables", make())
     return text
 
 
