@@ -46,8 +46,9 @@ from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
-POSITIONS = 8
-"""Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh."""
+POSITIONS = 16
+"""Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh. From 8 to
+16 the gap's part of b moves by 0.0045 %, a third of its error on 8 elements; from 16 to 32 by 0.0006 %."""
 READ = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 
 
