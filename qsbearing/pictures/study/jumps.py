@@ -86,8 +86,9 @@ def _pair(values: DataArray, along: str) -> tuple[DataArray, DataArray]:
 
 
 def _beside(step: DataArray, along: str) -> DataArray:
-    """The larger of the steps before and after each step; where there is none, the other."""
+    """The larger of the steps before and after each step; infinite at both ends of the axis, where a step has one
+    neighbour only and cannot be told from a bend."""
     axis = step.get_axis_num(along)
     values = np.moveaxis(step.values, axis, 0)
-    padded: NDArray = np.concatenate([np.full_like(values[:1], np.nan), values, np.full_like(values[:1], np.nan)])
+    padded: NDArray = np.concatenate([np.full_like(values[:1], np.inf), values, np.full_like(values[:1], np.inf)])
     return step.copy(data=np.moveaxis(np.fmax(padded[:-2], padded[2:]), 0, axis))
