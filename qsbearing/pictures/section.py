@@ -52,7 +52,7 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
     end = reach * np.array([np.sin(free), np.cos(free)])
     axes.plot([-end[0], end[0]], [-end[1], end[1]], color=GREY, linewidth=0.8, linestyle=":")
     beside = "right" if free > STEEP else "left"  # of a steep line, off the centre line
-    axes.text(*(0.98 * end), f" α₀ = {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center")
+    axes.text(0.98 * end[0], 0.98 * end[1], f" α₀ = {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center")
     axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
     for side, contacts in raceways(solution):
         up = 1.0 if side == "outer" else -1.0
