@@ -59,12 +59,9 @@ LISTS = {"readings": _readings}
 
 
 def _list(pages: dict[str, Page]) -> None:
-    from qsbearing.io.tables import plain_table
+    from qsbearing.documents.model import Table
 
-    table = plain_table("The guide", ("topic", ""), left=(0, 1))
-    for page in pages.values():
-        table.add_row(page.topic, page.title)
-    print_table(table)
+    print_table([Table(("topic", ""), [(page.topic, page.title) for page in pages.values()], "ll", "The guide")])
     print_text("\n`qsbearing guide TOPIC` prints one; `qsbearing guide --open` shows all in a browser.\n")
 
 
