@@ -104,4 +104,4 @@ def _picture(found: Comparison, target: str) -> bytes:
     lines = {line.name: line for line in found.results}
     chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
     panels = [(line.name, line.unit, line.values) for line in chosen]
-    return picture_bytes(side_by_side(found.labels, panels, f"At the job of {found.job}"), target)
+    return picture_bytes(side_by_side(found.labels, panels, f"All at the operating point of {found.job}"), target)
