@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
-from qsbearing.effects.elastic_ring_errors import parameter_errors, section_errors
+from qsbearing.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_compliance import (
@@ -53,22 +53,6 @@ RIGID, FREE, SOLID = "rigid", "free", "solid"
 """What holds a ring, where that is no body of some diameter: it does not give way; nothing; a solid shaft."""
 USUAL_SECTION = (0.28, 1.35)
 """Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
-
-
-class Grooves(NamedTuple):
-    """What of a bearing its rings' give depends on, over cases."""
-
-    inner_bottom: Any
-    """Radius [m]."""
-    outer_bottom: Any
-    inner_groove: Any
-    """Radius of the profile [m]."""
-    outer_groove: Any
-    is_symmetric: Any
-    """Whether both shoulders of a ring are alike, as in a deep-groove bearing."""
-    modulus: Any
-    """Of the rings [Pa]."""
-    poisson_ratio: Any
 
 
 def grooves_of(bearing: BallBearing) -> Grooves:

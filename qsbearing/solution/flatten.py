@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
-from qsbearing.effects.elastic_rings import ElasticRings, Grooves, folded
+from qsbearing.effects.elastic_ring_errors import Grooves
+from qsbearing.effects.elastic_rings import ElasticRings, folded
 from qsbearing.effects.entry import with_found
 from qsbearing.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.effects.hertz_angle import HertzAngle
