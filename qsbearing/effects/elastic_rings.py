@@ -21,7 +21,7 @@ Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -130,16 +130,16 @@ class ElasticRings:
     shaft_poisson_ratio: ArrayLike | None = None
     inner_compliance: tuple[float, ...] | None = None
     """Likewise, of the inner ring."""
-    housing_touches: ArrayLike | None = None
-    shaft_touches: ArrayLike | None = None
-    """0 where a clearance stays open, so that the ring is free, else 1: the solver's, no input."""
+    housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    """Set by the solver: 0 where a clearance stays open, so that the ring is free, else 1."""
     name: ClassVar[str] = "elastic_rings"
 
     def __post_init__(self) -> None:
-        for field in ("outer_compliance", "inner_compliance"):
-            given = getattr(self, field)
+        for name in ("outer_compliance", "inner_compliance"):
+            given = getattr(self, name)
             if given is not None and np.ndim(given) == 1:
-                object.__setattr__(self, field, tuple(np.asarray(given).tolist()))
+                object.__setattr__(self, name, tuple(np.asarray(given).tolist()))
         raise_if_any(parameter_errors(self))
 
     @property

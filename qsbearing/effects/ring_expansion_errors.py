@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.material import Material, material_errors
 from qsbearing.units import zero_celsius
-from qsbearing.validation import LENGTH, PRESSURE, RATIO, TEMPERATURE, ErrorDetail, first, numeric, within
+from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, first, numeric, within
 
 if TYPE_CHECKING:
     from qsbearing.scene.bearing import BallBearing
@@ -51,8 +51,7 @@ def expansion_errors(effect: RingExpansion) -> list[ErrorDetail]:
             errors += [_unused(f"{path}.{name}", seat) for name in others if getattr(effect, name) is not None]
         else:
             errors += _interference_errors(f"{path}.{seat}_interference", interference, getattr(effect, diameter))
-        touches, material = (getattr(effect, f"{seat}_{name}") for name in ("touches", "material"))
-        errors += [] if touches is None else within(f"{path}.{seat}_touches", touches, RATIO, 0.0, 1.0)
+        material = getattr(effect, f"{seat}_material")
         errors += [] if material is None else material_errors(f"{path}.{seat}_material", material)
     if effect.shaft_bore_diameter is not None:
         errors += within(f"{path}.shaft_bore_diameter", effect.shaft_bore_diameter, LENGTH, 0.0, 20.0)

@@ -15,7 +15,7 @@ from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
-from qsbearing.solution.closing_seats import solve_closing
+from qsbearing.solution.closing_seats import solve_closing, with_touching
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.solved_cases import KEPT
@@ -48,7 +48,8 @@ def solve(
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     if scene.tolerance is not None:
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
-    if scene.elastic_rings is not None or scene.ring_expansion is not None:
+    scene = with_touching(scene, {}) if scene.ring_effects else scene
+    if scene.elastic_rings is not None and scene.ring_expansion is not None:
         return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
     return _solve(scene, start, threads, tolerance)
 
