@@ -213,7 +213,7 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
 
 
 def _shapes(found: dict[str, Any]) -> list[Table]:
-    """How elastic rings have given way."""
+    """How elastic rings have deflected."""
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
@@ -225,7 +225,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
         for side in ("inner", "outer")
         if elastic[side] is not None
     ]
-    return [Table(heading, rows, caption=f"Rings giving way under their balls{part}")]
+    return [Table(heading, rows, caption=f"Rings deflected by their balls{part}")]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:
