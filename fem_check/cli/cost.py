@@ -10,7 +10,6 @@ import click
 
 from fem_check.cli.output import FEM, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_text, print_wrote
-from qsbearing.io.tables import plain_table
 
 
 @click.command("cost")
@@ -52,10 +51,6 @@ def cost(level: str, out: Path, as_json: bool) -> None:
         print(json.dumps(found))
         return
     for each in (table.measured(found), table.mesh_choices(found)):
-        shown = plain_table(each.title, each.headings)
-        shown.columns[0].no_wrap = False
-        for row in each.rows:
-            shown.add_row(*row)
-        print_table(shown)
+        print_table([each])
     print_text(f"{table.remark(found)}\n")
     print_wrote([path])

@@ -13,9 +13,8 @@ from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
-    from rich.console import Group
-
     from qsbearing.design.compare import Comparison, Line
+    from qsbearing.documents.model import Block
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -63,26 +62,21 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
         sys.exit(UNSOLVED)
 
 
-def _tables(found: Comparison) -> Group:
-    from rich.console import Group
-    from rich.text import Text
+def _tables(found: Comparison) -> list[Block]:
+    from qsbearing.documents.model import Paragraph, Table
 
-    from qsbearing.io.tables import plain_table
-
-    parts: list[object] = []
+    parts: list[Block] = []
     others = range(1, len(found.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
     for title, lines in (("Bearings", found.inputs), (f"Results at the job of {found.job}", found.results)):
         for block in blocks:
             heading = ("", *(found.labels[i] for i in block), "unit")
-            table = plain_table(title, heading, left=(0, len(block) + 1))
-            if lines is found.results:
-                table.add_row("status", *(found.statuses[i] for i in block), "")
+            rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
             for line in lines:
-                table.add_row(line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit)
-            parts += [table, Text()]
-    note = Text("In brackets: the difference from the first bearing, where it is more than 1 %.")
-    return Group(*parts, note)  # type: ignore[arg-type]
+                rows.append((line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit))
+            parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
+    note = "In brackets: the difference from the first bearing, where it is more than 1 %."
+    return [*parts, Paragraph(note, is_apart=True)]
 
 
 def _cell(line: Line, number: int) -> str:
@@ -110,4 +104,4 @@ def _picture(found: Comparison, target: str) -> bytes:
     lines = {line.name: line for line in found.results}
     chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
     panels = [(line.name, line.unit, line.values) for line in chosen]
-    return picture_bytes(side_by_side(found.labels, panels, f"At the job of {found.job}"), target)
+    return picture_bytes(side_by_side(found.labels, panels, f"All at the operating point of {found.job}"), target)

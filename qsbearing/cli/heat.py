@@ -91,21 +91,16 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
 
 
 def _show(found: dict[str, Any]) -> None:
-    from rich.console import Group
-    from rich.padding import Padding
-    from rich.text import Text
-
+    from qsbearing.documents.model import Block, Paragraph
     from qsbearing.io.thermal_report import course_table, speeds_table, thermal_tables
 
-    parts: list[Any] = []
-    if found["status"] == "converged":
-        parts = thermal_tables(found["thermal"])
-    else:
-        parts.append(Text(found["message"]))
+    parts: list[Block] = (
+        thermal_tables(found["thermal"]) if found["status"] == "converged" else [Paragraph(found["message"])]
+    )
     for name, table in (("speeds", speeds_table), ("transient", course_table)):
         if found[name] is not None:
-            parts += [table(found[name]), Text(found[name]["message"])]
-    print_table(Group(*(Padding(each, (0 if number == 0 else 1, 0, 0, 0)) for number, each in enumerate(parts))))
+            parts += [table(found[name]), Paragraph(found[name]["message"], is_apart=True)]
+    print_table(parts)
 
 
 def _picture(found: dict[str, Any], state: ThermalState, target: str) -> bytes:
