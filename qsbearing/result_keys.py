@@ -28,6 +28,11 @@ def split(key: str) -> tuple[str, str]:
     return key, "1"
 
 
+def printed_unit(unit: str) -> str:
+    """A unit as people write it: µm, °C; in keys and attributes it is plain ASCII."""
+    return "°C" if unit == "C" else unit.replace("um", "µm")
+
+
 class Shown(NamedTuple):
     """One number of a result."""
 

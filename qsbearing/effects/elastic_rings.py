@@ -339,7 +339,7 @@ def _indicator(point: OperatingPoint) -> NDArray:
 
 ENTRY = Entry(
     "elastic_rings",
-    "the give of the rings",
+    "the elastic deflection of the rings",
     effect("ring_effects", ElasticRings),
     indicator=_indicator,
     errors=_errors,
