@@ -82,7 +82,7 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
     """
     _, rows = explain(solution.scene, tolerance)
     said = [] if solution.choice is None else chosen(solution, asked)
-    return _section("What this solution assumes:", assumptions(solution.scene), said, rows, tolerance)
+    return _section(assumptions(solution.scene), said, rows, tolerance)
 
 
 def section_of_set(solution: SetSolution) -> Section:
@@ -90,11 +90,11 @@ def section_of_set(solution: SetSolution) -> Section:
     _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
-    return _section("What this solution assumes:", [_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
+    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
 
 
-def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
-    blocks: list[Block] = [Paragraph(first), Bullets(assumed), *map(Paragraph, said)]
+def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
+    blocks: list[Block] = [Paragraph("What this solution assumes:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
         f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."

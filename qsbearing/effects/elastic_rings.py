@@ -21,7 +21,7 @@ Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
-from qsbearing.effects.elastic_ring_errors import parameter_errors, section_errors
+from qsbearing.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_compliance import (
@@ -53,22 +53,6 @@ RIGID, FREE, SOLID = "rigid", "free", "solid"
 """What holds a ring, where that is no body of some diameter: it does not give way; nothing; a solid shaft."""
 USUAL_SECTION = (0.28, 1.35)
 """Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
-
-
-class Grooves(NamedTuple):
-    """What of a bearing its rings' give depends on, over cases."""
-
-    inner_bottom: Any
-    """Radius [m]."""
-    outer_bottom: Any
-    inner_groove: Any
-    """Radius of the profile [m]."""
-    outer_groove: Any
-    is_symmetric: Any
-    """Whether both shoulders of a ring are alike, as in a deep-groove bearing."""
-    modulus: Any
-    """Of the rings [Pa]."""
-    poisson_ratio: Any
 
 
 def grooves_of(bearing: BallBearing) -> Grooves:
@@ -130,16 +114,16 @@ class ElasticRings:
     shaft_poisson_ratio: ArrayLike | None = None
     inner_compliance: tuple[float, ...] | None = None
     """Likewise, of the inner ring."""
-    housing_touches: ArrayLike | None = None
-    shaft_touches: ArrayLike | None = None
-    """0 where a clearance stays open, so that the ring is free, else 1: the solver's, no input."""
+    housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    """Set by the solver: 0 where a clearance stays open, so that the ring is free, else 1."""
     name: ClassVar[str] = "elastic_rings"
 
     def __post_init__(self) -> None:
-        for field in ("outer_compliance", "inner_compliance"):
-            given = getattr(self, field)
+        for name in ("outer_compliance", "inner_compliance"):
+            given = getattr(self, name)
             if given is not None and np.ndim(given) == 1:
-                object.__setattr__(self, field, tuple(np.asarray(given).tolist()))
+                object.__setattr__(self, name, tuple(np.asarray(given).tolist()))
         raise_if_any(parameter_errors(self))
 
     @property

@@ -12,7 +12,7 @@ from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import remarks
 from qsbearing.judgement import percent
-from qsbearing.result_keys import GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
+from qsbearing.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
 from qsbearing.solution.solution import Solution
@@ -278,35 +278,46 @@ def digits(value: float | None, noise: float) -> str:
     return "0" if abs(value) <= noise else f"{value:.6g}"
 
 
+_SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"angle_deg": "angle", "load_N": "load"}
+"""Of a column of balls; two that everybody knows are in words."""
+
+
+def _head_of(key: str, side: str = "") -> str:
+    _, unit = split(key)
+    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + ("-" if unit == "1" else printed_unit(unit))
+
+
 def contacts_table(rows: list[Row], count: int) -> Table:
     """Angles, loads and pressures of the balls' contacts."""
-    heading: tuple[str, ...] = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
     pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
+    heading = [_head_of(key, side) for side, key in pairs]
     columns = [_contact_column(rows, *pair) for pair in pairs]
     deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
     if any(deviation is not None for deviation in deviations):
-        heading, columns = ("D - D0\nµm", *heading), [_column(deviations, 4), *columns]
+        heading, columns = ["D - D0\nµm", *heading], [_column(deviations, 4), *columns]
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
 def _ellipses(rows: list[Row], count: int) -> Table:
-    heading = ("a i\nmm", "b i\nmm", "a o\nmm", "b o\nmm", "δ i\nµm", "δ o\nµm")
     pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
     pairs += [("inner", "approach_um"), ("outer", "approach_um")]
-    title = "Contact ellipses: a across, b along the rolling direction; δ: approach"
+    title = "Contact ellipses: a across, b along rolling; δ: approach"
+    heading = [_head_of(key, side) for side, key in pairs]
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
-    title = "Ball inertia and motion" + ("; µ: the friction coefficient that Mg requires" if gyroscopic else "")
+    title = "Ball inertia and motion" + ("; µ: friction that Mg requires" if gyroscopic else "")
     columns: dict[str, list[str]] = {}
-    for key, name in (("centrifugal_force_N", "Fc\nN"), ("gyroscopic_moment_Nmm", "Mg\nN mm")):
+    for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
         if any(row.ball[key] is not None for row in rows):
-            columns[name] = _column([row.ball[key] for row in rows])
+            columns[_head_of(key)] = _column([row.ball[key] for row in rows])
     if gyroscopic:
         for side in ("inner", "outer"):
-            columns[f"µ {side[0]}\n-"] = _column([row.ball[side]["required_friction"] for row in rows], 4)
+            columns[_head_of("required_friction", side)] = _column(
+                [row.ball[side]["required_friction"] for row in rows], 4
+            )
     for key, name in (("orbital_speed_rpm", "orbit\nrpm"), ("rotation_speed_rpm", "rotation\nrpm")):
         columns[name] = _column([row.ball[key] for row in rows], 5)
     if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading

@@ -170,6 +170,20 @@ def test_a_ring_that_touches_its_housing_somewhere_is_told() -> None:
     assert not any("housing" in each for each in said[100.0])
 
 
+def test_a_seat_is_looked_at_only_where_fit_and_balls_both_move_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Either alone is solved once, whatever an earlier solve of both has found of the seats: that is no input."""
+    both = in_housing(-100 * qs.um)
+    assert qs.stiffness(replace(both.scene, ring_effects=(both.scene.ring_expansion, PRESSED_RINGS)), both) is not None
+    with pytest.raises(ValueError, match="housing_touches"):
+        replace(PRESSED_RINGS, housing_touches=0.0)
+    alone = replace(both.scene, ring_effects=(both.scene.elastic_rings,))
+    expected = qs.solve(qs.Scene(B218, qs.Operation(**THRUST), ring_effects=(PRESSED_RINGS,)))
+    monkeypatch.delattr("qsbearing.solution.solver.solve_closing")
+    assert qs.solve(alone).displacement[0] == expected.displacement[0]
+    with pytest.raises(NameError):
+        in_housing(-100 * qs.um)
+
+
 def test_clearances_in_sets_are_refused() -> None:
     fit = qs.RingExpansion(**PRESSED, housing_interference=-5 * qs.um, housing_outside_diameter=220 * qs.mm)
     rows = tuple(qs.Row(B218, position=x * qs.mm, carries=c) for x, c in ((0.0, "+x"), (50.0, "-x")))
