@@ -12,7 +12,7 @@ from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, on_side, w
 
 
 class Grooves(NamedTuple):
-    """What of a bearing its rings' give depends on, over cases."""
+    """What of a bearing its rings' compliance depends on, over cases."""
 
     inner_bottom: Any
     """Radius [m]."""

@@ -215,7 +215,7 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
 
 
 def _shapes(found: dict[str, Any]) -> list[Table]:
-    """How far elastic rings have deflected."""
+    """How elastic rings have deflected."""
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
@@ -227,7 +227,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
         for side in ("inner", "outer")
         if elastic[side] is not None
     ]
-    return [Table(heading, rows, caption=f"Elastic deflection of the rings{part}")]
+    return [Table(heading, rows, caption=f"Rings deflected by their balls{part}")]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:

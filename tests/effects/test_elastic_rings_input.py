@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing import pictures
 from qsbearing.cli import cli
-from qsbearing.effects.elastic_rings import gives_at_balls, grooves_of
+from qsbearing.effects.elastic_rings import deflections_at_balls, grooves_of
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.solution.ring_shape import AROUND, groove_shape, radial_loads
@@ -202,7 +202,7 @@ def test_a_seat_that_parts_is_said(tmp_path: Path) -> None:
 def test_seat_carries_the_load(tmp_path: Path) -> None:
     """The mean pressure is what the balls press outward less what the ring holds by its hoop; n = 1 goes through."""
     solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["housing"])))
-    give = solution.scene.elastic_rings.gives(grooves_of(B218))[1]  # type: ignore[union-attr]
+    give = solution.scene.elastic_rings.compliances(grooves_of(B218))[1]  # type: ignore[union-attr]
     assert give is not None and give.seat is not None
     radial = radial_loads(solution)[1]
     azimuth = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
@@ -227,7 +227,7 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
             ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.08)),
         )
     )  # fmt: skip
-    give = gives_at_balls(rings.gives(grooves_of(B218)), s.azimuth, *radial_loads(s))
+    give = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, *radial_loads(s))
     np.testing.assert_allclose(s.groove_deflection, give, rtol=1e-9)
     both = groove_shape(s, "inner", s.azimuth) + groove_shape(s, "outer", s.azimuth)
     np.testing.assert_allclose(s.groove_deflection, both, rtol=1e-9)
@@ -240,7 +240,7 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
 def test_the_command_prints_it(tmp_path: Path) -> None:
     path = written(tmp_path, OUTER["free"], INNER["solid"])
     found = CliRunner().invoke(cli, ["run", str(path)])
-    assert "Elastic deflection of the rings" in found.output
+    assert "Rings deflected by their balls" in found.output
     record = json.loads(CliRunner().invoke(cli, ["run", str(path), "--json"]).output)
     elastic = record["elastic_rings"]
     assert 0.1 < elastic["share_of_axial_displacement"] < 0.3
