@@ -1,5 +1,7 @@
 """Spindles: the random sets of `sets` on elastic shafts in elastic housings, recomputed from what the solution says.
 
+    python -m tests.campaign.spindles COUNT [SEED] [--record]
+
 The shaft's line is put into finite elements of the tests' own: what they say holds it there must be what rows, loads
 and supports do. Every row must stand where line and housing have it; a sleeve that floats carries its spring's force.
 
@@ -15,6 +17,7 @@ and supports do. Every row must stand where line and housing have it; a sleeve t
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from typing import Any
 
@@ -22,6 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from tests.campaign.batches import Batch, run
+from tests.campaign.group import GROUP
 from tests.campaign.sets import draw_sets
 from tests.sets import timoshenko
 
@@ -172,3 +177,19 @@ def _misplaced(solution: qs.SetSolution, k: int) -> bool:
         if max(np.abs(away[:2]).max(), np.abs(away[2:]).max() * abs(arm)) > size:
             return True
     return False
+
+
+def batch(rng: np.random.Generator) -> Batch:
+    """How one call's spindles ended."""
+    solution = qs.solve_set(draw_spindles(rng))
+    ended = zip(solution.status, solution.reason, strict=True)
+    found = Batch(Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in ended))
+    for name, bad in wrong_of(solution).items():
+        found.wrong |= {int(k): name for k in np.flatnonzero(bad)}
+    found.not_converged = [int(k) for k in np.flatnonzero(solution.status == "not_converged")]
+    found.largest["residual"] = float(np.max(solution.residual, where=solution.converged, initial=0.0))
+    return found
+
+
+if __name__ == "__main__":
+    run("spindles", batch, GROUP, __doc__)
