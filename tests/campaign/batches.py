@@ -39,11 +39,14 @@ def run(name: str, draw: Callable[[np.random.Generator], Batch], size: int, desc
     parser.add_argument("seed", type=int, nargs="?", default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first batch")
     parser.add_argument("--record", action="store_true", help="keep the summary under tests/campaign/records")
+    parser.add_argument("--minutes", type=float, default=float("inf"), help="end after so long, whatever the count")
     asked = parser.parse_args()
     began, cpu = time.perf_counter(), time.process_time()
     ended, largest = Counter[str](), dict[str, float]()
     listed: dict[str, list[str]] = {"wrong": [], "not_converged": []}
     for number in range(asked.first, asked.first + max(asked.count // size, 1)):
+        if time.perf_counter() - began > 60.0 * asked.minutes:
+            break
         with np.errstate(all="ignore"):
             found = draw(np.random.default_rng([asked.seed, number]))
         ended.update(found.ended)

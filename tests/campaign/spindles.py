@@ -30,16 +30,16 @@ from tests.campaign.group import GROUP
 from tests.campaign.sets import draw_sets
 from tests.sets import timoshenko
 
+BATCH = 100
 BALANCE = 1e-7
 """Of the largest force: elements between places a millimetre apart lose that much of displacements of 16 digits."""
 PLANES = ((1, 4, 1.0), (2, 3, -1.0))
 """Of each plane: channels of deflection and slope, and the slope's sign."""
 
 
-def draw_spindles(rng: np.random.Generator) -> qs.BearingSet:
-    """Spindles that one call can solve."""
-    of = draw_sets(rng)
-    n = np.size(of.rows[0].position) if np.ndim(of.rows[0].position) else np.size(of.rows[-1].position)
+def draw_spindles(rng: np.random.Generator, n: int = GROUP) -> qs.BearingSet:
+    """Spindles that one call can solve, so many on shafts of one drawing."""
+    of = draw_sets(rng, n)
     bearing = of.rows[0].bearing
     last = float(np.max(of.rows[-1].position))
     seat = float(np.min(np.asarray(bearing.pitch_diameter) - bearing.ball_diameter))
@@ -181,7 +181,7 @@ def _misplaced(solution: qs.SetSolution, k: int) -> bool:
 
 def batch(rng: np.random.Generator) -> Batch:
     """How one call's spindles ended."""
-    solution = qs.solve_set(draw_spindles(rng))
+    solution = qs.solve_set(draw_spindles(rng, BATCH))
     ended = zip(solution.status, solution.reason, strict=True)
     found = Batch(Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in ended))
     for name, bad in wrong_of(solution).items():
@@ -192,4 +192,4 @@ def batch(rng: np.random.Generator) -> Batch:
 
 
 if __name__ == "__main__":
-    run("spindles", batch, GROUP, __doc__)
+    run("spindles", batch, BATCH, __doc__)
