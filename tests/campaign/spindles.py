@@ -82,7 +82,7 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
     shaft = of.shaft
     assert shaft is not None
     failed = {name: np.zeros(solution.shape, bool) for name in ("line bent by its forces", "rings in place", "sleeve")}
-    grown = 1.0 + np.asarray(shaft.strains())[:, 0]
+    grown = 1.0 + np.asarray(shaft.strains)[:, 0]
     for k in np.flatnonzero(solution.converged):
         scale = max(np.abs(row.load[k, :3]).max() for row in solution.rows)
         at, forces = _forces(solution, k)
@@ -119,7 +119,7 @@ def _forces(solution: qs.SetSolution, k: int) -> tuple[Any, list[tuple[float, ND
     """(where a drawn place is once warm, forces and moments on the shaft with their places)."""
     of, shaft = solution.set, solution.set.shaft
     assert shaft is not None
-    grown = np.atleast_1d(1.0 + np.asarray(shaft.strains())[:, 0])
+    grown = np.atleast_1d(1.0 + np.asarray(shaft.strains)[:, 0])
     s = float(grown[k] if grown.size > 1 else grown[0])
     reference = float(np.broadcast_to(of.reference, solution.shape)[k])
 
