@@ -16,7 +16,7 @@ import numpy as np
 
 from qsbearing import provenance
 
-RECORDS = Path(__file__).with_name("records")
+RECORDS = Path(__file__).with_name("records") / "recomputed"
 
 
 @dataclass
@@ -38,7 +38,7 @@ def run(name: str, draw: Callable[[np.random.Generator], Batch], size: int, desc
     parser.add_argument("count", type=int)
     parser.add_argument("seed", type=int, nargs="?", default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first batch")
-    parser.add_argument("--record", action="store_true", help="keep the summary under tests/campaign/records")
+    parser.add_argument("--record", action="store_true", help="keep the summary under records/recomputed")
     parser.add_argument("--minutes", type=float, default=float("inf"), help="end after so long, whatever the count")
     asked = parser.parse_args()
     began, cpu = time.perf_counter(), time.process_time()
