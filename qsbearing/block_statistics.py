@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 MOST = 1 << 20
 """Numbers that are in memory at a time: 8 MB."""
+ROUNDING = 1e-9
+"""Of a result's printed unit: a number that is no larger is zero."""
 DIGIT = 16
 """Bits that are told apart in one passage over the numbers."""
 
@@ -37,8 +39,8 @@ def blocks(values: DataArray) -> Iterator[NDArray]:
 
 
 def varies_from_zero(numbers: Blocks) -> bool:
-    """Whether any number is finite and not zero."""
-    return any(bool((np.isfinite(block) & (block != 0.0)).any()) for block in numbers())
+    """Whether any number is finite and, but for rounding, not zero."""
+    return any(bool((np.isfinite(block) & (abs(block) > ROUNDING)).any()) for block in numbers())
 
 
 def quantiles(numbers: Blocks, wanted: Sequence[float]) -> list[float]:

@@ -112,8 +112,7 @@ def dataset(solution: Solution) -> xarray.Dataset:
         values = quantity.read(solution)
         if values is not None:
             own = (*dims, "ball") if quantity.is_per_ball else dims
-            attrs = {"units": quantity.unit, "long_name": quantity.name.replace("_", " ")}
-            found[quantity.name] = (own, values, attrs)
+            found[quantity.name] = (own, values, quantity.attributes)
     coordinates = {}
     for name, values in inputs.items():
         axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]

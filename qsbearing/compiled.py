@@ -263,6 +263,8 @@ class _Compilation(numba_event.Listener):
         what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
         if ".readings." in function.__module__:
             what = "a reading"
+        if "lanes" in function.__module__:
+            what = "the solver of batches"
         when = f"once, cached in {_CACHE_FOLDER}" if _CACHE_FOLDER else f"at each start, not cached: {_NO_FOLDER}"
         print(f"qsbearing: compiling {what}, some seconds ({when})", file=sys.stderr, flush=True)
 

@@ -11,7 +11,6 @@ import numpy as np
 from qsbearing import pictures
 from qsbearing.columns import scene_numbers
 from qsbearing.design_report import inputs, set_inputs
-from qsbearing.documents.from_rich import blocks
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io import report, set_report
@@ -55,8 +54,8 @@ def _blocks(shown: Any) -> Sequence[Block]:
         case Solution() | SetSolution() if shown.shape:
             return _cases(shown)
         case Solution():
-            return blocks(report.result(shown, taken(shown)))
-    return blocks(set_report.set_result(shown, [taken(row) for row in shown.rows]))
+            return report.result(shown, taken(shown))
+    return set_report.set_result(shown, [taken(row) for row in shown.rows])
 
 
 def _tables(found: Sequence[Block]) -> list[Block]:

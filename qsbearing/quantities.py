@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects.operating_point import Solved
 from qsbearing.result_keys import (
     BALL,
     CONTACT,
@@ -24,6 +25,7 @@ from qsbearing.result_keys import (
     RING_STATE,
     STIFFNESS,
     Shown,
+    attributes,
     split,
 )
 from qsbearing.scene.scene import Scene
@@ -33,46 +35,18 @@ if TYPE_CHECKING:
     from qsbearing.thermal.state import ThermalState
 
 
-class Contacts(Protocol):
-    """All contacts of one raceway, as `qsbearing.solution` has them."""
-
-    @property
-    def load(self) -> NDArray: ...
-    @property
-    def approach(self) -> NDArray: ...
-    @property
-    def sine(self) -> NDArray: ...
-    @property
-    def cosine(self) -> NDArray: ...
-    @property
-    def required_friction(self) -> NDArray | None: ...
-
-
-class Solution(Protocol):
+class Solution(Solved, Protocol):
     """What is read here and in `columns` of a solution, which lies above: its methods call what is here."""
 
     scene: Scene
-    shape: tuple[int, ...]
     thermal: ThermalState | None
 
-    @property
-    def inner(self) -> Contacts: ...
-    @property
-    def outer(self) -> Contacts: ...
-    @property
-    def azimuth(self) -> NDArray: ...
-    @property
-    def displacement(self) -> NDArray: ...
     @property
     def stiffness(self) -> NDArray: ...
     @property
     def gyroscopic_moment(self) -> NDArray | None: ...
     @property
-    def raceway_control(self) -> NDArray | None: ...
-    @property
     def slips(self) -> NDArray | None: ...
-    @property
-    def converged(self) -> Any: ...
     @property
     def status(self) -> Any: ...
     @property
@@ -102,11 +76,19 @@ class Quantity:
     """Shape (*cases) or (*cases, ball), in `unit`; None where the scene does not call for it."""
     is_column: bool = True
     """Whether tables have it; else it follows from what they have."""
+    symbol: str = ""
+    source: str = ""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """What datasets say of it."""
+        return attributes(self.unit, self.name.replace("_", " "), self.symbol, self.source)
 
 
-def _quantity(prefix: str, key: str, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
+def _quantity(prefix: str, of: str | Shown, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
+    key, *about = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of,)
     name, unit = split(key)
-    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read)
+    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, *about)
 
 
 def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:
@@ -114,7 +96,7 @@ def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Qu
         values = shown.of(holder(solution))
         return None if values is None else np.broadcast_to(values, solution.shape)
 
-    return _quantity(prefix, shown.key, False, read)
+    return _quantity(prefix, shown, False, read)
 
 
 def _reshaped(solution: Solution) -> Any:
@@ -167,11 +149,11 @@ def _control(solution: Solution) -> NDArray | None:
 def _all() -> dict[str, Quantity]:
     sides = "inner", "outer"
     found = [
-        _quantity(f"{side}_", shown.key, True, lambda solution, side=side, of=shown.of: of(getattr(solution, side)))  # type: ignore[misc]
+        _quantity(f"{side}_", shown, True, lambda solution, side=side, of=shown.of: of(getattr(solution, side)))  # type: ignore[misc]
         for side in sides
         for shown in CONTACT
     ]
-    found += [_quantity("", shown.key, True, shown.of) for shown in BALL]
+    found += [_quantity("", shown, True, shown.of) for shown in BALL]
     found.append(Quantity("inner_raceway_controls", "1", "inner_raceway_controls", True, _control, False))
     kinds = ("displacement", DISPLACEMENT), ("load", LOAD), *((f"{kind}_stiffness", STIFFNESS) for kind in STIFFNESSES)
     for kind, channels in kinds:

@@ -1,10 +1,12 @@
-"""The results of a solution: the key of each, unit included, where it is found, and its plain name.
+"""The results of a solution: the key of each, unit included, where it is found, its plain name, symbol and source.
 
-Columns, JSON, tables for people, xarray and studies show results under these keys; those of a reading stand with it.
+Columns, JSON, tables for people, xarray, studies and the guide's page of symbols show results by what stands here;
+those of a reading stand with it.
 """
 
 from __future__ import annotations
 
+import re
 from functools import reduce
 from typing import Any, NamedTuple
 
@@ -28,6 +30,11 @@ def split(key: str) -> tuple[str, str]:
     return key, "1"
 
 
+def printed_unit(unit: str) -> str:
+    """A unit as people write it: µm, °C; in keys and attributes it is plain ASCII."""
+    return "°C" if unit == "C" else unit.replace("um", "µm")
+
+
 class Shown(NamedTuple):
     """One number of a result."""
 
@@ -39,6 +46,10 @@ class Shown(NamedTuple):
     """One of the key's unit in SI."""
     words: str = ""
     """What it is, where the key's own words do not state it."""
+    symbol: str = ""
+    """In formulas, in LaTeX, without the index of a raceway."""
+    source: str = ""
+    """Of its equation; of a reading's result the reading states it."""
 
     def of(self, holder: Any) -> Any:
         """The number in the key's unit; None where the holder has none, or there is no holder."""
@@ -51,6 +62,18 @@ class Shown(NamedTuple):
         """For people."""
         return self.words or split(self.key)[0].replace("_", " ")
 
+    @property
+    def plain_symbol(self) -> str:
+        """For tables of plain text: p0 for p_0, δ for \\delta."""
+        plain = self.symbol.replace(r"\delta", "δ").replace(r"\mu", "µ")
+        return re.sub(r"[\\\\{}_]", "", plain)
+
+
+def attributes(unit: str, words: str, symbol: str, source: str) -> dict[str, str]:
+    """What datasets say of a result; what it has not is left out."""
+    found = {"units": unit, "long_name": words, "symbol": symbol, "source": source}
+    return {name: value for name, value in found.items() if value}
+
 
 _STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")
 DISPLACEMENT = *((f"{name}_um", um) for name in _STRAIGHT), *((f"{name}_mrad", mrad) for name in _TILTS)
@@ -61,20 +84,23 @@ STIFFNESS = (
 )
 """Keys of the five channels, and the size of each key's unit in SI."""
 
+BALANCE, HERTZ, NO_SLIP = "Jones 1960; Harris & Kotzalas 2006", "Hertz 1881; Johnson 1985", "Jones 1960"
+"""Sources."""
+
 CONTACT = (
-    Shown("load_N", "load"),
-    Shown("angle_deg", "angle", deg),
-    Shown("approach_um", "approach", um),
-    Shown("semi_major_axis_mm", "semi_major_axis", mm),
-    Shown("semi_minor_axis_mm", "semi_minor_axis", mm),
-    Shown("max_pressure_MPa", "max_pressure", MPa),
-    Shown("required_friction", "required_friction"),
+    Shown("load_N", "load", 1.0, "normal load of a contact", "Q", BALANCE),
+    Shown("angle_deg", "angle", deg, "angle of the loaded contact", r"\alpha", BALANCE),
+    Shown("approach_um", "approach", um, "negative: gap of an unloaded contact", r"\delta", HERTZ),
+    Shown("semi_major_axis_mm", "semi_major_axis", mm, "semi-axis of the contact ellipse, across rolling", "a", HERTZ),
+    Shown("semi_minor_axis_mm", "semi_minor_axis", mm, "semi-axis of the contact ellipse, along rolling", "b", HERTZ),
+    Shown("max_pressure_MPa", "max_pressure", MPa, "pressure at the centre of the ellipse", "p_0", HERTZ),
+    Shown("required_friction", "required_friction", 1.0, "coefficient that the moment Mg requires", r"\mu", BALANCE),
 )
 BALL = (
-    Shown("centrifugal_force_N", "centrifugal_force"),
-    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm),
-    Shown("orbital_speed_rpm", "orbital_speed", rpm),
-    Shown("rotation_speed_rpm", "rotation_speed", rpm),
+    Shown("centrifugal_force_N", "centrifugal_force", 1.0, "on the ball", "F_c", BALANCE),
+    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm, "on the ball", "M_g", BALANCE),
+    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre round x", r"\omega_m", NO_SLIP),
+    Shown("rotation_speed_rpm", "rotation_speed", rpm, "of the ball about its axis", r"\omega_R", NO_SLIP),
     Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
     Shown("groove_deflection_um", "groove_deflection", um),
 )

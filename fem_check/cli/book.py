@@ -7,17 +7,16 @@ import sys
 from pathlib import Path
 
 import click
-from rich.text import Text
 
-from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, VERDICT, progress_bar, refuse, require
+from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_wrote
-from qsbearing.io.tables import plain_table
+from qsbearing.documents.model import Badge, Table
 
 
 @click.command("book")
 @click.argument("names", nargs=-1, metavar="[CASE ...]")
 @click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
-@click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON record per line, and nothing else.")
 def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
     """Hold qsbearing against published catalogues, standards and measurements, all cases by default.
 
@@ -39,11 +38,7 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
         for entry in found:
             print(json.dumps(entry))
     else:
-        table = plain_table("Published cases", ("case", "kind", "", "found"), left=(0, 1, 2, 3))
-        table.columns[-1].no_wrap = False
-        for entry in found:
-            verdict = Text(entry["verdict"], style=VERDICT[entry["verdict"]])
-            table.add_row(entry["case"], entry["kind"], verdict, Text(entry["summary"]))
-        print_table(table)
+        rows = [(entry["case"], entry["kind"], Badge(entry["verdict"]), entry["summary"]) for entry in found]
+        print_table([Table(("case", "kind", "", "found"), rows, "llll", "Published cases")])
         print_wrote([page])
     sys.exit(OUT_OF_TOLERANCE if any(entry["verdict"] == "fail" for entry in found) else 0)

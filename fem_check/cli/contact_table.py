@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from fem_check import row_text
-from fem_check.cli.output import VERDICT
+from qsbearing.documents.terminal import STYLES
 
 Row = dict[str, Any]
 
@@ -81,7 +81,7 @@ def _difference(row: Row) -> tuple[str, str]:
 
 
 def _verdict(row: Row) -> Text:
-    return Text(WORDS[row["verdict"]], VERDICT[row["verdict"]])
+    return Text(WORDS[row["verdict"]], STYLES[row["verdict"]])
 
 
 def _summary(rows: Iterable[Row]) -> Iterable[Any]:
@@ -117,5 +117,5 @@ def _line(verdict: str, said: str) -> Table:
     table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False, show_header=False)
     table.add_column(width=9, no_wrap=True)
     table.add_column(overflow="fold")
-    table.add_row(Text(WORDS[verdict], VERDICT[verdict]), Text(said))
+    table.add_row(Text(WORDS[verdict], STYLES[verdict]), Text(said))
     return table

@@ -10,7 +10,6 @@ import click
 
 from fem_check.cli.output import FEM, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_text, print_wrote
-from qsbearing.io.tables import plain_table
 
 
 @click.command("cost")
@@ -22,7 +21,7 @@ from qsbearing.io.tables import plain_table
     show_default=True,
     help="Folder of results; the record and its picture are written into its folder `cost`.",
 )
-@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print the record as JSON, and nothing else.")
 def cost(level: str, out: Path, as_json: bool) -> None:
     """Measure error, time and memory for element families and meshes."""
     require(*FEM)
@@ -52,10 +51,6 @@ def cost(level: str, out: Path, as_json: bool) -> None:
         print(json.dumps(found))
         return
     for each in (table.measured(found), table.mesh_choices(found)):
-        shown = plain_table(each.title, each.headings)
-        shown.columns[0].no_wrap = False
-        for row in each.rows:
-            shown.add_row(*row)
-        print_table(shown)
+        print_table([each])
     print_text(f"{table.remark(found)}\n")
     print_wrote([path])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from qsbearing.cli.output import print_table
-from qsbearing.io.tables import plain_table
+from qsbearing.documents.model import Table
 
 
 @click.command("list")
@@ -15,12 +15,16 @@ def list_checks() -> None:
     from fem_check.book.cases import ALL as CASES
     from fem_check.checks import ALL, OPTIONAL
 
-    checks = plain_table("Checks (fem-check run)", ("check", "question"), left=(0, 1))
-    for check in (ALL | OPTIONAL).values():
-        checks.add_row(check.name, f"{check.question}\n[dim]{check.kind}; tolerance: {check.tolerance}[/dim]")
-    book = plain_table("Published cases (fem-check book)", ("case", "kind"), left=(0, 1))
-    for case in CASES.values():
-        book.add_row(case.name, f"{case.texts.title}\n[dim]{EVIDENCE[case.texts.evidence]}[/dim]")
-    for table in (checks, book):
-        table.columns[1].no_wrap = False
-        print_table(table)
+    checks = [
+        row
+        for check in (ALL | OPTIONAL).values()
+        for row in ((check.name, check.question), ("", f"{check.kind}; tolerance: {check.tolerance}"))
+    ]
+    book = [
+        row for case in CASES.values() for row in ((case.name, case.texts.title), ("", EVIDENCE[case.texts.evidence]))
+    ]
+    for heading, rows, title in (
+        (("check", "question"), checks, "Checks (fem-check run)"),
+        (("case", "kind"), book, "Published cases (fem-check book)"),
+    ):
+        print_table([Table(heading, rows, "ll", title, faint=range(1, len(rows), 2))])

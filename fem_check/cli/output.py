@@ -14,9 +14,6 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 RESULTS = "fem_check_results"
 """The working folder's own folder, unless another is named."""
 
-VERDICT = {"pass": "green", "fail": "bold red", "finding": "yellow", "refused": "magenta"}
-"""Colour of each."""
-
 OUT_OF_TOLERANCE = 1
 BAD_INPUT = 2
 

@@ -2,28 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import choices
+from qsbearing.documents.model import Table
 
 SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))
 UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6))
-
-
-@dataclass(frozen=True)
-class Table:
-    """A title, headings, and rows of text; the first column is a name, the others are numbers."""
-
-    title: str
-    headings: tuple[str, ...]
-    rows: list[tuple[str, ...]]
-
-    def markdown(self) -> str:
-        """For the report and the guide."""
-        lines = [self.headings, ("---",) * len(self.headings), *self.rows]
-        return "\n".join([f"{self.title}:", "", *("| " + " | ".join(line) + " |" for line in lines)])
 
 
 def duration(seconds: dict[str, float]) -> str:
@@ -43,7 +29,7 @@ def measured(record: dict[str, Any]) -> Table:
         rows.append((label, dofs, *errors, duration(entry["seconds"]), memory))
     title = f"One contact ({record['contact']}, a/b = {record['ellipticity']:.2f}); elements: number per semi-axis"
     headings = ("solved by", "unknowns", *(f"{name} %" for name in SHORT_NAMES.values()), "time", "MB")
-    return Table(title, headings, rows)
+    return Table(headings, rows, caption=title)
 
 
 def mesh_choices(record: dict[str, Any]) -> Table:
@@ -62,7 +48,7 @@ def mesh_choices(record: dict[str, Any]) -> Table:
         "Accuracy reached: deviation and uncertainty from three meshes together, on "
         f"{machine['cores']} cores ({machine['processor']}, {record['solver']})"
     )
-    return Table(title, ("accuracy", "elements per semi-axis", "time of all three", "MB"), rows)
+    return Table(("accuracy", "elements per semi-axis", "time of all three", "MB"), rows, caption=title)
 
 
 def remark(record: dict[str, Any]) -> str:

@@ -10,15 +10,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rich.console import Group
-
 from qsbearing import messages
 from qsbearing.app import drawn
 from qsbearing.app.inputs import addable, fields
 from qsbearing.chooser.choose import solve
 from qsbearing.chooser.explain import explain
 from qsbearing.design_report.key_results import key_results
-from qsbearing.documents.from_rich import blocks
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Remark
 from qsbearing.effects import EFFECTS, QUANTITIES
@@ -31,7 +28,7 @@ from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.io.set_file import is_set
-from qsbearing.io.tables import warning_lines
+from qsbearing.io.tables import remarks
 from qsbearing.judgement import WORDS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
@@ -73,7 +70,7 @@ def solved(document: Tables, label: str) -> Answer:
     key = key_results(solution, found) if solution.converged else Remark(messages.message(solution), "fail")
     return {
         "is_solved": bool(solution.converged), "key": part([key]),
-        "warnings": part(blocks(Group(*warning_lines(warnings)))), **pictured(document, label, "section"),
+        "warnings": part(remarks(warnings)), **pictured(document, label, "section"),
     }  # fmt: skip
 
 
@@ -89,7 +86,7 @@ def detailed(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, and whether it can be switched; and all tables of the solution."""
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
-    tables = [*blocks(report.tables(solution)), *blocks(readings_tables(found))] if solution.converged else []
+    tables = [*report.tables(solution), *readings_tables(found)] if solution.converged else []
     rows = zip(EFFECTS, explain(scene, TOLERANCE)[1], strict=True)
     return {
         "tables": part(tables),

@@ -13,9 +13,8 @@ from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
-    from rich.console import Group
-
     from qsbearing.design.compare import Comparison, Line
+    from qsbearing.documents.model import Block
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -28,19 +27,20 @@ BESIDE = 2
 """Bearings beside the first in one table, so that no number is cut off."""
 
 
-@click.command(short_help="Several bearings at the same job, side by side.")
+@click.command(short_help="Compare several bearings under the same loads.")
 @click.argument("scenes", nargs=-1, required=True)
 @click.option(
-    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings all of them get."
+    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings are used for all bearings."
 )
 @click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
 @click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
 def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plot_target: str | None) -> None:
-    """Solve the bearings of SCENES, files or names of the catalogue, at the same job: that of --at, or the first's.
+    """Solve the bearings of SCENES, files or names of the catalogue, under the same loads: those of --at, or of the
+    first.
 
-    Differences of more than 1 % from the first bearing stand beside the numbers.
+    Differences of more than 1 % from the first bearing are shown beside the numbers.
 
-    Exit codes: 0 all solved, 1 some is not, 2 bad input.
+    Exit codes: 0 all solved, 1 some are not, 2 bad input.
     """
     from qsbearing.design.compare import job_of, solved
     from qsbearing.io.csv_table import csv_bytes
@@ -63,26 +63,21 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
         sys.exit(UNSOLVED)
 
 
-def _tables(found: Comparison) -> Group:
-    from rich.console import Group
-    from rich.text import Text
+def _tables(found: Comparison) -> list[Block]:
+    from qsbearing.documents.model import Paragraph, Table
 
-    from qsbearing.io.tables import plain_table
-
-    parts: list[object] = []
+    parts: list[Block] = []
     others = range(1, len(found.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
     for title, lines in (("Bearings", found.inputs), (f"Results at the job of {found.job}", found.results)):
         for block in blocks:
             heading = ("", *(found.labels[i] for i in block), "unit")
-            table = plain_table(title, heading, left=(0, len(block) + 1))
-            if lines is found.results:
-                table.add_row("status", *(found.statuses[i] for i in block), "")
+            rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
             for line in lines:
-                table.add_row(line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit)
-            parts += [table, Text()]
-    note = Text("In brackets: the difference from the first bearing, where it is more than 1 %.")
-    return Group(*parts, note)  # type: ignore[arg-type]
+                rows.append((line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit))
+            parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
+    note = "In brackets: the difference from the first bearing, where it is more than 1 %."
+    return [*parts, Paragraph(note, is_apart=True)]
 
 
 def _cell(line: Line, number: int) -> str:
@@ -110,4 +105,4 @@ def _picture(found: Comparison, target: str) -> bytes:
     lines = {line.name: line for line in found.results}
     chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
     panels = [(line.name, line.unit, line.values) for line in chosen]
-    return picture_bytes(side_by_side(found.labels, panels, f"At the job of {found.job}"), target)
+    return picture_bytes(side_by_side(found.labels, panels, f"All at the operating point of {found.job}"), target)

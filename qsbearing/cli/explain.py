@@ -14,10 +14,8 @@ from qsbearing.cli.scene import load_one, solving
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from rich.console import RenderableType
-    from rich.table import Table
-
     from qsbearing.chooser.explain import Row
+    from qsbearing.documents.model import Block
     from qsbearing.sets.bearing_set import BearingSet
     from qsbearing.sets.set_solution import SetSolution
     from qsbearing.solution.solution import Solution
@@ -31,17 +29,21 @@ HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nnes
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
 @click.option("--verify", is_flag=True, hidden=True, help="What is done anyway: solve with and without each.")
 @click.option(
-    "--tolerance", type=float, default=0.01, show_default=True, help="The relative change below which none is needed."
+    "--tolerance",
+    type=float,
+    default=0.01,
+    show_default=True,
+    help="Relative change below which an effect is not needed.",
 )
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
-    Each is solved with and without: its change of contact angles, loads, pressures, displacement and
-    stiffness; how much longer a solve takes with it; and a verdict: needed, not needed, likely needed but without the
-    data that it takes (then its changes are estimated, and marked ≈), or not assessed and why. The indicator is a
-    dimensionless number that its influence follows.
+    The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
+    displacement and stiffness, how much longer a solve takes, and a verdict: needed; not needed; likely needed, but
+    input data are missing (the changes are then estimated and marked ≈); or not assessed, with the reason. The
+    indicator is a dimensionless number that governs the influence of the effect.
 
-    Of a set of rows, what its preload does is said first.
+    For a set of rows, the table is preceded by what speed and loads do to its preload.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
@@ -54,19 +56,19 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
     loaded = load_one(scene)
-    shown: list[RenderableType]
+    shown: list[Block]
     solution: Solution | SetSolution
     if isinstance(loaded, Scene):
         with solving():
             solution, rows = explain(replace(loaded, tolerance=None), tolerance)
         found: dict[str, Any] = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
-        shown = [] if as_json else [_table(rows, tolerance), *_remarks(rows)]
+        shown = [] if as_json else _effects(rows, tolerance)
     else:
         solution, rows, found, shown = _of_set(loaded, as_json, tolerance)
     if as_json:
         print_text(json.dumps(found | {"effects": [vars(row) for row in rows]}, indent=1, allow_nan=False) + "\n")
-    for each in shown:
-        print_table(each)
+    else:
+        print_table(shown)
     if not solution.converged:
         note(message(solution))
         sys.exit(UNSOLVED)
@@ -74,16 +76,13 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
 def _of_set(
     of: BearingSet, as_json: bool, tolerance: float
-) -> tuple[SetSolution, list[Row], dict[str, Any], list[RenderableType]]:
+) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
     """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
-    from rich.console import Group
-    from rich.padding import Padding
-    from rich.text import Text
-
     from qsbearing.chooser.explain_set import explain_set
-    from qsbearing.io.report import warnings_below
+    from qsbearing.documents.model import Paragraph
     from qsbearing.io.set_record import set_record
     from qsbearing.io.set_report import heading, rows_tables
+    from qsbearing.io.tables import remarks
     from qsbearing.sets.preload_limits import preload_summary
 
     with solving():
@@ -92,39 +91,31 @@ def _of_set(
     found = set_record(solution, [{}] * len(solution.rows))
     of_set = {key: found[key] for key in ("status", "message", "arrangement", "warnings")}
     of_set |= {"preload": said, "tolerance": tolerance}
-    parts: list[RenderableType] = []
+    parts = heading(solution, found)
     if solution.converged and not as_json:
-        parts = [*rows_tables(found), Text("\n".join(said)), _table(rows, tolerance)]
-        parts += [Group(*_remarks(rows)), *warnings_below(found["warnings"])]
-    whole = Group(heading(solution, found), *(Padding(each, (1, 0, 0, 0)) for each in parts))
-    return solution, rows, of_set, [] if as_json else [whole]
+        told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(said)]
+        parts += [*rows_tables(found), *told, *_effects(rows, tolerance), *remarks(found["warnings"], is_apart=True)]
+    return solution, rows, of_set, parts
 
 
-def _remarks(rows: Sequence[Row]) -> list[RenderableType]:
-    """Why a verdict cannot be given, and how to include what is needed."""
-    from rich.text import Text
-
-    said: list[RenderableType] = []
-    for row in rows:
-        if row.why or (row.add and row.verdict == "needed"):
-            lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
-            said.append(Text(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}"))
-    return said
-
-
-def _table(rows: Sequence[Row], tolerance: float) -> Table:
-    """What leaving each out changes, found by solving; estimated, with ≈, where its parameters are not known."""
+def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
+    """What leaving each out changes, found by solving; estimated, with ≈, where its parameters are not known. Below:
+    why a verdict cannot be given, and how to include what is needed."""
     from qsbearing.chooser.explain import two_digits
+    from qsbearing.documents.model import Paragraph, Table
     from qsbearing.effects import QUANTITIES
-    from qsbearing.io.tables import plain_table
 
     title = f"Effects and choices: change when it is left out (≈ estimated); needed above {100 * tolerance:g} %"
     is_timed = any(row.time_with_over_without is not None for row in rows)  # those of a set are not
     headings = ("", "in\nscene", *(("indi-\ncator", "time") if is_timed else ()), *HEADINGS, "verdict")
-    found = plain_table(title, headings, left=(0, 1, len(headings) - 1))
+    cells, said = [], []
     for row in rows:
         ratio = two_digits(row.time_with_over_without)
-        cells = (two_digits(row.indicator), "-" if ratio == "-" else f"x{ratio}") if is_timed else ()
-        changes = map(row.change, QUANTITIES)
-        found.add_row(row.effect, "yes" if row.in_scene else "no", *cells, *changes, row.verdict.replace(", ", ",\n"))
-    return found
+        timed = (two_digits(row.indicator), "-" if ratio == "-" else f"x{ratio}") if is_timed else ()
+        changes, verdict = map(row.change, QUANTITIES), row.verdict.replace(", ", ",\n")
+        cells.append((row.effect, "yes" if row.in_scene else "no", *timed, *changes, verdict))
+        if row.why or (row.add and row.verdict == "needed"):
+            lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
+            said.append(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}")
+    table = Table(headings, cells, f"ll{'r' * (len(headings) - 3)}l", title)
+    return [table, *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(said))]

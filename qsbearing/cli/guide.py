@@ -55,16 +55,32 @@ def _readings() -> str:
     return "".join(f"| `{name}` | {each.gives} | {each.by} |\n" for name, each in READINGS.items())
 
 
-LISTS = {"readings": _readings}
+def _results() -> str:
+    """Rows of the page of symbols: those of the results that have one."""
+    from qsbearing.readings.asked import READINGS
+    from qsbearing.result_keys import BALL, CONTACT, split
+
+    found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
+    found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]
+    found += [
+        (f"`{name}.{shown.path}`", shown, each.by)
+        for name, each in READINGS.items()
+        for shown in (*each.of_case, *each.of_contact, *each.of_ball)
+    ]
+    return "".join(
+        f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {split(shown.key)[1].replace('1', '-')} | {source} |\n"
+        for names, shown, source in found
+        if shown.symbol
+    )
+
+
+LISTS = {"readings": _readings, "results": _results}
 
 
 def _list(pages: dict[str, Page]) -> None:
-    from qsbearing.io.tables import plain_table
+    from qsbearing.documents.model import Table
 
-    table = plain_table("The guide", ("topic", ""), left=(0, 1))
-    for page in pages.values():
-        table.add_row(page.topic, page.title)
-    print_table(table)
+    print_table([Table(("topic", ""), [(page.topic, page.title) for page in pages.values()], "ll", "The guide")])
     print_text("\n`qsbearing guide TOPIC` prints one; `qsbearing guide --open` shows all in a browser.\n")
 
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from rich.console import RenderableType
 
+    from qsbearing.documents.model import Block
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
 
@@ -51,11 +52,11 @@ def warnings_as_notes() -> Iterator[None]:
         note(str(each.message))
 
 
-def print_table(renderable: RenderableType) -> None:
-    """A table of rich on standard output."""
-    from qsbearing.io.tables import text_of
+def print_table(shown: RenderableType | Sequence[Block]) -> None:
+    """Blocks of a document, or what rich prints, on standard output."""
+    from qsbearing.documents.terminal import text_of
 
-    print_text(text_of(renderable))
+    print_text(text_of(shown))
 
 
 def print_wrote(paths: Iterable[object]) -> None:

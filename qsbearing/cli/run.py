@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
-    from rich.console import RenderableType
 
+    from qsbearing.documents.model import Block
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
     from qsbearing.sets.set_solution import SetSolution
@@ -39,24 +39,24 @@ if TYPE_CHECKING:
     "--plot",
     "plot_target",
     metavar="FILE",
-    help="Also draw loads, contact angles and contact ellipses, of a set loads and angles of each row; .png, .svg or "
-    ".pdf.",
+    help="Also draw loads, contact angles and contact ellipses; for a set, the loads and angles of each row; .png, "
+    ".svg or .pdf.",
 )
 @click.option(
     "--accuracy",
     type=float,
     metavar="ERROR",
     help="Choose the effects: some are left out, whether SCENE names them or not, as long as all results stay within "
-    "this relative error of the full model of the operating point. 1e-3, for instance.",
+    "this relative error of the full model at the operating point, such as 1e-3.",
 )
 @click.option(
     "--points",
     metavar="TABLE",
     help="Solve SCENE at each row of a table: .csv, .xlsx or .parquet; headings "
-    "are keys of the scene file, such as speed_rpm. One row in, one row out, a status each.",
+    "are keys of the scene file, such as speed_rpm. Each row gives one row of results with its status.",
 )
 @click.option(
-    "--out", metavar="TABLE", help="With --points: where the rows go with their results; .csv, .xlsx, .parquet."
+    "--out", metavar="TABLE", help="With --points: write the rows and their results here; .csv, .xlsx or .parquet."
 )
 def run(
     scene: str,
@@ -67,10 +67,11 @@ def run(
     points: str | None,
     out: str | None,
 ) -> None:
-    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
-    is a set of rows on one shaft: `qsbearing init --set` prints one. One with [[spectrum]] has operating points with
-    shares of time, which make one life. A result, of --json (.json) or of `qsbearing sweep` (.nc), is solved again from
-    the input that it holds; of a sweep the scene of its first point.
+    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
+
+    A file with [[rows]] is a set of rows on one shaft: `qsbearing init --set` prints one. A file with [[spectrum]] has
+    operating points with shares of time, which give one life. The result of --json (.json) or of `qsbearing sweep`
+    (.nc) is solved again from the input that it holds; for a sweep this is the scene of its first point.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
@@ -93,8 +94,7 @@ def run(
         if as_json:
             print_result(found.input, found.record())
         else:
-            for each in found.tables():
-                print_table(each)
+            print_table(found.blocks())
         if found.lacks:
             for option in writers:
                 note(f"{targets[option]} is not written: {found.lacks}")
@@ -119,7 +119,7 @@ class Found(NamedTuple):
     input: Scene | BearingSet
     """What it is reproduced from."""
     record: Callable[[], dict[str, Any]]
-    tables: Callable[[], list[RenderableType]]
+    blocks: Callable[[], list[Block]]
     columns: Callable[[], dict[str, NDArray]]
     lacks: str
     """What files would lack; empty where all is solved."""
@@ -132,21 +132,20 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
     solution = _solved(scene, accuracy)
     readings = taken(solution)
 
-    def tables() -> list[RenderableType]:
+    def blocks() -> list[Block]:
+        from qsbearing.documents.model import Paragraph
         from qsbearing.io.report import result
 
-        found: list[RenderableType] = [result(solution, readings)]
-        if solution.choice is not None:
-            from rich.text import Text
+        if solution.choice is None:
+            return result(solution, readings)
+        from qsbearing.messages.bearing import chosen
 
-            from qsbearing.messages.bearing import chosen
-
-            found.append(Text("\n" + "\n".join(chosen(solution, scene))))
-        return found
+        said = enumerate(chosen(solution, scene))
+        return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
     return Found(
-        *(solution, asked, lambda: record(solution, readings), tables),
+        *(solution, asked, lambda: record(solution, readings), blocks),
         *(lambda: all_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
     )
 
@@ -163,7 +162,7 @@ def _of_spectrum(scene: Scene, accuracy: float | None, picture: str | None) -> F
         solution,
         scene if accuracy is None else solution.scene,
         lambda: spectrum_record(solution, readings),
-        lambda: [spectrum_result(solution, readings)],
+        lambda: spectrum_result(solution, readings),
         lambda: all_columns(solution, readings),
         "" if solution.converged.all() else SOME_UNSOLVED,
     )
@@ -189,18 +188,18 @@ def _of_set(of: BearingSet, accuracy: float | None, picture: str | None) -> Foun
             solution,
             of,
             lambda: set_spectrum_record(solution, readings),
-            lambda: [set_spectrum_result(solution, readings)],
+            lambda: set_spectrum_result(solution, readings),
             lambda: set_columns(solution, readings),
             "" if solution.converged.all() else SOME_UNSOLVED,
         )
 
-    def tables() -> list[RenderableType]:
+    def blocks() -> list[Block]:
         from qsbearing.io.set_report import set_result
 
-        return [set_result(solution, readings)]
+        return set_result(solution, readings)
 
     return Found(
-        *(solution, of, lambda: set_record(solution, readings), tables),
+        *(solution, of, lambda: set_record(solution, readings), blocks),
         *(lambda: set_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
     )
 
@@ -212,6 +211,8 @@ def _solved(scene: Scene, accuracy: float | None) -> Solution:
         if not FINEST <= accuracy <= COARSEST:
             allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is a tenth of a per cent"
             refuse(f"--accuracy {accuracy:g}: is outside its range\n{allowed}")
+        if scene.thermal is not None:
+            refuse("--accuracy: the effects of a scene with a heat balance are those that its file names")
     return solve(scene, accuracy)
 
 

@@ -13,7 +13,8 @@ from qsbearing.io.scene_tables import input_tables
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.console import Group
+
+    from qsbearing.documents.model import Block
 
 GRID = 81
 """Points along each axis of the picture."""
@@ -32,25 +33,21 @@ def heading(found: Found) -> str:
     return f"All that is asked for is met. {end}"
 
 
-def tables(found: Found) -> Group:
+def tables(found: Found) -> list[Block]:
     """For the terminal."""
-    from rich.console import Group
-    from rich.text import Text
+    from qsbearing.documents.model import Paragraph, Table
 
-    from qsbearing.io.tables import plain_table
-
-    variables = plain_table("Variables", ("key", "found", "from", "to", "unit"), left=(0, 4))
+    variables, results = [], []
     for key, value in found.values.items():
         ends = found.ranges.get(key)
         shown = ("", "") if ends is None else (f"{ends[0]:.5g}", f"{ends[1]:.5g}")
-        variables.add_row(key, f"{value:.6g}", *shown, _unit(found, key))
-    results = plain_table("Results", ("result", "found", "asked for", "unit"), left=(0, 2, 3))
+        variables.append((key, f"{value:.6g}", *shown, _unit(found, key)))
     for name, value in found.results.items():
         asked = [f"{each.sense} {each.value:g}" for each in found.wanted.conditions if each.name == name]
         if name == found.wanted.objective:
             asked.append("largest" if found.wanted.is_maximised else "least")
-        results.add_row(name, f"{value:.6g}", ", ".join(asked), _unit(found, name))
-    lines = [heading(found), ""]
+        results.append((name, f"{value:.6g}", ", ".join(asked), _unit(found, name)))
+    lines = []
     if found.ranges:
         within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
         change = f" and {within} stays within 1 %" if within else ""
@@ -58,7 +55,12 @@ def tables(found: Found) -> Group:
     lines += [f"Binds: {each}" for each in found.binding]
     lines += [f"Not met: {each}" for each in found.failed]
     lines.append(f"{found.evaluations:,} points, {found.seconds:.2g} s")
-    return Group(Text(lines[0]), Text(), variables, Text(), results, Text(), Text("\n".join(lines[2:])))
+    return [
+        Paragraph(heading(found)),
+        Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
+        Table(("result", "found", "asked for", "unit"), results, "lrll", "Results"),
+        *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(lines)),
+    ]
 
 
 def record(found: Found) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain
+from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, plain
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import FORCES, Preload
 from qsbearing.scene.scene import Scene
@@ -114,9 +114,9 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
 
 def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArray) -> None:
     """Axial and radial stiffness of the cases that are solved; stiffness of shape (case, 5)."""
-    for channel, colour, line in ((0, "#009e73", "-"), (1, "#cc79a7", "--")):
+    for channel, name in enumerate(("axial", "radial_y")):
         values = np.where(solved, stiffness[:, channel], np.nan) * um
-        axes.plot(along, values, color=colour, linestyle=line, label=CHANNELS[channel].label)
+        axes.plot(along, values, label=CHANNELS[channel].label, **CHANNEL_LINES[name])
     axes.legend(fontsize=8, frameon=False)
 
 

@@ -7,7 +7,6 @@ from qsbearing.design_report import curves, effects, evidence, inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
 from qsbearing.io.readings_record import taken, warnings_of
@@ -38,7 +37,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             inputs.section(scene, source),
             effects.section(solution, asked, tolerance),
             _results(solution),
-            *([Section("Readings", from_rich(readings_tables(found)))] if found else []),
+            *([Section("Readings", readings_tables(found))] if found else []),
             curves.section(solution),
             evidence.section([solution]),
         ],
@@ -48,7 +47,6 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
 
 
 def _results(solution: Solution) -> Section:
-    tables = from_rich(report.tables(solution))
     drawn = [
         picture(
             load_distribution(solution),
@@ -68,4 +66,4 @@ def _results(solution: Solution) -> Section:
             "Contact ellipses of each ball, with their maximum pressures",
         ),
     ]
-    return Section("Results", [*tables, Section("Pictures", drawn)])
+    return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from qsbearing import provenance
 from qsbearing.documents.model import Block, Cell, Facts, Md, Remark, Table
-from qsbearing.ranked_warning import in_order
+from qsbearing.io.tables import remarks
 from qsbearing.validation import printable
 
 
@@ -18,7 +18,7 @@ def head(message: str, key_results: Table, warnings: Sequence[str], command: str
         warnings: all of them, where nobody misses them.
         command: that makes the report.
     """
-    said = [Remark(each.line, each.rank.status) for each in in_order(warnings)] or [Remark("No warnings.")]
+    said = remarks(warnings) or [Remark("No warnings.")]
     return [Remark(message, "pass"), key_results, *said, Facts(_facts(command))]
 
 

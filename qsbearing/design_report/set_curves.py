@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.pictures.style import ROW_LINES, figure_of_size, legend
+from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_limits import (
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-RED = "#b2182b"
 BEYOND = 1.15
 """Times the load at which a row loses its preload: so far loads are shown, if that is not too far."""
 Mark = tuple[float, str]
@@ -48,8 +47,8 @@ def section(of: BearingSet, limits: Limits) -> Section:
     """
     speeds, loads = limits
     words = (
-        "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
-        "row loses its preload, has too much or has it back. Points without a solution are left out."
+        "Everything else stays as the set has it. The dotted line is the operating point; dashed red lines mark where "
+        "a row loses its preload, has too much of it or regains it. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
@@ -99,7 +98,7 @@ def _what(change: Change) -> str:
         "maintained": "preload back",
         "lost": "preload lost",
         "excessive": "preload excessive",
-        "no_equilibrium": "gives way",
+        "no_equilibrium": "no equilibrium",
     }
     return f"{name}: {ends.get(change.after, 'not solved')}"
 
@@ -145,9 +144,9 @@ def _answer(axes: Axes, along: NDArray, swept: SetSolution) -> str:
     free = [i for i in range(3) if i in swept._free_channels]
     moves = bool(np.any(np.abs(swept.displacement[:, free]) > 0.0))
     values = swept.displacement / um if moves else swept.load
-    for i, (colour, line) in enumerate(_lines(3)):
+    for i, line in enumerate(list(CHANNEL_LINES.values())[1:4]):
         if (i in free) == moves and np.any(np.abs(values[:, i]) > 0.0):
-            axes.plot(along, values[:, i], color=colour, linestyle=line, label=CHANNELS[i].label)
+            axes.plot(along, values[:, i], label=CHANNELS[i].label, **line)
     if axes.lines:
         axes.legend(fontsize=8, frameon=False)
     return "displacement of the shaft, µm" if moves else "load on the shaft, N"

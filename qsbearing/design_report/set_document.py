@@ -9,7 +9,6 @@ from qsbearing.design_report import effects, evidence, set_curves, set_inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.from_rich import blocks as from_rich
 from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
 from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
@@ -74,12 +73,11 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
-    return Section("Results", [*from_rich(set_report.tables(solution, found)), *parts])
+    return Section("Results", [*set_report.tables(solution, found), *parts])
 
 
 def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     row = solution.rows[number]
-    tables = from_rich(report.tables_of_balls(row))
     drawn = picture(
         contact_ellipses(row),
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their greatest pressures.",
@@ -88,4 +86,4 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     )
     said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
     title = capital(row_name(solution.set.rows[number], number))
-    return Section(title, [*said, *tables, drawn, *from_rich(readings_tables(found))], f"row-{number + 1}")
+    return Section(title, [*said, *report.tables_of_balls(row), drawn, *readings_tables(found)], f"row-{number + 1}")

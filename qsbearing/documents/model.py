@@ -7,7 +7,7 @@ from records and files stay plain, so that none of their characters means anythi
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -47,6 +47,10 @@ class Paragraph:
     """A paragraph."""
 
     text: str
+    lead: str = ""
+    """What it begins with, which a terminal shows in bold."""
+    is_apart: bool = False
+    """Whether a terminal has an empty line before it."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +82,11 @@ class Remark:
 
     text: str
     status: str = "note"
+    lead: str = ""
+    """What it begins with, which a terminal shows in bold and in a colour."""
+    colour: str = ""
+    is_apart: bool = False
+    """Whether a terminal has an empty line before it."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +120,8 @@ class Table:
     stack: bool = False
     notes: Sequence[tuple[str, str]] = ()
     """Below it: a mark that its rows have, and what it says."""
+    faint: Collection[int] = ()
+    """Rows, counted from 0, that a terminal shows paler than the others."""
 
     def __post_init__(self) -> None:
         width = len(self.headings)

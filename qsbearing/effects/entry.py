@@ -14,6 +14,7 @@ The list itself, and how it is added to: `qsbearing.effects`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -154,6 +155,13 @@ def part_of_effect(slot: str, field: str, coarse: Any, fine: Any = None) -> Swit
 def _differs(effect: Any, field: str, member: Any) -> bool:
     now = getattr(effect, field, member)
     return (now is None) != (member is None) or (isinstance(member, str) and now != member)
+
+
+def with_found(effect: Any, values: dict[str, Any]) -> Any:
+    """A frozen effect with numbers that the solver has found or taken apart by cases, which nobody gives: unchecked."""
+    found = copy(effect)
+    vars(found).update(values)
+    return found
 
 
 def uncompiled(function: Any) -> Any:

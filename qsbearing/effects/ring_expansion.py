@@ -25,7 +25,7 @@ Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -149,9 +149,9 @@ class RingExpansion:
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
-    shaft_touches: ArrayLike | None = None
-    housing_touches: ArrayLike | None = None
-    """1 where the balls close the gap of elastic rings, 0 where they do not: the solver's, no input."""
+    shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    """Set by the solver: 1 where the balls close the gap of elastic rings, 0 where they do not."""
     name: ClassVar[str] = "ring_expansion"
 
     def __post_init__(self) -> None:

@@ -7,34 +7,30 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.console import Group, RenderableType
-from rich.padding import Padding
-from rich.table import Table
-from rich.text import Text
 
-from qsbearing.io.tables import digits_of, plain_table, warning_lines
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.io.tables import digits_of, remarks
 from qsbearing.readings.asked import READINGS
-from qsbearing.result_keys import Shown, split
+from qsbearing.result_keys import Shown, printed_unit, split
 
-UNITS = {"1": "", "Mrev": "million rev", "N mm": "Nmm"}
+UNITS = {"1": "", "Mrev": "million rev"}
 """Units that tables for people write otherwise."""
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
 
 
-def readings_tables(readings: Mapping[str, Any]) -> Group:
+def readings_tables(readings: Mapping[str, Any]) -> list[Block]:
     """Tables of each reading: numbers of the bearing; of the contacts' numbers the smallest and the largest."""
-    parts: list[RenderableType] = []
+    parts: list[Block] = []
     for name, reading in readings.items():
         title = name.replace("_", " ").capitalize()
-        tables = [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
-        parts += [Padding(table, (1, 0, 0, 0)) for table in tables]
-        parts += [Text(READINGS[name].scope)] if READINGS[name].scope else []
+        parts += [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
+        parts += [Paragraph(READINGS[name].scope)] if READINGS[name].scope else []
         for model in getattr(reading, "models", ()):
             what = f"{model.name}: {model.contains}; without {model.lacks}."
-            parts.append(Text(f"{what} Range: {model.range}. For heat: {model.heat}."))
-        parts += warning_lines(getattr(reading, "warnings", ()))
-    return Group(*parts)
+            parts.append(Paragraph(f"{what} Range: {model.range}. For heat: {model.heat}."))
+        parts += remarks(getattr(reading, "warnings", ()))
+    return parts
 
 
 def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
@@ -42,10 +38,8 @@ def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
     found = [(shown, values) for shown, values in found if values is not None]
     if not found:
         return None
-    table = plain_table(title, ("quantity", "value", "unit"), left=(0, 2))
-    for shown, values in found:
-        table.add_row(shown.plain_name, digits_of(values), _unit(shown))
-    return table
+    rows = [(shown.plain_name, digits_of(values), _unit(shown)) for shown, values in found]
+    return Table(("quantity", "value", "unit"), rows, "lrl", title)
 
 
 def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
@@ -57,12 +51,12 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
         return None
     sides = [side for side in ("inner", "outer", "ball") if any(side in row for row in cells.values())]
     heading = [cell for side in sides for cell in (f"{side}\nsmallest", f"{side}\nlargest")]
-    table = plain_table(title, ("quantity", *heading, "unit"), (0, 1 + len(heading)))
+    rows = []
     for shown, row in cells.items():
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
         spans = [_span(row[side], NOISE * largest) if side in row else ("", "") for side in sides]
-        table.add_row(shown.plain_name, *(cell for span in spans for cell in span), _unit(shown))
-    return table
+        rows.append((shown.plain_name, *(cell for span in spans for cell in span), _unit(shown)))
+    return Table(("quantity", *heading, "unit"), rows, f"l{'r' * len(heading)}l", title)
 
 
 def _span(values: NDArray, noise: float) -> tuple[str, str]:
@@ -76,4 +70,4 @@ def _span(values: NDArray, noise: float) -> tuple[str, str]:
 
 def _unit(shown: Shown) -> str:
     unit = split(shown.key)[1]
-    return UNITS.get(unit, unit)
+    return UNITS.get(unit, printed_unit(unit))

@@ -7,16 +7,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from rich.console import Group, RenderableType
-from rich.padding import Padding
-from rich.table import Table
-from rich.text import Text
-
+from qsbearing.documents.model import Block, Paragraph, Remark, Table
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
-from qsbearing.io.tables import plain_table, warning_lines
+from qsbearing.io.tables import remarks
 from qsbearing.judgement import percent
-from qsbearing.result_keys import GEOMETRY, RING_SHAPE, STIFFNESS, split
+from qsbearing.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
 from qsbearing.solution.solution import Solution
@@ -32,46 +28,40 @@ makes them equal but for rounding."""
 RING_NOISE = 1e-10
 """Ring loads below this part of the largest are rounding."""
 
-_UNITS = (("um", "N", "N/um"), ("mrad", "Nm", "Nm/mrad"))
+_UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
-def result(solution: Solution, readings: Readings) -> Group:
+def result(solution: Solution, readings: Readings) -> list[Block]:
     """The report on a single case: heading, ring, balls, what was read off, warnings."""
     found = record(solution, {})
-    parts: list[RenderableType] = [_heading(solution, found)]
+    parts = _heading(solution, found)
     if found["status"] == "converged":
-        parts += [Padding(table, (1, 0, 0, 0)) for table in _tables(solution, found)]
-        parts += heat_tables(found)
+        parts += [*_tables(solution, found), *heat_tables(found)]
         if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
 
-            parts.append(readings_tables(readings))
-    return Group(*parts, *warnings_below(found["warnings"]))
+            parts += readings_tables(readings)
+    return [*parts, *remarks(found["warnings"], is_apart=True)]
 
 
-def heat_tables(found: dict[str, Any]) -> list[RenderableType]:
+def heat_tables(found: dict[str, Any]) -> list[Block]:
     """Of a record's steady state; none where it has none."""
     if found["thermal"] is None:
         return []
     from qsbearing.io.thermal_report import thermal_tables  # loaded only where there is heat
 
-    return [Padding(each, (1, 0, 0, 0)) for each in thermal_tables(found["thermal"])]
+    return thermal_tables(found["thermal"])
 
 
-def warnings_below(warnings: Sequence[str]) -> list[RenderableType]:
-    """All warnings of a record, parted from what is above."""
-    return [Padding(Group(*warning_lines(warnings)), (1, 0, 0, 0))] if warnings else []
-
-
-def tables(solution: Solution) -> Group:
+def tables(solution: Solution) -> list[Table]:
     """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
-    return Group(*_tables(solution, record(solution, {})))
+    return _tables(solution, record(solution, {}))
 
 
-def tables_of_balls(solution: Solution) -> Group:
+def tables_of_balls(solution: Solution) -> list[Table]:
     """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion."""
     found = record(solution, {})
-    return Group(*_expansion(solution, found), *_of_balls(solution, found))
+    return [*_expansion(solution, found), *_of_balls(solution, found)]
 
 
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
@@ -124,23 +114,22 @@ def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
     return list(rows.values())
 
 
-def _heading(solution: Solution, found: dict[str, Any]) -> Text:
+def _heading(solution: Solution, found: dict[str, Any]) -> list[Block]:
     numbers = {name: float(values) for name, values in case_arrays(solution.scene).items() if values is not None}
     bearing = solution.scene.bearing
-    lines = Text.assemble((bearing.name or "Bearing", "bold"))
-    lines.append(
-        f"  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
+    name = bearing.name or "Bearing"
+    what = (
+        f"{name}  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
         f"{numbers['ball_diameter'] / mm:.6g} mm on {numbers['pitch_diameter'] / mm:.6g} mm, free contact angle "
-        f"{numbers['free_contact_angle'] / deg:.5g} deg\nInner ring {numbers['speed'] / rpm:.6g} rpm"
+        f"{numbers['free_contact_angle'] / deg:.5g} deg"
     )
-    if "outer_speed" in numbers:
-        lines.append(f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm")
-    lines.append(f". {asked_for(found)}\n")
-    solved = found["status"] == "converged"
+    outer = f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm" if "outer_speed" in numbers else ""
+    turning = f"Inner ring {numbers['speed'] / rpm:.6g} rpm{outer}. {asked_for(found)}"
+    parts: list[Block] = [Paragraph(what, name), Paragraph(turning)]
     preload = found["preload"]
-    if preload is not None and solved:
-        lines.append(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}\n")
-    return lines.append(ending(found))
+    if preload is not None and found["status"] == "converged":
+        parts.append(Paragraph(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}"))
+    return [*parts, *ending(found)]
 
 
 def preload_text(preload: dict[str, Any]) -> str:
@@ -152,14 +141,14 @@ def preload_text(preload: dict[str, Any]) -> str:
     return f"{text}: {preload['state']}, {percent(preload['share'])} of what is given"
 
 
-def ending(found: dict[str, Any]) -> Text:
+def ending(found: dict[str, Any]) -> list[Block]:
     """How the case of a record ended."""
-    solved = found["status"] == "converged"
-    text = Text(found["status"].replace("_", " ").capitalize(), style="bold green" if solved else "bold red")
-    if not solved:
-        return Text.assemble(text, f"\n{found['message']}")
-    took = f" in {found['iterations']} iterations, {duration(found['seconds'])}"
-    return Text.assemble(text, f"{took}; largest imbalance {found['residual']:.1e} of the largest force")
+    status = found["status"].replace("_", " ").capitalize()
+    if found["status"] != "converged":
+        return [Remark(status, "fail", status, "red"), Paragraph(found["message"])]
+    took = f"{status} in {found['iterations']} iterations, {duration(found['seconds'])}"
+    told = f"{took}; largest imbalance {found['residual']:.1e} of the largest force"
+    return [Remark(told, "pass", status, "green")]
 
 
 def asked_for(found: dict[str, Any]) -> str:
@@ -190,15 +179,20 @@ def channels_table(
     title: str, solution: Solution | SetSolution, found: dict[str, Any], noise: float, of_moments: float
 ) -> Table:
     """Displacement and load of ring or shaft; loads and moments below their noise are rounding."""
-    table = plain_table(title, ("", "displacement", "", "load", "", "imposed"), left=(0, 2, 4, 5))
-    table.columns[5].style = "dim"
+    rows = []
     values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
         shown = digits(load, of_moments if channel.is_rotation else noise)
         imposed = "load" if i in solution._free_channels else "displacement"
-        table.add_row(channel.label, digits(displacement, 1e-9), length, shown, force, imposed)
-    return table
+        rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
+    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title)
+
+
+RINGS = (
+    "", "radial growth\nof groove µm", "seat pres-\nsure MPa", "seat gap\nµm", "hoop stress\nat bore MPa",
+    "largest Tresca\nstress MPa",
+)  # fmt: skip
 
 
 def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
@@ -206,51 +200,45 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
     operating, rings = found["operating_geometry"], found["rings"]
     tables = []
     if operating is not None:
-        table = plain_table("Geometry before it is loaded", ("", "at rest, cold", "in operation", ""), left=(0, 3))
+        rows = []
         for shown in GEOMETRY:
             cold = float(shown.of(solution.scene.bearing))
-            table.add_row(shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", split(shown.key)[1])
-        tables.append(table)
+            rows.append(
+                (shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", printed_unit(split(shown.key)[1]))
+            )
+        heading = ("", "at rest, cold", "in operation", "")
+        tables.append(Table(heading, rows, "lrrl", "Geometry before it is loaded"))
     if rings is not None:
-        heading = (
-            "",
-            "radial growth\nof groove um",
-            "seat pres-\nsure MPa",
-            "seat gap\num",
-            "hoop stress\nat bore MPa",
-            "largest Tresca\nstress MPa",
-        )
-        table = plain_table("Rings", heading)
-        for side, state in rings.items():
-            table.add_row(side, *("-" if value is None else digits(value, 1e-9) for value in state.values()))
-        tables.append(table)
+        states = [(side, *(digits(value, 1e-9) for value in state.values())) for side, state in rings.items()]
+        tables.append(Table(RINGS, states, caption="Rings"))
     return tables + _shapes(found) + temperature_tables(found)
 
 
 def _shapes(found: dict[str, Any]) -> list[Table]:
-    """How elastic rings have given way."""
+    """How elastic rings have deflected."""
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
-    heading = ("", "growth\num", "bending\num", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
+    heading = ("", "growth\nµm", "bending\nµm", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
     share = elastic["share_of_axial_displacement"]
     part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
-    table = plain_table(f"Rings giving way under their balls{part}", heading)
-    for side in ("inner", "outer"):
-        if elastic[side] is not None:
-            cells = (elastic[side][key] for key, *_ in RING_SHAPE)
-            table.add_row(side, *(digits(value, 1e-9) for value in cells))
-    return [table]
+    rows = [
+        (side, *(digits(elastic[side][key], 1e-9) for key, *_ in RING_SHAPE))
+        for side in ("inner", "outer")
+        if elastic[side] is not None
+    ]
+    return [Table(heading, rows, caption=f"Rings deflected by their balls{part}")]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:
     """The temperatures that a record was solved with, those that its file leaves out among them."""
     if found["temperatures"] is None:
         return []
-    table = plain_table("Temperatures: shaft and housing hold rings and preload", ("", "C", "from"), left=(0, 2))
-    for body, each in found["temperatures"].items():
-        table.add_row(body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
-    return [table]
+    rows = [
+        (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+        for body, each in found["temperatures"].items()
+    ]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures: shaft and housing hold rings and preload")]
 
 
 def freedom(free: Collection[int]) -> str:
@@ -263,25 +251,24 @@ def freedom(free: Collection[int]) -> str:
 def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
-    table = plain_table(f"Stiffness ({freedom(solution._free_channels)})", heading, left=(0, 3))
+    rows = []
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
-        table.add_row(channel.label, *values, _UNITS[channel.is_rotation][2])
-    return table
+        rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
+    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution._free_channels)})")
 
 
 def stiffness_matrix_table(found: dict[str, Any]) -> Table:
     """The whole tangent of a record; what is rounding beside the diagonal is shown as zero."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
-    heading = [f"{channel.label}\n/{'mrad' if tilt else 'um'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
-    table = plain_table("Stiffness matrix: load by displacement", ("", "", *heading), (0, 1))
-    matrix = found["stiffness_SI"]
+    heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
+    matrix, rows = found["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
         noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
         cells = [digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
-        table.add_row(channel.label, _UNITS[channel.is_rotation][1], *cells)
-    return table
+        rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
+    return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load by displacement")
 
 
 def digits(value: float | None, noise: float) -> str:
@@ -291,35 +278,46 @@ def digits(value: float | None, noise: float) -> str:
     return "0" if abs(value) <= noise else f"{value:.6g}"
 
 
+_SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"angle_deg": "angle", "load_N": "load"}
+"""Of a column of balls; two that everybody knows are in words."""
+
+
+def _head_of(key: str, side: str = "") -> str:
+    _, unit = split(key)
+    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + ("-" if unit == "1" else printed_unit(unit))
+
+
 def contacts_table(rows: list[Row], count: int) -> Table:
     """Angles, loads and pressures of the balls' contacts."""
-    heading: tuple[str, ...] = ("angle i\ndeg", "angle o\ndeg", "load i\nN", "load o\nN", "p0 i\nMPa", "p0 o\nMPa")
     pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
+    heading = [_head_of(key, side) for side, key in pairs]
     columns = [_contact_column(rows, *pair) for pair in pairs]
     deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
     if any(deviation is not None for deviation in deviations):
-        heading, columns = ("D - D0\num", *heading), [_column(deviations, 4), *columns]
+        heading, columns = ["D - D0\nµm", *heading], [_column(deviations, 4), *columns]
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
 def _ellipses(rows: list[Row], count: int) -> Table:
-    heading = ("a i\nmm", "b i\nmm", "a o\nmm", "b o\nmm", "delta i\num", "delta o\num")
     pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
     pairs += [("inner", "approach_um"), ("outer", "approach_um")]
-    title = "Contact ellipses: a across, b along the rolling direction; delta: approach"
+    title = "Contact ellipses: a across, b along rolling; δ: approach"
+    heading = [_head_of(key, side) for side, key in pairs]
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
-    title = "Ball inertia and motion" + ("; mu: the friction that Mg demands" if gyroscopic else "")
+    title = "Ball inertia and motion" + ("; µ: friction that Mg requires" if gyroscopic else "")
     columns: dict[str, list[str]] = {}
-    for key, name in (("centrifugal_force_N", "Fc\nN"), ("gyroscopic_moment_Nmm", "Mg\nNmm")):
+    for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
         if any(row.ball[key] is not None for row in rows):
-            columns[name] = _column([row.ball[key] for row in rows])
+            columns[_head_of(key)] = _column([row.ball[key] for row in rows])
     if gyroscopic:
         for side in ("inner", "outer"):
-            columns[f"mu {side[0]}\n-"] = _column([row.ball[side]["required_friction"] for row in rows], 4)
+            columns[_head_of("required_friction", side)] = _column(
+                [row.ball[side]["required_friction"] for row in rows], 4
+            )
     for key, name in (("orbital_speed_rpm", "orbit\nrpm"), ("rotation_speed_rpm", "rotation\nrpm")):
         columns[name] = _column([row.ball[key] for row in rows], 5)
     if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
@@ -353,8 +351,6 @@ def _rounded(value: float, decimals: int) -> str:
 def _per_ball(
     title: str, heading: Sequence[str], rows: list[Row], count: int, columns: Sequence[Sequence[str]]
 ) -> Table:
-    table = plain_table(title, ("ball", "azimuth\ndeg", *heading), left=(0, 1))
-    for row, cells in zip(rows, zip(*columns, strict=True), strict=True):
-        lost = row.ball["inner"]["load_N"] == 0.0
-        table.add_row(*row.names(count), *cells, style="dim" if lost else None)
-    return table
+    cells = [(*row.names(count), *own) for row, own in zip(rows, zip(*columns, strict=True), strict=True)]
+    unloaded = [number for number, row in enumerate(rows) if row.ball["inner"]["load_N"] == 0.0]
+    return Table(("ball", "azimuth\ndeg", *heading), cells, "ll" + "r" * len(heading), title, faint=unloaded)

@@ -6,16 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from rich.console import Group, RenderableType
-from rich.padding import Padding
-from rich.text import Text
 
 from qsbearing import __version__, messages
+from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.readings_record import Readings
-from qsbearing.io.report import warnings_below
 from qsbearing.io.spectrum_report import NAMES
-from qsbearing.io.tables import digits_of, plain_table
+from qsbearing.io.tables import digits_of, remarks
 from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import DISPLACEMENT, LOAD
@@ -76,35 +73,37 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
     }
 
 
-def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> Group:
+def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     """For each row and operating point what it carries and its part of the damage; the lives of rows and set."""
     found = set_spectrum_record(solution, readings)
-    head = Text.assemble((found["set"] or "Set", "bold"), f"  {found['arrangement']}; {len(found['points'])} operating")
-    parts: list[RenderableType] = [head.append(f" points. {found['message']}")]
+    name = found["set"] or "Set"
+    head = f"{name}  {found['arrangement']}; {len(found['points'])} operating points. {found['message']}"
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
     heading = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads))
     heading += ("row", "its axial\nload N", "life\nh", "damage\n%")
-    table = plain_table("Load spectrum", heading)
+    rows = []
     for k, point in enumerate(found["points"]):
         own: tuple[str, ...] = (f"{k + 1}", f"{point['share']:.6g}", f"{readings[0]['life'].speed[k] / rpm:.6g}")
         own += tuple(digits_of(solution.load[k, i] / LOAD[i][1]) for i in loads)
         for row_number, row in enumerate(point["rows"], 1):
             damage = None if row["damage_share"] is None else 100.0 * row["damage_share"]
             cells = map(_digits, (row["axial_load_N"], row["duration_h"], damage))
-            table.add_row(*(own if row_number == 1 else [""] * len(own)), str(row_number), *cells)
-    parts.append(Padding(table, (1, 0, 0, 0)))
-    lives = plain_table("Life under all of them", ("row", "bearing", "h", "million\nrevolutions"), left=(0, 1))
-    for row_number, row in enumerate(found["rows"], 1):
-        lives.add_row(str(row_number), row["bearing"], _digits(row["duration_h"]), _digits(row["life_Mrev"]))
-    lives.add_row("all", "", _digits(found["system_life_h"]), "")
-    parts.append(Padding(lives, (1, 0, 0, 0)))
+            rows.append((*(own if row_number == 1 else [""] * len(own)), str(row_number), *cells))
+    lives = [
+        (str(row_number), row["bearing"], _digits(row["duration_h"]), _digits(row["life_Mrev"]))
+        for row_number, row in enumerate(found["rows"], 1)
+    ]
+    lives.append(("all", "", _digits(found["system_life_h"]), ""))
     said: dict[RankedWarning, list[str]] = {}
     for k, point in enumerate(found["points"]):
         for sentence in point["warnings"]:
             said.setdefault(sentence, []).append(f"{k + 1}")
-    return Group(
-        *parts, *warnings_below([said_of(f"point {', '.join(points)}", each) for each, points in said.items()])
-    )
+    return [
+        Paragraph(head, name),
+        Table(heading, rows, caption="Load spectrum"),
+        Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under all of them"),
+        *remarks([said_of(f"point {', '.join(points)}", each) for each, points in said.items()], is_apart=True),
+    ]
 
 
 def _digits(value: float | None) -> str:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
+from qsbearing.documents.model import Table
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.report import digits
-from qsbearing.io.tables import digits_of, plain_table
+from qsbearing.io.tables import digits_of
 from qsbearing.judgement import percent
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
@@ -73,20 +73,17 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
         return []
     straight = ("x\nmm", "axial\num", "radial y\num", "radial z\num", "tilt z\nmrad")
     heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
-    along = plain_table("Shaft: deflection, and what its part beyond does to the part before", heading)
     rows = [_values(each) for each in found["line"]]
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
-    for each, values in zip(found["line"], rows, strict=True):
-        along.add_row(each["at"], *map(digits, values, noise))
-    tables = [along]
+    cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
+    tables = [Table(heading, cells, caption="Shaft: deflection, and what its part beyond does to the part before")]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
-        table = plain_table(f"Point {name}, at {point['position_mm']:.6g} mm", heading)
-        table.add_row("stiffness, N/um and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))
+        cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
-            table.add_row(f"of the deflection: {part}", *map(_share, share.values()))
-        tables.append(table)
+            cells.append((f"of the deflection: {part}", *map(_share, share.values())))
+        tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))
     return tables
 
 

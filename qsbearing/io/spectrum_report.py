@@ -5,22 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from rich.console import Group, RenderableType
-from rich.padding import Padding
-from rich.text import Text
 
 from qsbearing import __version__, messages
+from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings, number
-from qsbearing.io.report import asked_for, warnings_below
-from qsbearing.io.tables import digits_of, plain_table
+from qsbearing.io.report import asked_for
+from qsbearing.io.tables import digits_of, remarks
 from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import LOAD
 from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 
-NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nNm", "moment z\nNm")
+NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nN m", "moment z\nN m")
 
 
 def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
@@ -51,20 +49,19 @@ def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
     }
 
 
-def spectrum_result(solution: Solution, readings: Readings) -> Group:
+def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     """A row for each operating point, and the life of all together."""
     found, life = spectrum_record(solution, readings), readings["life"]
-    head = Text.assemble((found["bearing"] or "Bearing", "bold"), f"  {len(found['points'])} operating points. ")
-    head.append(f"{asked_for(found['points'][0])}\n{found['message']}")
+    name, inner, outer = found["bearing"] or "Bearing", solution.inner.load, solution.outer.load
+    head = f"{name}  {len(found['points'])} operating points. {asked_for(found['points'][0])}"
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
     results = ("largest\nball load\nN", "life\nMrev", "life\nh", "damage\n%")
-    table = plain_table("Load spectrum", ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads), *results))
-    inner, outer = solution.inner.load, solution.outer.load
+    heading, rows = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads), *results), []
     for k, point in enumerate(found["points"]):
         largest = np.fmax(inner[k], outer[k])
         own = life.duration[k] / HOUR
         turns = own * HOUR * abs(life.speed[k]) / (2.0 * np.pi) / MILLION if life.speed[k] else np.nan
-        table.add_row(
+        rows.append((
             f"{k + 1}",
             f"{point['share']:.6g}",
             f"{life.speed[k] / rpm:.6g}",
@@ -73,15 +70,16 @@ def spectrum_result(solution: Solution, readings: Readings) -> Group:
             digits_of(turns),
             digits_of(own),
             digits_of(100.0 * (np.nan if point["damage_share"] is None else point["damage_share"])),
-        )
-    parts: list[RenderableType] = [head, Padding(table, (1, 0, 0, 0))]
+        ))  # fmt: skip
+    parts: list[Block] = [Paragraph(head, name), Paragraph(found["message"])]
+    parts.append(Table(heading, rows, caption="Load spectrum"))
     if found["duration_h"] is not None:
         together = f"Life under all of them: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
-        parts.append(Padding(Text(together), (1, 0, 0, 0)))
+        parts.append(Paragraph(together, is_apart=True))
     said: dict[RankedWarning, list[str]] = {}
     for k in range(len(found["points"])):
         for sentence in found["points"][k]["warnings"]:
             said.setdefault(sentence, []).append(f"{k + 1}")
     sentences = [said_of(f"point {', '.join(points)}", sentence) for sentence, points in said.items()]
     sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
-    return Group(*parts, *warnings_below(sentences))
+    return [*parts, *remarks(sentences, is_apart=True)]

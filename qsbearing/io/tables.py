@@ -3,44 +3,20 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rich import box
-from rich.console import Console, Group, RenderableType
+from rich.console import Group
 from rich.padding import Padding
-from rich.table import Table
+from rich.table import Table as RichTable
 from rich.text import Text
 
+from qsbearing.documents.model import Block, Paragraph, Remark, Table
 from qsbearing.io.catalogue import Entry
 from qsbearing.ranked_warning import Rank, in_order
 
-NARROWEST, WIDEST = 80, 100
-"""Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
-
-COLOURS = {Rank.WRONG_MODEL: "bold red", Rank.CHECK_DATA: "bold yellow", Rank.GOOD_TO_KNOW: "bold"}
-
-
-def text_of(renderable: RenderableType, width: int | None = None) -> str:
-    """The text for the terminal or file at standard output: colours and lines only where it understands them."""
-    console = Console(width=width, highlight=False, soft_wrap=False)
-    if width is None:
-        # A file has no width to ask for; a terminal keeps its own, within reason.
-        known = console.is_terminal or "COLUMNS" in os.environ
-        console.width = max(min(console.width, WIDEST), NARROWEST) if known else WIDEST
-    with console.capture() as capture:
-        console.print(renderable)
-    return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
-
-
-def plain_table(title: str, heading: Sequence[str], left: tuple[int, ...] = (0,)) -> Table:
-    """A table without frames, numbers to the right."""
-    table = Table(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left", title_style="bold")
-    table.pad_edge, table.padding = False, (0, 1, 0, 0)
-    for number, name in enumerate(heading):
-        table.add_column(name, justify="left" if number in left else "right", no_wrap=True)
-    return table
+COLOURS = {Rank.WRONG_MODEL: "red", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
 
 
 def digits_of(value: Any) -> str:
@@ -48,27 +24,24 @@ def digits_of(value: Any) -> str:
     return f"{float(value) + 0.0:.5g}" if math.isfinite(value) else "-"
 
 
-def warning_lines(warnings: Iterable[str]) -> list[Text]:
-    """Each on a line of its own, what matters most first."""
-    lines = []
-    for each in in_order(warnings):
-        lines.append(Text(each.line))
-        lines[-1].stylize(COLOURS[each.rank], 0, len(each.rank.words) + 1)
-    return lines
+def remarks(warnings: Iterable[str], is_apart: bool = False) -> list[Remark]:
+    """Each of the warnings, what matters most first; apart: an empty line before them in a terminal."""
+    return [
+        Remark(each.line, each.rank.status, f"{each.rank.words}:", COLOURS[each.rank], is_apart and number == 0)
+        for number, each in enumerate(in_order(warnings))
+    ]
 
 
-def catalogue(entries: Sequence[Entry]) -> Group:
+def catalogue(entries: Sequence[Entry]) -> list[Block]:
     """All entries, one a row, their sources below."""
     heading = ("name", "kind", "Z", "D\nmm", "dm\nmm", "alpha0\ndeg", "balls", "rings", "from")
-    table = plain_table("Catalogue", heading, left=(0, 1, 6, 7, 8))
-    for column in (table.columns[1], *table.columns[6:8]):
-        column.no_wrap, column.min_width = False, 7
     sources: list[str] = []
+    rows = []
     for entry in entries:
         bearing = entry.bearing
         if entry.source not in sources:
             sources.append(entry.source)
-        table.add_row(
+        rows.append((
             entry.name,
             bearing["kind"].replace("_", " "),
             str(bearing["ball_count"]),
@@ -78,23 +51,19 @@ def catalogue(entries: Sequence[Entry]) -> Group:
             _material(bearing["ball_material"]),
             _material(bearing["ring_material"]),
             f"[{sources.index(entry.source) + 1}]",
-        )
-    notes = Table(box=None, show_header=False, pad_edge=False)
-    notes.add_column(no_wrap=True)
-    notes.add_column()
-    for position, source in enumerate(sources):
-        notes.add_row(f"[{position + 1}]", Text(source))
-    hint = Text(
+        ))  # fmt: skip
+    hint = (
         "`qsbearing catalogue NAME` shows where each number comes from; `qsbearing run NAME` solves an example. "
         "Standard spindle bearings: `qsbearing catalogue --bore 70 --angle 15`."
     )
-    return Group(table, Padding(notes, (1, 0, 0, 0)), Padding(hint, (1, 0, 0, 0)))
+    notes = [(f"[{number}]", source) for number, source in enumerate(sources, 1)]
+    return [Table(heading, rows, "llrrrrlll", "Catalogue", notes=notes), Paragraph(hint, is_apart=True)]
 
 
-def spindle_table(entries: Sequence[Entry]) -> Group:
+def spindle_table(entries: Sequence[Entry]) -> list[Block]:
     """Standard bearings, one a row; what is inferred is marked."""
     heading = ("name", "d", "D", "B", "Z", "Dw", "dm", "alpha0\ndeg", "f *", "C\nN", "balls")
-    table = plain_table("Spindle bearings, lengths in mm", heading, left=(0, 10))
+    rows = []
     for entry in entries:
         bearing, own = entry.bearing, entry.dimensions
         lengths = [own[f"{key}_mm"] for key in ("bore_diameter", "outside_diameter", "width")]
@@ -102,19 +71,18 @@ def spindle_table(entries: Sequence[Entry]) -> Group:
         sizes = [bearing[key] for key in ("ball_diameter_mm", "pitch_diameter_mm", "free_contact_angle_deg")]
         numbers = (*lengths, bearing["ball_count"], *sizes)
         rating = f"{own['dynamic_load_rating_N']:.0f}"
-        table.add_row(
-            entry.name, *(f"{each:g}" for each in numbers), f"{f:.4f}", rating, _material(bearing["ball_material"])
-        )
+        balls = _material(bearing["ball_material"])
+        rows.append((entry.name, *(f"{each:g}" for each in numbers), f"{f:.4f}", rating, balls))
     notes = "* inferred: groove radius coefficient, which the source does not print."
     source = f"From {entries[0].source.partition(', row')[0]}."
-    return Group(
-        table, Text(), Text(f"{notes} {source} `qsbearing catalogue NAME` shows where each number comes from.")
-    )
+    said = f"{notes} {source} `qsbearing catalogue NAME` shows where each number comes from."
+    table = Table(heading, rows, "lrrrrrrrrrl", "Spindle bearings, lengths in mm")
+    return [table, Paragraph(said, is_apart=True)]
 
 
 def catalogue_entry(entry: Entry) -> Group:
     """One entry, with the origin of every number."""
-    table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
+    table = RichTable(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
     table.add_column("", no_wrap=True)
     table.add_column("value", no_wrap=True)
     table.add_column("where it comes from")

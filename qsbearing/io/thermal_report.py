@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from rich.console import RenderableType
-from rich.table import Table
-from rich.text import Text
 
+from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.readings_record import number
-from qsbearing.io.tables import digits_of, plain_table
+from qsbearing.io.tables import digits_of
 from qsbearing.solution.case_index import Place
 from qsbearing.thermal.state import Course, State, ThermalState
 from qsbearing.units import rpm, zero_celsius
@@ -117,21 +115,21 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
     """Of several rows the hottest nodes and the largest load."""
     nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
     heads = (*(f"{node}\nC" for node in nodes), "friction\nW", "axial load\nN")
-    table = plain_table(title, (along, *heads, ""), left=(len(heads) + 1,))
+    cells = []
     for at, each, note in rows:
         numbers = (*hottest(each["temperatures_C"]).values(), each["power_W"])
-        table.add_row(at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}", note)
-    return table
+        cells.append((at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}", note))
+    return Table((along, *heads, ""), cells, "r" * (len(heads) + 1) + "l", title)
 
 
-def thermal_tables(found: dict[str, Any]) -> list[RenderableType]:
+def thermal_tables(found: dict[str, Any]) -> list[Block]:
     """What a record says of a steady state: nodes, paths, and the verdict."""
-    nodes = plain_table("Steady state", ("node", "temperature C"))
-    for name, value in found["temperatures_C"].items():
-        nodes.add_row(name.replace("_", " "), digits_of(value))
-    heat = plain_table("Heat", ("made by, or from", "to", "W"), left=(0, 1))
-    for name, value in found["powers_W"].items():
-        heat.add_row(f"{name} ({found['friction']})", "", digits_of(value))
+    nodes = [(name.replace("_", " "), digits_of(value)) for name, value in found["temperatures_C"].items()]
+    heat = [(f"{name} ({found['friction']})", "", digits_of(value)) for name, value in found["powers_W"].items()]
     for path in found["flows_W"]:
-        heat.add_row(path["from"].replace("_", " "), path["to"].replace("_", " "), digits_of(path["heat_W"]))
-    return [nodes, heat, Text(found["message"])]
+        heat.append((path["from"].replace("_", " "), path["to"].replace("_", " "), digits_of(path["heat_W"])))
+    return [
+        Table(("node", "temperature C"), nodes, caption="Steady state"),
+        Table(("made by, or from", "to", "W"), heat, "llr", "Heat"),
+        Paragraph(found["message"], is_apart=True),
+    ]

@@ -72,6 +72,9 @@ def demands_friction(case: recarray, work: recarray, ball: recarray, most: float
     if not is_rolled(ball):
         return False
     inner, outer = contact_loads(case, ball)
+    # |T| is 2 |Mg|/D at most, and without a bound the largest force is no less than half of that.
+    if work.friction_bound == NO_BOUND and min(inner, outer) * most > 2.0 * work.largest_force:
+        return False
     at_inner, at_outer = friction_asked(case, work, ball)
     small = least * work.largest_force
     return (at_inner > most * inner and at_inner > small) or (at_outer > most * outer and at_outer > small)

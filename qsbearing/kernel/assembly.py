@@ -101,6 +101,14 @@ def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, flo
         force at all acts at speed: a root of the equations where no ball orbits.
     """
     worst, worst_own, total, inertial, contact = assemble_balls(case, work, balls)
+    return assembled_residual(case, work, worst, worst_own, total, inertial, contact)
+
+
+@kernel
+def assembled_residual(
+    case: recarray, work: recarray, worst: float, worst_own: float, total: float, inertial: float, contact: float
+) -> tuple[float, float]:
+    """What `assemble` returns, from what `assemble_balls` does; completes the ring's system in the workspace."""
     least = least_load(case)
     for p in range(work.channel_count):
         lever = channel_lever(case, work.channel[p])

@@ -13,9 +13,11 @@ groove's radius: h3 = lever h1 + fi D Ti (the last term is missing in 19.15).
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from numpy import recarray
 
-from qsbearing.compiled import kernel
+from qsbearing.compiled import inlined, kernel
 from qsbearing.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.effects.gyroscopic_moment import carried_friction
 from qsbearing.effects.raceway_control import MINIMUM_DISSIPATION
@@ -46,18 +48,87 @@ from qsbearing.kernel.raceway_stiffness import groove_stiffness, series_stiffnes
 INERTIA_DOMINATES = 3.0
 
 
+class Evaluated(NamedTuple):
+    """A ball evaluated where it is, its own unknowns eliminated."""
+
+    imbalance: float  # the force that the residual of loop closure hides included
+    load: float  # the larger of its contacts'
+    lighter: float  # the smaller of them; a contact without load is none
+    fc: float
+    friction: float  # |Mg|/D as far as it is carried
+    r1: float
+    r2: float
+    h1: float
+    h2: float
+    h3: float
+    c1: float  # h after the ball's own step
+    c2: float
+    c3: float
+    k11: float  # the stiffness of c
+    k12: float
+    k21: float
+    k22: float
+    k31: float
+    k32: float
+    y1: float
+    y2: float
+    y11: float
+    y12: float
+    y21: float
+    y22: float
+    outer_force: float  # of elastic rings
+    outer_condensed: float
+    outer_stiffness_1: float
+    outer_stiffness_2: float
+    follows_inertia: bool
+    outer_inverse: float
+    inner_inverse: float
+    closure1: float
+    closure2: float
+
+
 @kernel
 def moving_ball(
     case: recarray, work: recarray, ball: recarray, a1: float, a2: float
 ) -> tuple[float, float, float, float, float]:
     """Evaluate one ball where it is, and eliminate its own unknowns into its record.
 
-    Args:
-        a1, a2: displacement of the inner groove centre from touching at the free angle.
-
     Returns:
-        (imbalance, larger contact load, lighter one, Fc, |Mg|/D as far as it is carried); the imbalance includes the
-        force that the residual of loop closure hides; a contact without load is no lighter one.
+        imbalance, load, lighter, fc and friction of `Evaluated`.
+    """
+    found = evaluated(case, work, ball, rolling_line(case, ball), a1, a2)
+    ball.imbalance[0], ball.imbalance[1] = found.r1, found.r2
+    ball.force[0], ball.force[1], ball.force[2] = found.h1, found.h2, found.h3
+    ball.condensed[0], ball.condensed[1], ball.condensed[2] = found.c1, found.c2, found.c3
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = found.k11, found.k12
+    ball.stiffness[1, 0], ball.stiffness[1, 1] = found.k21, found.k22
+    ball.stiffness[2, 0], ball.stiffness[2, 1] = found.k31, found.k32
+    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = (
+        found.y1, found.y2, found.y11, found.y12, found.y21, found.y22,
+    )  # fmt: skip
+    if case.elastic_rings:
+        ball.outer_force, ball.outer_condensed = found.outer_force, found.outer_condensed
+        ball.outer_stiffness_1, ball.outer_stiffness_2 = found.outer_stiffness_1, found.outer_stiffness_2
+    ball.follows_inertia = found.follows_inertia
+    ball.outer_inverse, ball.inner_inverse = found.outer_inverse, found.inner_inverse
+    ball.closure1, ball.closure2 = found.closure1, found.closure2
+    return found.imbalance, found.load, found.lighter, found.fc, found.friction
+
+
+@inlined
+def evaluated(
+    case: recarray,
+    work: recarray,
+    ball: recarray,
+    seen: tuple[float, float, float, float, float],
+    a1: float,
+    a2: float,
+) -> Evaluated:
+    """The equations of one ball where it is, condensed; nothing is written.
+
+    Args:
+        seen: the inner contact line as rolling sees it, of `rolling_line`.
+        a1, a2: displacement of the inner groove centre from touching at the free angle.
     """
     li, lo, diameter = inner_length(case, ball), outer_length(case, ball), ball.diameter
     so, co, delta_o = ball.outer_sine, ball.outer_cosine, ball.outer_approach
@@ -70,7 +141,7 @@ def moving_ball(
     ko, ko_slope = groove_stiffness(case, ball, OUTER_SIDE, so, co)
     qi, qi_slope = contact_load(ki, delta_i)
     qo, qo_slope = contact_load(ko, delta_o)
-    s_seen, c_seen, by_inner, by_outer, by_approach = rolling_line(case, ball)
+    s_seen, c_seen, by_inner, by_outer, by_approach = seen
     radius = orbit_radius(case, ball)
     weight = control_weight(ball, radius, c_seen, co, qi, qo)
     axis = ball_axis(ball, weight, radius, s_seen, c_seen, so, co)
@@ -165,39 +236,35 @@ def moving_ball(
     # Where rounding leaves no stiffness across its line (an approach below that of a position), the ball keeps still.
     determinant = rx11 * rx22 - rx12 * rx21
     inverse = 1.0 / determinant if determinant != 0.0 else 0.0
-    ball.imbalance[0], ball.imbalance[1] = r1, r2
     # What closing the loop at the inner line would change counts as imbalance.
     p1, p2 = r1 + ra11 * closure1 + ra12 * closure2, r2 + ra21 * closure1 + ra22 * closure2
     y1, y2 = (rx22 * p1 - rx12 * p2) * inverse, (rx11 * p2 - rx21 * p1) * inverse
     y11, y12 = (rx22 * ra11 - rx12 * ra21) * inverse, (rx22 * ra12 - rx12 * ra22) * inverse
     y21, y22 = (rx11 * ra21 - rx21 * ra11) * inverse, (rx11 * ra22 - rx21 * ra12) * inverse
 
-    k11, k12 = ha11 - hx11 * y11 - hx12 * y21, ha12 - hx11 * y12 - hx12 * y22
     lever = case.tilt_lever
+    k11, k12 = ha11 - hx11 * y11 - hx12 * y21, ha12 - hx11 * y12 - hx12 * y22
+    k21, k22 = ha21 - hx21 * y11 - hx22 * y21, ha22 - hx21 * y12 - hx22 * y22
+    k31, k32 = lever * k11 + ma1 - mx1 * y11 - mx2 * y21, lever * k12 + ma2 - mx1 * y12 - mx2 * y22
     c1 = h1 + ha11 * closure1 + ha12 * closure2 - hx11 * y1 - hx12 * y2
     c2 = h2 + ha21 * closure1 + ha22 * closure2 - hx21 * y1 - hx22 * y2
-    ball.force[0], ball.force[1], ball.force[2] = h1, h2, h3
-    ball.condensed[0], ball.condensed[1] = c1, c2
-    ball.condensed[2] = lever * c1 + fi * ti + ma1 * closure1 + ma2 * closure2 - mx1 * y1 - mx2 * y2
-    ball.stiffness[0, 0], ball.stiffness[0, 1] = k11, k12
-    ball.stiffness[1, 0] = ha21 - hx21 * y11 - hx22 * y21
-    ball.stiffness[1, 1] = ha22 - hx21 * y12 - hx22 * y22
-    ball.stiffness[2, 0] = lever * k11 + ma1 - mx1 * y11 - mx2 * y21
-    ball.stiffness[2, 1] = lever * k12 + ma2 - mx1 * y12 - mx2 * y22
+    c3 = lever * c1 + fi * ti + ma1 * closure1 + ma2 * closure2 - mx1 * y1 - mx2 * y2
+    on_outer, on_outer_condensed, on_outer_1, on_outer_2 = 0.0, 0.0, 0.0, 0.0
     if case.elastic_rings:  # Qo cos ao + To sin ao = h2 + Fc, since the ball's own step leaves r2 = 0
         fa1, fa2 = fc_i * ei1 + fc_a * si, fc_i * ei2 + fc_a * ci
         fx1, fx2 = fc_o * eo1 + fc_x * so - fa1, fc_o * eo2 + fc_x * co + fc_r - fa2
-        ball.outer_force = qo * co + to * so
-        ball.outer_condensed = c2 + fc + fa1 * closure1 + fa2 * closure2 - fx1 * y1 - fx2 * y2
-        ball.outer_stiffness_1 = ball.stiffness[1, 0] + fa1 - fx1 * y11 - fx2 * y21
-        ball.outer_stiffness_2 = ball.stiffness[1, 1] + fa2 - fx1 * y12 - fx2 * y22
-    ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = y1, y2, y11, y12, y21, y22
-    ball.follows_inertia = qi <= INERTIA_DOMINATES * fc
-    ball.outer_inverse, ball.inner_inverse = inverse_o, inverse_i
-    ball.closure1, ball.closure2 = closure1, closure2
+        on_outer = qo * co + to * so
+        on_outer_condensed = c2 + fc + fa1 * closure1 + fa2 * closure2 - fx1 * y1 - fx2 * y2
+        on_outer_1 = k21 + fa1 - fx1 * y11 - fx2 * y21
+        on_outer_2 = k22 + fa2 - fx1 * y12 - fx2 * y22
     open_force = max(qi_slope, qi * inverse_i) * max(abs(closure1), abs(closure2))
     lighter = min(qi, qo) if qi > 0.0 and qo > 0.0 else max(qi, qo)
-    return max(abs(r1), abs(r2)) + open_force, max(qi, qo), lighter, fc, min(abs(mg), max(abs(ti), abs(to)))
+    friction = min(abs(mg), max(abs(ti), abs(to)))
+    return Evaluated(
+        max(abs(r1), abs(r2)) + open_force, max(qi, qo), lighter, fc, friction, r1, r2, h1, h2, h3, c1, c2, c3,
+        k11, k12, k21, k22, k31, k32, y1, y2, y11, y12, y21, y22, on_outer, on_outer_condensed, on_outer_1, on_outer_2,
+        qi <= INERTIA_DOMINATES * fc, inverse_o, inverse_i, closure1, closure2,
+    )  # fmt: skip
 
 
 @kernel

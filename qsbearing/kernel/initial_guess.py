@@ -148,7 +148,13 @@ def guess_closed_form(case: recarray, work: recarray, balls: ndarray) -> None:
         guess_ring_at_rest(case, work)
         set_at_rest(case, work, balls)
         split_contacts(case, work, balls)
-        return
+    else:
+        guess_thrust(case, work, balls)
+
+
+@kernel
+def guess_thrust(case: recarray, work: recarray, balls: ndarray) -> None:
+    """Place ring and balls as the axial load alone would."""
     x, u1, u2 = thrust_at_speed(case, work, balls[0].control, work.load_factor * case.prescribed[0])
     s, c = case.sin_free, case.cos_free
     outer_approach, so, co, _ = direction(case.outer_coefficient - 0.5, s, c, u1, u2)

@@ -29,6 +29,12 @@ LOSING = 0.02
 
 
 @inlined
+def is_seen_itself(si: float, ci: float, so: float, co: float, approach: float) -> bool:
+    """Whether rolling sees the inner contact line as it is: pressed, and no more than a right angle off the outer."""
+    return bool(approach >= 0.0 and si * so + ci * co >= 0.0)
+
+
+@inlined
 def inner_line(
     si: float, ci: float, so: float, co: float, approach: float, length: float
 ) -> tuple[float, float, float, float, float]:
@@ -41,10 +47,10 @@ def inner_line(
     Lines are never seen more than a right angle apart: at two right angles the speeds would have no bound. Beyond one,
     180 degrees less ai - ao takes its place, which iterations may pass through; an equilibrium there is refused.
     """
+    if is_seen_itself(si, ci, so, co, approach):
+        return si, ci, 1.0, 0.0, 0.0
     along = si * so + ci * co
     if approach >= 0.0:
-        if along >= 0.0:
-            return si, ci, 1.0, 0.0, 0.0
         return si - 2.0 * along * so, ci - 2.0 * along * co, -1.0, 2.0, 0.0
     lost = -approach / (LOSING * length)
     if lost >= 1.0:

@@ -83,23 +83,32 @@ def longer_line(case: recarray, length: float) -> float:
 
 
 @inlined
-def inner_closure(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> tuple[float, float]:
+def line_closure(
+    case: recarray, length: float, n1: float, n2: float, approach: float, w1: float, w2: float
+) -> tuple[float, float]:
     """The residual of loop closure: what the inner line, of this free length, lacks of w."""
-    n1, n2, approach = ball.inner_sine, ball.inner_cosine, ball.inner_approach
     v1, v2 = line_displacement(length, case.sin_free, case.cos_free, n1, n2, approach)
     return closure_residual(longer_line(case, length), w1, w2, v1, v2)
 
 
 @inlined
-def set_inner_from_positions(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> None:
-    """Close the loop by the inner line, but keep an approach that differs by the rounding of positions only.
+def inner_closure(case: recarray, ball: recarray, length: float, w1: float, w2: float) -> tuple[float, float]:
+    """The same of a ball's line."""
+    return line_closure(case, length, ball.inner_sine, ball.inner_cosine, ball.inner_approach, w1, w2)
+
+
+@inlined
+def line_from_positions(
+    case: recarray, length: float, approach: float, w1: float, w2: float
+) -> tuple[float, float, float]:
+    """The inner line that closes the loop, but an approach kept that differs by the rounding of positions only.
 
     Steps give the approach more digits than positions have: computed from positions, light loads would never converge.
     """
-    approach, sine, cosine, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
-    if abs(approach - ball.inner_approach) <= ROUNDING * (longer_line(case, length) + abs(w1) + abs(w2)):
-        approach = ball.inner_approach
-    set_inner_line(ball, sine, cosine, approach)
+    closed, sine, cosine, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
+    if abs(closed - approach) <= ROUNDING * (longer_line(case, length) + abs(w1) + abs(w2)):
+        closed = approach
+    return sine, cosine, closed
 
 
 @kernel
@@ -111,7 +120,8 @@ def close_loop(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
     length, w1, w2 = inner_span(case, ball, at_rest, a1, a2)
     closure1, closure2 = inner_closure(case, ball, length, w1, w2)
     if closure1 != 0.0 or closure2 != 0.0 or length + ball.inner_approach < 0.0:
-        set_inner_from_positions(case, ball, length, w1, w2)
+        n1, n2, approach = line_from_positions(case, length, ball.inner_approach, w1, w2)
+        set_inner_line(ball, n1, n2, approach)
 
 
 @kernel

@@ -35,6 +35,19 @@ STALLED = 1e-10
 # A ball or channel with little load beside the others' gets one step more where its imbalance is over this part of it.
 OWN_TOLERANCE = 1e-12
 
+# What a residual says: more steps are needed; one more step; no step.
+UNSOLVED, NEARLY, SOLVED = 0, 1, 2
+
+
+@kernel
+def verdict(residual: float, own_residual: float, before: float, is_last: bool, tolerance: float) -> int:
+    """What the residuals say, after `before` and, if `is_last`, a verdict of NEARLY."""
+    # The limit of rounding: no step helps any more.
+    is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
+    if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
+        return SOLVED if is_last or is_stalled or own_residual <= max(OWN_TOLERANCE, tolerance) else NEARLY
+    return UNSOLVED
+
 
 @kernel
 def newton(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> bool:
@@ -49,21 +62,17 @@ def newton(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> 
         work.residual = residual if residual < inf else 1.0
         if not residual < inf:
             return False
-        # The limit of rounding: no step helps any more.
-        is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
-        if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
-            if not is_closed and has_closure_residual(work, balls):
-                close_loops(case, work, balls)  # what hardly acted while open may act once closed
-                closings += 1
-                before, is_last, is_closed = -1.0, closings > CLOSINGS, True
-                continue
-            if is_last or is_stalled or own_residual <= max(OWN_TOLERANCE, tolerance):
-                return True
-            is_last = True
-        elif iterations >= MOST_ITERATIONS or work.iterations >= work.budget:
+        found = verdict(residual, own_residual, before, is_last, tolerance)
+        if found != UNSOLVED and not is_closed and has_closure_residual(work, balls):
+            close_loops(case, work, balls)  # what hardly acted while open may act once closed
+            closings += 1
+            before, is_last, is_closed = -1.0, closings > CLOSINGS, True
+            continue
+        if found == SOLVED:
+            return True
+        if found == UNSOLVED and (iterations >= MOST_ITERATIONS or work.iterations >= work.budget):
             return False
-        else:
-            is_last = False
+        is_last = found == NEARLY
         fraction = propose_step(case, work, balls)
         if fraction < 0.0:
             work.residual = 1.0

@@ -11,12 +11,12 @@ from qsbearing.kernel.assembly import close_loops
 from qsbearing.kernel.contact_line import direction
 from qsbearing.kernel.linear import solve_in_place
 from qsbearing.kernel.loop_closure import (
-    inner_closure,
-    inner_length,
     inner_span,
+    line_closure,
+    line_from_positions,
     outer_length,
-    set_inner_from_positions,
     set_inner_line,
+    set_outer_line,
     whole_length,
 )
 from qsbearing.kernel.ring import inner_groove_centre, inner_groove_step
@@ -68,20 +68,34 @@ def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
         if case.elastic_rings:
             da2 -= ball.give_step
         farthest = max(farthest, max(abs(da1), abs(da2)))
-        ball.inner_step1, ball.inner_step2 = ball.closure1 + da1, ball.closure2 + da2
-        outer = 0.0
-        if not work.at_rest:
-            ball.outer_step1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
-            ball.outer_step2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
-            ball.inner_step1 -= ball.outer_step1
-            ball.inner_step2 -= ball.outer_step2
-            outer = abs(ball.outer_cosine * ball.outer_step1 - ball.outer_sine * ball.outer_step2) * ball.outer_inverse
-        inner = abs(ball.inner_cosine * ball.inner_step1 - ball.inner_sine * ball.inner_step2) * ball.inner_inverse
-        ball.turn = max(outer, inner)
+        ball.outer_step1, ball.outer_step2, ball.inner_step1, ball.inner_step2, ball.turn = line_steps(
+            work.at_rest, ball, da1, da2
+        )
         if not ball.follows_inertia:
             turn = max(turn, ball.turn)
     if not (farthest < inf and turn < inf):
         return -1.0
+    return step_fraction(case, farthest, turn)
+
+
+@inlined
+def line_steps(at_rest: bool, ball: recarray, da1: float, da2: float) -> tuple[float, float, float, float, float]:
+    """The steps of a ball's outer and inner lines as its inner groove centre moves by dA, and their larger turn."""
+    outer1, outer2, outer = 0.0, 0.0, 0.0
+    inner1, inner2 = ball.closure1 + da1, ball.closure2 + da2
+    if not at_rest:
+        outer1 = -ball.y1 - ball.y11 * da1 - ball.y12 * da2
+        outer2 = -ball.y2 - ball.y21 * da1 - ball.y22 * da2
+        inner1 -= outer1
+        inner2 -= outer2
+        outer = abs(ball.outer_cosine * outer1 - ball.outer_sine * outer2) * ball.outer_inverse
+    inner = abs(ball.inner_cosine * inner1 - ball.inner_sine * inner2) * ball.inner_inverse
+    return outer1, outer2, inner1, inner2, max(outer, inner)
+
+
+@inlined
+def step_fraction(case: recarray, farthest: float, turn: float) -> float:
+    """The fraction of a step that moves a groove centre, and turns a contact line, by so much."""
     length = case.inner_coefficient + case.outer_coefficient - 1.0
     return min(1.0, LARGEST_TURN / max(turn, LARGEST_TURN), length / max(farthest, length))
 
@@ -96,25 +110,41 @@ def is_far(work: recarray) -> bool:
 
 
 @inlined
-def stepped_line(
-    length: float, n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float, most: float
-) -> tuple[float, float, float]:
-    """A contact line after a step d, as (sine, cosine, approach): its load grows as the tangent says, the line turns.
+def small_growth(approach: float, longer: float) -> tuple[float, bool]:
+    """How much longer a contact line becomes that its tangent lets grow by `longer`; whether this holds.
 
-    Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach. A contact that
-    closes starts with the approach `most` at most; one with next to none of `most` may open; past the point where its
-    ends meet, a line points the other way.
+    Q grows with approach^1.5, so the load that a tangent promises is reached by a smaller approach. Here the power 2/3
+    is taken to third order, for small changes of the approach.
     """
-    longer = n1 * d1 + n2 * d2
+    if approach <= 0.0:
+        return longer, True
+    x = longer / approach
+    return longer * (1.0 - x * (0.25 - x / 6.0)), abs(x) <= LINEAR_RELIEF
+
+
+@inlined
+def growth(approach: float, longer: float, most: float) -> float:
+    """The same for any change; a contact with next to none of the approach `most` may open."""
+    grown, holds = small_growth(approach, longer)
+    if holds:
+        return grown
+    x = longer / approach
+    if x > 0.0:
+        return approach * ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0)
+    return max(longer, -LARGEST_RELIEF * approach) if approach > LEAST_KEPT * most else longer
+
+
+@inlined
+def turned_line(
+    length: float, n1: float, n2: float, inverse: float, approach: float, longer: float, d1: float, d2: float,
+    most: float,
+) -> tuple[float, float, float]:  # fmt: skip
+    """A contact line after a step d, as (sine, cosine, approach): it grows by `longer` and turns.
+
+    A contact that closes starts with the approach `most` at most; past the point where its ends meet, a line points the
+    other way.
+    """
     half_turn = 0.5 * inverse * (n2 * d1 - n1 * d2)
-    if approach > 0.0:
-        x = longer / approach
-        if abs(x) <= LINEAR_RELIEF:  # the same to third order, without the power
-            longer *= 1.0 - x * (0.25 - x / 6.0)
-        elif x > 0.0:
-            longer = approach * ((1.0 + 1.5 * x) ** (2.0 / 3.0) - 1.0)
-        elif approach > LEAST_KEPT * most:
-            longer = max(longer, -LARGEST_RELIEF * approach)
     # n turned by 2 atan(half_turn), without trigonometry: what is added to n along n and along t.
     across = 2.0 * half_turn / (1.0 + half_turn * half_turn)
     along = -half_turn * across
@@ -127,25 +157,42 @@ def stepped_line(
 
 
 @inlined
-def settle_inner_line(
-    case: recarray, work: recarray, ball: recarray, a1: float, a2: float, most: float, is_near: bool
-) -> None:
-    """Close the loop where the contact is open, and near equilibrium where the residual is small beside the approach.
+def stepped_line(
+    length: float, n1: float, n2: float, inverse: float, approach: float, d1: float, d2: float, most: float
+) -> tuple[float, float, float]:
+    """A contact line after a step d, as (sine, cosine, approach): its load grows as the tangent says."""
+    longer = growth(approach, n1 * d1 + n2 * d2, most)
+    return turned_line(length, n1, n2, inverse, approach, longer, d1, d2, most)
+
+
+@inlined
+def settled_line(
+    case: recarray, length: float, n1: float, n2: float, approach: float, w1: float, w2: float, most: float,
+    is_near: bool,
+) -> tuple[float, float, float]:  # fmt: skip
+    """The inner line of a loop closed where its contact is open, and near equilibrium where the residual is small
+    beside the approach.
 
     Elsewhere a small closure residual is left to the next step. A contact that closes starts with `most` at most: the
     approach of the ball's other contact, or at rest of the most pressed ball.
     """
-    s, c = case.sin_free, case.cos_free
-    length, w1, w2 = inner_span(case, ball, work.at_rest, a1, a2)
-    closure1, closure2 = inner_closure(case, ball, length, w1, w2)
-    is_small = max(abs(closure1), abs(closure2)) < SMALL_RESIDUAL * ball.inner_approach
+    closure1, closure2 = line_closure(case, length, n1, n2, approach, w1, w2)
+    is_small = max(abs(closure1), abs(closure2)) < SMALL_RESIDUAL * approach
     if is_small and not is_near:
-        return  # the next step closes it
-    approach, n1, n2, _ = direction(length, s, c, w1, w2)
-    if approach <= 0.0 or (is_small and (closure1 != 0.0 or closure2 != 0.0)):
-        set_inner_from_positions(case, ball, length, w1, w2)
-    elif ball.inner_approach <= 0.0:
-        set_inner_line(ball, n1, n2, min(approach, most))
+        return n1, n2, approach  # the next step closes it
+    closed, m1, m2, _ = direction(length, case.sin_free, case.cos_free, w1, w2)
+    if closed <= 0.0 or (is_small and (closure1 != 0.0 or closure2 != 0.0)):
+        return line_from_positions(case, length, approach, w1, w2)
+    if approach <= 0.0:
+        return m1, m2, min(closed, most)
+    return n1, n2, approach
+
+
+@inlined
+def has_room(case: recarray, ball: recarray, a1: float, a2: float) -> bool:
+    """Whether its grooves leave a ball room."""
+    approach, _, _, _ = direction(whole_length(case, ball), case.sin_free, case.cos_free, a1, a2)
+    return bool(approach <= 0.0)
 
 
 @kernel
@@ -155,7 +202,6 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
     A ball that follows its inertia and would turn far does not shorten the ring's step: it is put anew where an
     unloaded ball lies or, if its grooves leave it no room, turned by LARGEST_TURN.
     """
-    s, c = case.sin_free, case.cos_free
     pressed = work.largest_approach
     if pressed <= 0.0:  # no ball is: as far as the largest force would press one
         pressed = (work.largest_force / case.series_stiffness) ** (2.0 / 3.0)
@@ -168,8 +214,7 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
         a1, a2 = inner_groove_centre(case, work.displacement, ball)
         own = fraction
         if ball.follows_inertia and ball.turn > LARGEST_TURN:
-            room, _, _, _ = direction(whole_length(case, ball), s, c, a1, a2)
-            if room <= 0.0 and not work.at_rest:
+            if not work.at_rest and has_room(case, ball, a1, a2):
                 place_unloaded(case, work, ball, a1, a2)
                 continue
             own = min(fraction, LARGEST_TURN / ball.turn)
@@ -177,16 +222,18 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
         if not work.at_rest:
             if ball.outer_approach > 0.0:
                 most = ball.outer_approach
-            ball.outer_sine, ball.outer_cosine, ball.outer_approach = stepped_line(
+            so, co, outer_approach = stepped_line(
                 outer_length(case, ball), ball.outer_sine, ball.outer_cosine, ball.outer_inverse,
                 ball.outer_approach, own * ball.outer_step1, own * ball.outer_step2, max(ball.inner_approach, pressed),
             )  # fmt: skip
-        length = whole_length(case, ball) if work.at_rest else inner_length(case, ball)
-        ball.inner_sine, ball.inner_cosine, ball.inner_approach = stepped_line(
+            set_outer_line(ball, so, co, outer_approach)
+        length, w1, w2 = inner_span(case, ball, work.at_rest, a1, a2)
+        si, ci, inner_approach = stepped_line(
             length, ball.inner_sine, ball.inner_cosine, ball.inner_inverse,
             ball.inner_approach, own * ball.inner_step1, own * ball.inner_step2, most,
         )  # fmt: skip
         if may_open:
-            settle_inner_line(case, work, ball, a1, a2, most, is_near)
+            si, ci, inner_approach = settled_line(case, length, si, ci, inner_approach, w1, w2, most, is_near)
+        set_inner_line(ball, si, ci, inner_approach)
     if not may_open:
         close_loops(case, work, balls)

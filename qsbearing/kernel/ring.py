@@ -17,6 +17,9 @@ from numpy import ndarray, recarray
 from qsbearing.compiled import inlined, kernel
 from qsbearing.effects.unequal_balls import from_own_touching
 
+Vector = ndarray | tuple[float, ...]
+"""Of the ring, in its five channels."""
+
 
 @kernel
 def set_azimuths(case: recarray, work: recarray, balls: ndarray) -> None:
@@ -121,7 +124,7 @@ def couple_channels(case: recarray, work: recarray, balls: ndarray) -> None:
 
 
 @inlined
-def inner_groove_centre(case: recarray, displacement: ndarray, ball: recarray) -> tuple[float, float]:
+def inner_groove_centre(case: recarray, displacement: Vector, ball: recarray) -> tuple[float, float]:
     """A ball's inner groove centre at this displacement of the ring, from where the ball touches at the free angle.
 
     Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4). Elastic
@@ -137,7 +140,7 @@ def inner_groove_centre(case: recarray, displacement: ndarray, ball: recarray) -
 
 
 @inlined
-def inner_groove_step(case: recarray, displacement: ndarray, cosine: float, sine: float) -> tuple[float, float]:
+def inner_groove_step(case: recarray, displacement: Vector, cosine: float, sine: float) -> tuple[float, float]:
     """Displacement of a ball's inner groove centre with the ring (19.3, 19.4)."""
     return (
         displacement[0] + case.tilt_lever * (displacement[3] * sine - displacement[4] * cosine),

@@ -8,7 +8,7 @@ from numpy import ndarray
 
 from qsbearing.compiled import kernel
 from qsbearing.kernel.assembly import close_loops, has_closure_residual
-from qsbearing.kernel.newton import CLOSINGS, MOST_ITERATIONS, NEAR, OPEN_ITERATIONS, OWN_TOLERANCE, STALLED
+from qsbearing.kernel.newton import CLOSINGS, MOST_ITERATIONS, NEAR, NEARLY, OPEN_ITERATIONS, SOLVED, UNSOLVED, verdict
 from qsbearing.kernel.newton_step import is_far, take_step
 from qsbearing.kernel.shaft import Shafts, ShaftSystem, assemble_rows, propose_shaft_step
 
@@ -42,20 +42,17 @@ def shaft_newton(
         shaft.residual = residual if residual < inf else 1.0
         if not residual < inf:
             return False
-        is_stalled = 0.0 <= before <= STALLED and 0.5 * before <= residual <= STALLED
-        if residual <= tolerance or is_stalled or (is_last and residual <= STALLED):
-            if not is_closed and any_open(works, balls):
-                close_rows(cases, works, balls, k)
-                closings += 1
-                before, is_last, is_closed = -1.0, closings > CLOSINGS, True
-                continue
-            if is_last or is_stalled or own_residual <= max(OWN_TOLERANCE, tolerance):
-                return True
-            is_last = True
-        elif iterations >= MOST_ITERATIONS:
+        found = verdict(residual, own_residual, before, is_last, tolerance)
+        if found != UNSOLVED and not is_closed and any_open(works, balls):
+            close_rows(cases, works, balls, k)
+            closings += 1
+            before, is_last, is_closed = -1.0, closings > CLOSINGS, True
+            continue
+        if found == SOLVED:
+            return True
+        if found == UNSOLVED and iterations >= MOST_ITERATIONS:
             return False
-        else:
-            is_last = False
+        is_last = found == NEARLY
         fraction = propose_shaft_step(cases, works, balls, matrices, shafts, system, k)
         if fraction < 0.0:
             return False

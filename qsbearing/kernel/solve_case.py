@@ -242,11 +242,22 @@ def deliver_positions(
     for j in range(position.shape[0]):
         ball = balls[balls[j].index]
         is_there = j < case.ball_count
+        is_image = is_there and ball.number < j
         for i in range(position.shape[1]):
-            position[j, i] = 0.0
-        if is_there:
+            position[j, i] = position[ball.number, i] if is_image else 0.0
+        if is_there and not is_image:
             store_position(case, ball, position[j])
         control[j] = ball.control if is_there else 0
+
+
+@kernel
+def deliver_solved(
+    case: recarray, work: recarray, balls: ndarray, found: int, result: recarray, position: ndarray, control: ndarray
+) -> None:
+    """Write the equilibrium found, and what there is to say of it."""
+    result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
+    result.notes, result.status = remarks(case, found), CONVERGED
+    deliver(case, work, balls, result, position, control)
 
 
 @entry
@@ -276,11 +287,9 @@ def solve_cases(
             found = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:
             found = solve_at_rest(case, work, balls, tolerance, is_warm)
-        result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
-        result.notes = remarks(case, found)
-        result.status = CONVERGED if found >= CONTRADICTED else UNFINISHED
         if found >= CONTRADICTED:
-            deliver(case, work, balls, result, positions[k], controls[k])
+            deliver_solved(case, work, balls, found, result, positions[k], controls[k])
         else:
+            result.status, result.iterations = UNFINISHED, work.iterations
             unfinished += 1
     return unfinished

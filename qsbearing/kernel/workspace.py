@@ -126,18 +126,20 @@ WORKSPACE = record(
 )
 
 
-class _Kept(local):
+class Memory(local):
     """What a thread keeps: making records anew takes as long as a fifth of a case."""
 
-    balls = -1
-    memory: tuple[NDArray, NDArray]
+    def __init__(self, ring: np.dtype, ball: np.dtype) -> None:
+        self._types, self._balls = (ring, ball), -1
+        self._memory: tuple[NDArray, NDArray]
+
+    def __call__(self, balls: int) -> tuple[NDArray, NDArray]:
+        """(a record of the ring, records of up to so many balls): the thread's own, used by one call at a time."""
+        if self._balls < balls:
+            ring, ball = self._types
+            self._balls, self._memory = balls, (np.zeros(1, ring), np.zeros(balls, ball))
+        return self._memory
 
 
-_kept = _Kept()
-
-
-def working_memory(balls: int) -> tuple[NDArray, NDArray]:
-    """(workspace, balls) for bearings of up to this many balls: the thread's own, used by one call at a time."""
-    if _kept.balls < balls:
-        _kept.balls, _kept.memory = balls, (np.zeros(1, WORKSPACE), np.zeros(balls, BALL))
-    return _kept.memory
+working_memory = Memory(WORKSPACE, BALL)
+"""(workspace, balls) for bearings of up to this many balls."""

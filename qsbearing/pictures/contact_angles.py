@@ -41,10 +41,13 @@ def draw_angles(axes: Axes, solution: Solution, place: Place, span: Span | None 
         last, first = turned[order[-1]] - 360.0, turned[order[0]]
         edge = angle[order[0]] if first == 0.0 else np.interp(0.0, [last, first], angle[order[[-1, 0]]])
         curve = np.concatenate([[edge], angle[order], [edge]])
-        axes.plot(along, curve, markevery=slice(1, -1), clip_on=False, **line_style(side, azimuth.size))
+        # A ball at 0° is also the ball at 360°: without its mark there the line would end in nothing.
+        marked = slice(1, None if first == 0.0 else -1)
+        axes.plot(along, curve, markevery=marked, clip_on=False, **line_style(side, azimuth.size))
     low, high = span or angle_span(solution, place)
     margin = max(0.08 * (high - low), 1.0)
-    bottom = low - 2.2 * margin
+    has_lost = any((contacts.load[place][present] == 0.0).any() for _, contacts in raceways(solution))
+    bottom = low - (2.2 if has_lost or span else 1.0) * margin  # room for the marks; rows of a set share a scale
     axes.set_ylim(bottom, high + margin)
     mark_lost(axes, solution, place, bottom + 0.7 * margin)
     axes.set_xlim(0.0, 360.0)

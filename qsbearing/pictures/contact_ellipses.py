@@ -32,8 +32,8 @@ def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
     tallest = float(max(major.max() for major, _, _ in sides.values())) or 1.0
     widest = float(max(minor.max() for _, minor, _ in sides.values())) or 1.0
     # Columns spread over the width of the sheet, and never touch.
-    spacing = max(2.6 * widest, 19.0 * tallest / max(chosen.size, 3))
     alone = chosen.size == 1
+    spacing = 3.0 * tallest if alone else max(2.6 * widest, 19.0 * tallest / max(chosen.size, 3))
     for side, columns in sides.items():
         up = 1.0 if side == "inner" else -1.0
         for column, (a, b, pressure) in enumerate(zip(*columns, strict=True)):
@@ -51,7 +51,7 @@ def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
                 axes.text(x, y + up * 1.1 * tallest, f"{pressure:.0f}", fontsize=8, **anchor)
     axes.set_aspect("equal")
     edge = 0.8 * spacing + 0.3 * tallest
-    axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge)
+    axes.set_xlim(-edge, (chosen.size - 1) * spacing + edge + (1.2 * tallest if alone else 0.0))  # room for numbers
     axes.set_ylim(-3.1 * tallest, 3.1 * tallest)
     places = [column * spacing for column in range(chosen.size)]
     axes.set_xticks(places, names, fontsize=8)

@@ -8,13 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY, STYLE
+from qsbearing.pictures.style import GREY
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.case_index import Place
 from qsbearing.units import mm, um
 
 SHOWN = 0.3
 """Of the shaft's largest diameter: what the picture makes of the largest deflection."""
+LOAD = "#009e73"
+"""Colour of the loads."""
 FINE = 25
 """Positions along each section."""
 PLANES = ((1, 4, 1.0, "y"), (2, 3, -1.0, "z"))
@@ -53,7 +55,9 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
                 _outline(axes, x[some], np.zeros(FINE), np.zeros(FINE), radius, color="0.8", lw=0.8, ls=line)
                 bent = factor * moved[some, channel], factor * sign * moved[some, slope]
                 _outline(axes, x[some], *bent, radius, color="0.25", lw=1.1, ls=line)
-    axes.plot(x / mm, factor * moved[:, channel] / mm, color=STYLE["outer"]["color"], lw=1.2, ls="-.")
+    for label, colour in (("shaft as drawn (dashed: its bore)", "0.8"), ("shaft as it bends", "0.25")):
+        axes.plot([], [], color=colour, label=label)
+    axes.plot(x / mm, factor * moved[:, channel] / mm, color="0.25", lw=0.8, ls="-.", label="centre line")
     top = (0.5 + 0.5 * SHOWN) * widest
     for number, row in enumerate(of.rows, 1):
         _bearing(axes, solution, place, number, factor, channel)
@@ -63,23 +67,25 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
         if value != 0.0:
             at = float(load.position) / mm
             tail, head = (-1.45, -0.95) if value > 0.0 else (1.45, 0.95)
-            arrow = {"arrowstyle": "-|>", "color": STYLE["inner"]["color"], "lw": 1.5}
+            arrow = {"arrowstyle": "-|>", "color": LOAD, "lw": 1.5}
             axes.annotate("", (at, head * top / mm), (at, tail * top / mm), arrowprops=arrow)
-            beside = {"va": "center", "fontsize": 8, "color": STYLE["inner"]["color"]}
+            beside = {"va": "center", "fontsize": 8, "color": LOAD}
             axes.annotate(f"{abs(value):.4g} N", (at, tail * top / mm), (4, 0), textcoords="offset points", **beside)
-    for support in (each for each in shaft.supports if each.stiffness[channel, channel] > 0.0):
-        axes.plot(float(support.position) / mm, -1.15 * top / mm, marker="^", ms=8, color=GREY, mfc="none")
+    supports = [float(each.position) / mm for each in shaft.supports if each.stiffness[channel, channel] > 0.0]
+    if supports:
+        below = np.full(len(supports), -1.15 * top / mm)
+        axes.plot(supports, below, "^", ms=8, color=GREY, mfc="none", label="elastic support")
     for label, position in shaft.points.items():
         at = solution.deflection(position)[place][0, channel]
         axes.plot(position / mm, factor * at / mm, marker="o", ms=4, color="black", zorder=3)
-        text = f"{label}: {at / um:.3g} um"
+        text = f"{label}: {at / um:.3g} µm".replace("-", "−")
         axes.annotate(text, (position / mm, 1.65 * top / mm), ha="center", fontsize=8)
         axes.plot(2 * [position / mm], [factor * at / mm, 1.6 * top / mm], color="0.6", lw=0.6, ls=":")
-    axes.set_title(f"Shaft in the plane x{name}: deflection x {factor:,.0f}", fontsize=10)
+    axes.set_title(f"Shaft in the plane x{name}: deflection × {factor:,.0f}", fontsize=10)
     axes.set_xlabel("x, mm", fontsize=9)
     axes.set_ylabel(f"{name}, mm", fontsize=9)
     axes.set_ylim(-1.6 * top / mm, 1.85 * top / mm)
-    axes.margins(x=0.08)
+    axes.margins(x=0.12)
     axes.set_aspect("equal")
     axes.tick_params(labelsize=8)
 
@@ -112,7 +118,7 @@ def _bearing(axes: Any, solution: SetSolution, place: Place, number: int, factor
         )
         along = 0.75 * ball * np.array([row.sign * np.sin(angle), side * np.cos(angle)])
         ends = np.array([-along, along])
-        axes.plot((at + ends[:, 0]) / mm, (centre + ends[:, 1]) / mm, color=STYLE["inner"]["color"], lw=0.9)
+        axes.plot((at + ends[:, 0]) / mm, (centre + ends[:, 1]) / mm, color="black", lw=0.9)
     axes.annotate(str(number), (at / mm, (y - 0.5 * pitch - 1.1 * ball) / mm), ha="center", va="center", fontsize=8)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import with_unit, without_unit, words
-from qsbearing.pictures.style import GREY, ROW_LINES, figure_of_size, plain
+from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -130,10 +130,10 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
         plain(axes)
         axes.plot(x.values, each.values, "o-" if steps else "-", color="black", linewidth=1.2, markersize=3)
         for sense, level in each.conditions:
-            axes.axhline(level, color=ROW_LINES[1][0], linestyle="-" if sense == "=" else "--", linewidth=1.2)
+            axes.axhline(level, color=RED, linestyle="-" if sense == "=" else "--", linewidth=1.2)
             axes.annotate(
                 f"{sense} {level:g}".replace("<=", "≤").replace(">=", "≥"), (1.0, level), fontsize=8, ha="right",
-                va="bottom", xycoords=("axes fraction", "data"), color=ROW_LINES[1][0],
+                va="bottom", xycoords=("axes fraction", "data"), color=RED,
             )  # fmt: skip
         low, high = axes.get_ylim()
         axes.fill_between(x.values, low, high, where=outside, color=FORBIDDEN, linewidth=0, step="mid", zorder=0)
@@ -146,7 +146,7 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
         if x.is_log:
             axes.set_xscale("log")
     panels[-1].set_xlabel(x.heading, fontsize=9)
-    said = f"star: {best}" + ("; grey: a limit is not met" if outside.any() else "")
+    said = f"Star: {best}" + ("; grey: a limit is not met" if outside.any() else "")
     figure.suptitle(f"{title}\n{said}" if title else said, fontsize=9, x=0.01, ha="left", parse_math=False)
     return figure
 

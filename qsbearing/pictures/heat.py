@@ -6,12 +6,13 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.io.thermal_report import hottest, instant
-from qsbearing.pictures.style import GREY, ROW_LINES, figure_of_size, plain
+from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-RED = "#b00020"
+NODES = {"inner ring": "inner", "outer ring": "outer"}
+"""Nodes that are drawn as their raceways are elsewhere."""
 
 
 def over_speed(found: dict[str, Any], own: float) -> Figure:
@@ -69,9 +70,15 @@ def _draw(axes: Any, states: list[dict[str, Any]], along: list[float], fold: int
     ]
     end = len(states) if fold is None else fold + 1
     for each, own in zip(axes, lines, strict=True):
-        for (label, values), (colour, style) in zip(own.items(), cycle(ROW_LINES)):
+        is_node = bool(NODES.keys() & own.keys())
+        others = cycle(ROW_LINES[2:] if is_node else ROW_LINES)  # lines unlike the raceways'
+        for label, values in own.items():
+            raceway = STYLE.get(NODES.get(label, ""))
+            colour, style = (raceway["color"], raceway["linestyle"]) if raceway else next(others)
             each.plot(along[:end], values[:end], linestyle=style, color=colour, linewidth=1.4, label=label)
             each.plot(along[end - 1 :], values[end - 1 :], linestyle=style, color=colour, linewidth=0.9, alpha=0.4)
+        if fold is not None:
+            each.plot([], [], color=GREY, linewidth=0.9, alpha=0.4, label="pale: unstable")
 
 
 def _named(axes: Any) -> None:

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 HIGH_SHOULDER, LOW_SHOULDER = 60.0 * deg, 12.0 * deg
 """Half-angles of the sketched groove, on the side that carries and on the other."""
 
+STEEP = 25.0 * deg
+"""Free contact angle below which its label stays clear of the ball's centre line only on the far side."""
+
 WIDTH, THICKNESS = 1.35, 0.3
 """Of the sketched rings, as parts of the ball diameter; the thickness below the groove's bottom."""
 
@@ -48,15 +51,8 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
     reach = 0.88 * diameter
     end = reach * np.array([np.sin(free), np.cos(free)])
     axes.plot([-end[0], end[0]], [-end[1], end[1]], color=GREY, linewidth=0.8, linestyle=":")
-    axes.text(
-        0.98 * end[0],
-        0.98 * end[1],
-        f"α₀ = {free / deg:.3g}° ",
-        fontsize=9,
-        color=GREY,
-        ha="right",
-        va="center",
-    )
+    beside = "right" if free > STEEP else "left"  # of a steep line, off the centre line
+    axes.text(0.98 * end[0], 0.98 * end[1], f" α₀ = {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center")
     axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
     for side, contacts in raceways(solution):
         up = 1.0 if side == "outer" else -1.0
@@ -67,8 +63,9 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
         beyond = radius - 0.5 * diameter + (approach / mm if load > 0.0 else 0.0)
         centre = -up * beyond * np.array([np.sin(angle), np.cos(angle)])
         _ring(axes, solution, place, side, centre, radius, diameter)
-        half = float(contacts.semi_major_axis[place][number]) / mm if load > 0.0 else 0.0
-        _line_of_action(axes, side, centre, angle, radius, half)
+        if load > 0.0:
+            half = float(contacts.semi_major_axis[place][number]) / mm
+            _line_of_action(axes, side, centre, angle, radius, half)
         _label(axes, side, angle, load, float(contacts.max_pressure[place][number]), diameter)
     span = 0.5 * WIDTH * diameter
     axes.set_xlim(-1.9 * span, 1.9 * span)
@@ -86,7 +83,7 @@ def _number(value: Any, place: Place, solution: Solution) -> float:
 
 def _title(solution: Solution, place: Place, number: int) -> str:
     if carry_alike(solution, place):
-        return "Section through any ball"
+        return "Section through a ball: all carry the same"
     azimuth = solution.azimuth[place]
     most = ", the most heavily loaded" if number == most_loaded_ball(solution, place) else ""
     return f"Section through the ball at {np.degrees(azimuth[number]) % 360.0:.4g}°{most}"
@@ -139,10 +136,9 @@ def _line_of_action(axes: Axes, side: str, centre: NDArray, angle: float, radius
     contact = centre + up * radius * np.array([np.sin(angle), np.cos(angle)])
     axes.plot(*np.stack([centre, contact]).T, color=colour, linestyle=STYLE[side]["linestyle"], linewidth=1.6, zorder=3)
     axes.plot(*centre, marker="o", markersize=3, color=colour, zorder=3.1)
-    if half:
-        along = angle + np.linspace(-half, half, 30) / radius
-        patch = centre + up * radius * np.stack([np.sin(along), np.cos(along)], axis=1)
-        axes.plot(*patch.T, color=colour, linewidth=4.5, solid_capstyle="butt", zorder=2.8)
+    along = angle + np.linspace(-half, half, 30) / radius
+    patch = centre + up * radius * np.stack([np.sin(along), np.cos(along)], axis=1)
+    axes.plot(*patch.T, color=colour, linewidth=4.5, solid_capstyle="butt", zorder=2.8)
 
 
 def _label(axes: Axes, side: str, angle: float, load: float, pressure: float, diameter: float) -> None:

@@ -62,7 +62,8 @@ def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Fig
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
-    return _alone(draw_ellipses, (10.0, 4.6), solution, index)
+    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 4.6)
+    return _alone(draw_ellipses, size, solution, index)
 
 
 def section(solution: Solution, index: Index = None, ball: int | None = None) -> Figure:
@@ -89,9 +90,11 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
         raise ValueError("this set's shaft is rigid: qs.BearingSet(..., shaft=qs.Shaft(...))")
     place = place_of(index, solution.shape)
     planes = planes_of(solution, place)
-    figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.5)
-    for axes, plane in zip(figure.subplots(len(planes), 1, squeeze=False)[:, 0], planes, strict=True):
+    figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.8)
+    panels = figure.subplots(len(planes), 1, squeeze=False)[:, 0]
+    for axes, plane in zip(panels, planes, strict=True):
         draw_deformed_shaft(axes, solution, place, plane)
+    legend(figure, *panels)
     write_title_of_set(figure, solution, place)
     return figure
 
@@ -149,12 +152,18 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     columns = -(-count // lines)
     heights = [drawing.panel[1] for drawing in drawings] * lines
     planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
-    heights += [SHAFT_HEIGHT] * len(planes)
+    # Both planes side by side where there is room, else below each other.
+    halves = max(len(planes), 1) if columns == PER_LINE else 1
+    heights += [SHAFT_HEIGHT] * (len(planes) // halves)
     figure = figure_of_size(max(columns * drawings[0].panel[0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
-    for line, plane in enumerate(planes, len(heights) - len(planes)):
-        draw_deformed_shaft(figure.add_subplot(grid[line, :]), solution, place, plane)
     drawn: list[Any] = []
+    for number, plane in enumerate(planes):
+        line, half = divmod(number, halves)
+        width = columns // halves
+        cell = grid[len(heights) - len(planes) // halves + line, half * width : (half + 1) * width]
+        drawn.append(figure.add_subplot(cell))
+        draw_deformed_shaft(drawn[-1], solution, place, plane)
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]
         span = min(low for low, _ in spans), max(high for _, high in spans)

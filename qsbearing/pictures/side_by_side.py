@@ -40,7 +40,7 @@ def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequenc
         axes.set_xlim(low - 0.45 * (high - low) * (low < 0.0), high + 0.45 * (high - low) * (high > 0.0))
         for place, value in zip(places, values, strict=True):
             text = "no solution" if not np.isfinite(value) else _said(value)
-            known = np.isfinite(value) and np.isfinite(values[0]) and values[0] != 0.0
+            known = np.isfinite(value) and np.isfinite(values[0]) and value * values[0] > 0.0  # of one sign
             if known and abs(value / values[0] - 1.0) > MARKED:
                 text += f" ({100.0 * (value / values[0] - 1.0):+.0f} %)"
             left = np.isfinite(value) and value < 0.0

@@ -37,13 +37,27 @@ Span = tuple[float, float]
 
 ROW_LINES: tuple[tuple[str, Any], ...] = (
     ("#000000", "-"),
-    ("#d55e00", "--"),
-    ("#0072b2", "-."),
-    ("#009e73", ":"),
-    ("#cc79a7", (0, (8, 2))),
-    ("#e69f00", (0, (5, 1, 1, 1, 1, 1))),
+    ("#999933", "--"),
+    ("#332288", "-."),
+    ("#882255", ":"),
+    ("#44aa99", (0, (8, 2))),
+    ("#88ccee", (0, (5, 1, 1, 1, 1, 1))),
 )
-"""Colour and line of the rows of a set, in turn: each line differs from all others without its colour."""
+"""Colour and line of the rows of a set, in turn: each line differs from all others without its colour (Tol's muted
+colours, none of them a raceway's or a channel's)."""
+
+CHANNEL_LINES: dict[str, dict[str, Any]] = {
+    "": {"color": "0.1", "linestyle": "-"},
+    "axial": {"color": "0.1", "linestyle": "-"},
+    "radial_y": {"color": "#009e73", "linestyle": "--"},
+    "radial_z": {"color": "#cc79a7", "linestyle": "-."},
+    "tilt_y": {"color": "#009e73", "linestyle": ":"},
+    "tilt_z": {"color": "#cc79a7", "linestyle": (0, (5, 1))},
+}
+"""Colour and line of each channel of the ring; "": of a result that has none."""
+
+RED = "#b00020"
+"""Of limits: where a preload is lost, where temperatures run away, what must not be exceeded."""
 
 SLIP = (FRICTION_IN_DOUBT, FRICTION_BEYOND)
 """Coefficients of friction of lubricated contacts: between them, gyroscopic slip begins."""
@@ -56,6 +70,10 @@ def figure_of_size(width: float, height: float) -> Figure:
     return Figure(figsize=(width, height), dpi=150, layout="constrained")
 
 
+LEGEND_LINE, LEGEND_LETTER = 0.55, 0.082
+"""Width of a legend's line with its gaps, and of a letter [inches]."""
+
+
 def legend(figure: Figure, *axes: Any) -> None:
     """One legend below the picture; what several axes show is named once."""
     known: dict[str, Any] = {}
@@ -63,8 +81,10 @@ def legend(figure: Figure, *axes: Any) -> None:
         for handle, label in zip(*each.get_legend_handles_labels(), strict=True):
             known.setdefault(label, handle)
     if known:
+        widest = LEGEND_LINE + LEGEND_LETTER * max(map(len, known))
+        columns = min(len(known), max(int(figure.get_size_inches()[0] / widest), 2))
         figure.legend(
-            list(known.values()), list(known), loc="outside lower center", ncols=len(known), fontsize=9, frameon=False
+            list(known.values()), list(known), loc="outside lower center", ncols=columns, fontsize=9, frameon=False
         )
 
 

@@ -298,7 +298,7 @@ raceway_roughness_um = 0.1
         Shown("central_thickness_um", "central_thickness", um, "central thickness, isothermal"),
         Shown("minimum_thickness_um", "minimum_thickness", um, "minimum thickness, isothermal"),
         Shown("reduced_minimum_thickness_um", "reduced_minimum_thickness", um, "the minimum reduced by inlet heating"),
-        Shown("film_parameter", "film_parameter", 1.0, "film parameter, of the reduced minimum"),
+        Shown("film_parameter", "film_parameter", 1.0, "film parameter, of the reduced minimum", r"\Lambda"),
         Shown("thermal_reduction", "thermal_reduction", 1.0, "film reduction by inlet heating"),
     ),
     scope="Film: isothermal but for the reduced minimum, of which the film parameter is; published factors of the "

@@ -249,7 +249,7 @@ ENTRY = Reading(
     needs=(("max_pressure",), ()),
     of_case=(
         Shown("static_load_rating_N", "static_load_rating"),
-        Shown("static_equivalent_load_N", "static_equivalent_load", 1.0, "static equivalent load P0 of ISO 76"),
+        Shown("static_equivalent_load_N", "static_equivalent_load", 1.0, "static equivalent load P0 of ISO 76", "P_0"),
         Shown("static_safety", "static_safety", 1.0, "static safety C0/P0"),
         Shown("contact_safety", "contact_safety", 1.0, "static limit over load, most pressed contact"),
     ),

@@ -67,7 +67,7 @@ def clearance_errors(
     errors = []
     for seat, gap in clearances(rings, expansion, bearing, operation).items():
         (found,) = first(gap > 0.0, gap)
-        problem = f"gives way, but stands {found / um:.4g} um (diametral) off its ring in operation"
+        problem = f"is elastic, but has {found / um:.4g} um (diametral) of clearance to its ring in operation"
         cause = f'A clearance closes in a bearing alone: a tighter fit, or {seat} = "free" while it stays open'
         errors.append(ErrorDetail(f"elastic_rings.{seat}", problem, cause=cause, where=gap > 0.0))
     return errors

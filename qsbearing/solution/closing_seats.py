@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.effects import ElasticRings, RingExpansion
+from qsbearing.effects.entry import with_found
 from qsbearing.scene.elastic_seats import clearances
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.ring_shape import mean_seat_pressure
@@ -24,21 +25,25 @@ RINGS = {"housing": "outer", "shaft": "inner"}
 
 
 def with_touching(scene: Scene, touching: dict[str, Any]) -> Scene:
-    """The scene with some seats touching or not, case by case; others as their fit says."""
+    """The scene with some seats touching or not, case by case; others as their fit says, whatever an earlier solve of
+    its effects has found."""
     flags: dict[str, Any] = {f"{seat}_touches": touching.get(seat) for seat in RINGS}
-    about_seats: list[Any] = [each for each in scene.ring_effects if isinstance(each, ElasticRings | RingExpansion)]
-    if all(getattr(each, name) is flag for each in about_seats for name, flag in flags.items()):
-        return scene
-    effects = tuple(
-        replace(each, **flags) if isinstance(each, ElasticRings | RingExpansion) else each
-        for each in scene.ring_effects
-    )
-    return replace(scene, ring_effects=effects)
+    effects = tuple(_flagged(each, flags) for each in scene.ring_effects)
+    is_same = all(one is other for one, other in zip(effects, scene.ring_effects, strict=True))
+    return scene if is_same else replace(scene, ring_effects=effects)
+
+
+def _flagged(effect: Any, flags: dict[str, Any]) -> Any:
+    """An effect that knows seats with what is found of them, no input; the same object where nothing changes."""
+    if not isinstance(effect, ElasticRings | RingExpansion) or all(
+        getattr(effect, name) is flag for name, flag in flags.items()
+    ):
+        return effect
+    return with_found(effect, flags)
 
 
 def solve_closing(scene: Scene, solve: Callable[[Scene], Solution]) -> Solution:
     """Solve with seats that close as far as the balls close them; `solve` takes them as the scene has them."""
-    scene = with_touching(scene, {})
     gaps = clearances(scene.elastic_rings, scene.ring_expansion, scene.bearing, scene.operation)
     if not gaps:
         return solve(scene)

@@ -526,9 +526,10 @@ def stiffness(scene: Scene, solution: Solution) -> NDArray:
 
 
 def _is_equal(one: Any, other: Any) -> bool:
-    """Whether two scenes, or parts of scenes, hold the same; their numbers may be arrays."""
+    """Whether two scenes, or parts of scenes, are given the same; their numbers may be arrays."""
     if isinstance(one, tuple) and isinstance(other, tuple):
         return len(one) == len(other) and all(map(_is_equal, one, other))
     if is_dataclass(one) and type(one) is type(other):
-        return all(_is_equal(getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
+        given = [field.name for field in fields(one) if field.init]
+        return all(_is_equal(getattr(one, name), getattr(other, name)) for name in given)
     return np.array_equal(one, other)

@@ -9,18 +9,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.compiled import COMPILED
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
-from qsbearing.solution.closing_seats import solve_closing
+from qsbearing.solution.closing_seats import solve_closing, with_touching
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.solved_cases import KEPT
 from qsbearing.threads import in_threads, thread_count
 
 TOLERANCE = 1e-12
+LEAST_BATCH = 64
+"""So many cases are solved in lanes, as far as lanes know them: their kernel is compiled with the first such batch."""
 
 
 def solve(
@@ -45,7 +48,8 @@ def solve(
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     if scene.tolerance is not None:
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
-    if scene.elastic_rings is not None or scene.ring_expansion is not None:
+    scene = with_touching(scene, {}) if scene.ring_effects else scene
+    if scene.elastic_rings is not None and scene.ring_expansion is not None:
         return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
     return _solve(scene, start, threads, tolerance)
 
@@ -68,7 +72,12 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         results, positions, controls = (array[part] for array in found)
         memory, own = working_memory(maker.ball_axis), maker.own_balls(records, part.start)
         given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
-        if solve_cases(*given):
+        solve_all = solve_cases
+        if COMPILED and count >= LEAST_BATCH and start is None:
+            from qsbearing.kernel.lanes import lanes_know, solve_batch
+
+            solve_all = solve_batch if lanes_know(records[0]) else solve_cases
+        if solve_all(*given):
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
             solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)

@@ -16,7 +16,7 @@ from qsbearing.solution.status import Reason
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import long_name
+from qsbearing.studies.results import attributes_of
 from qsbearing.studies.scenes import base_scene, label_of
 
 if TYPE_CHECKING:
@@ -39,8 +39,7 @@ def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...],
     }
     for result in plan.results:
         own = (*dims, BALL) if result.is_per_ball else dims
-        attrs = {"units": result.unit, "long_name": long_name(result.name), "column": result.column}
-        found[result.name] = (own, np.float64, attrs)
+        found[result.name] = (own, np.float64, attributes_of(result) | {"column": result.column})
     return found
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing import quantities
 from qsbearing.readings.asked import READINGS, all_values, by_short_name, take_asked
-from qsbearing.result_keys import split
+from qsbearing.result_keys import attributes, split
 from qsbearing.sets.set_quantities import SetQuantity, set_quantities
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.solution import Solution
@@ -69,22 +69,27 @@ def reading_of(name: str) -> str | None:
     return None
 
 
-def _of_readings() -> dict[str, tuple[str, str]]:
-    """Of each result that a reading gives, the reading and what the result is, in words."""
-    return {
-        split(entry.column(side, shown))[0]: (reading, ", ".join(filter(None, (shown.plain_name, side))))
-        for reading, entry in READINGS.items()
-        if entry.table is not None  # a spectrum is asked for by its points
-        for side, shown, _ in entry.shown()
-    }
+def _of_readings() -> dict[str, tuple[str, dict[str, str]]]:
+    """Of each result that a reading gives, the reading and what datasets say of the result."""
+    found = {}
+    for reading, entry in READINGS.items():
+        for side, shown, _ in entry.shown() if entry.table is not None else ():  # a spectrum is asked for by its points
+            name, unit = split(entry.column(side, shown))
+            words = ", ".join(filter(None, (shown.plain_name, side)))
+            found[name] = reading, attributes(unit, words, shown.symbol, entry.by)
+    return found
 
 
-def long_name(name: str) -> str:
-    """A result in words: those of its reading, or those of its name."""
+def attributes_of(result: Result) -> dict[str, str]:
+    """What a dataset says of a result: unit, words, symbol and source."""
+    known = {name: each.attributes for name, each in quantities.ALL.items()}
+    known |= {name: each for name, (_, each) in _of_readings().items()}
+    name, words = result.name, ""
     stem, _, ending = name.rpartition("_")
-    if name not in quantities.ALL and ending in OVER_BALLS:
-        return f"{long_name(stem)}, {'largest' if ending == 'max' else 'smallest'}"
-    return _of_readings().get(name, ("", name.replace("_", " ")))[1]
+    if name not in known and ending in OVER_BALLS:
+        name, words = stem, f", {'largest' if ending == 'max' else 'smallest'}"
+    found = known.get(name) or attributes(result.unit, name.replace("_", " "), "", "")
+    return found | {"long_name": found["long_name"] + words}
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -106,7 +106,8 @@ def finite_elements() -> str:
     record = cost_record.read()
     if record is None:
         raise ValueError("there is no record of `fem-check cost`")
-    return cost_table.mesh_choices(record).markdown()
+    choices = cost_table.mesh_choices(record)
+    return f"{choices.caption}:\n\n{markdown(choices.headings, choices.rows)}"
 
 
 def contacts() -> str:

@@ -17,9 +17,9 @@ pytest.importorskip("matplotlib")
 pytest.importorskip("xarray")
 
 import qsbearing as qs
+from qsbearing.documents.terminal import text_of
 from qsbearing.io.readings_record import taken
 from qsbearing.io.report import result
-from qsbearing.io.tables import text_of
 from tests.guide.pages import GUIDE
 
 TUTORIAL = GUIDE / "tutorial.ipynb"

@@ -7,11 +7,14 @@ import re
 import pytest
 
 import qsbearing as qs
+from qsbearing.cli.guide import LISTS
+from qsbearing.documents.guide import topics
 from qsbearing.effects import GyroscopicMoment
 from qsbearing.io.file_keys import numbers
 from qsbearing.readings.asked import READINGS
 from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
 from qsbearing.studies import keys
+from qsbearing.studies.results import Result, attributes_of
 from tests.guide.pages import GUIDE
 
 LINES = re.findall(r"^\| (.+?) \| (`.+?`) \| .*? \| (.+?) \|$", (GUIDE / "symbols.md").read_text("utf-8"), re.MULTILINE)
@@ -47,4 +50,25 @@ def test_a_name_has_the_unit_that_the_page_says(names: str, written: str) -> Non
 
 
 def test_every_line_with_a_name_was_read() -> None:
-    assert len(LINES) > 20
+    assert len(LINES) > 12
+
+
+def test_a_result_with_a_symbol_stands_on_the_page_once() -> None:
+    """In the list that is made of the table of results, not by hand as well."""
+    page = topics(lists=LISTS)["symbols"].text
+    shown = [*CONTACT, *BALL, *(each for entry in READINGS.values() for _, each, _ in entry.shown())]
+    for each in {each for each in shown if each.symbol}:
+        lines = [
+            line
+            for line in page.splitlines()
+            if re.match(rf"\|.*{'inner.' if each in CONTACT else '[`.]'}{each.path}`", line)
+        ]
+        assert len(lines) == 1 and lines[0].startswith(f"| ${each.symbol}$ |"), each.key
+
+
+@pytest.mark.parametrize("name", ["inner_max_pressure", "outer_film_film_parameter_min", "ring_load_axial"])
+def test_datasets_say_symbol_and_source_of_a_result(name: str) -> None:
+    found = attributes_of(Result(name, "1", True, name))
+    known = {"p_0": "Hertz 1881; Johnson 1985", r"\Lambda": READINGS["film"].by}
+    assert found.get("source") == known.get(found.get("symbol", ""))
+    assert ("symbol" in found) == (name != "ring_load_axial")

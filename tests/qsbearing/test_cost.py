@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 import qsbearing as qs
 from qsbearing.chooser import comparison as results
 from qsbearing.cli import cli
+from qsbearing.documents.terminal import text_of
 from qsbearing.effects import EFFECTS, QUANTITIES
-from qsbearing.io.tables import text_of
 from qsbearing.studies.cost import figures, levels, measuring, output_folder, record, speeds, tables
 from tests.benchmarks import cost as kept
 from tests.benchmarks import random_scenes

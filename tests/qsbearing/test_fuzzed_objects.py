@@ -170,7 +170,7 @@ FIELDS = {
     ],
     "choices": ["ball_effects", "raceway_control", "hertz_angle", "hertz_form", "tilt_lever"],
     "material": ["elastic_modulus", "poisson_ratio", "density", "thermal_expansion"],
-    "ring_expansion": [field.name for field in dataclasses.fields(qs.RingExpansion)],
+    "ring_expansion": [field.name for field in dataclasses.fields(qs.RingExpansion) if field.init],
     "ball_expansion": [field.name for field in dataclasses.fields(qs.BallExpansion)],
     "preload": ["spring", "rigid", "axial_displacement"],
 }

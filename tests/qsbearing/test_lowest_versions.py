@@ -15,7 +15,7 @@ from packaging.version import Version
 from qsbearing.compiled import COMPILED
 
 PROJECT = Path(__file__).parents[2]
-EVERYTHING = ("plot", "frame", "studies", "cluster", "report")
+EVERYTHING = ("plot", "frame", "studies", "cluster", "report", "app")
 """What a user of qsbearing alone may choose; ross and fem pin versions that are tried where they are used."""
 
 COMMANDS = {
@@ -68,5 +68,8 @@ def test_the_lowest_versions_run(tmp_path: Path, extras: tuple[str, ...]) -> Non
         if done.returncode != 0 or "Traceback" in done.stderr or "Warning" in done.stderr:
             failed[command] = f"exit {done.returncode}: {done.stderr[-500:]}"
     assert failed == {}
+    if "app" in extras:
+        served = "from tests.app.served import served, started\nwith served('b218') as address: started(address)"
+        subprocess.run([programs / "python", "-c", served], check=True, env=environment, cwd=PROJECT)
     for name in (command.rpartition("--out ")[2] for command in COMMANDS[extras] if "--out" in command):
         assert (tmp_path / name).exists(), name

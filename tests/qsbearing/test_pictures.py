@@ -15,9 +15,11 @@ import pytest
 import qsbearing as qs
 
 matplotlib = pytest.importorskip("matplotlib")
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.patches import Ellipse  # noqa: E402
 
 from qsbearing import pictures  # noqa: E402
+from qsbearing.pictures.style import CHANNEL_LINES, ROW_LINES, STYLE, figure_of_size, legend  # noqa: E402
 
 EFFECTS: dict[str, Any] = {
     "ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()),
@@ -181,6 +183,8 @@ def test_the_section_of_an_unloaded_ball_says_so_and_a_given_seat_is_drawn() -> 
     ball = int(np.argmin(solution.inner.load))
     texts = [text.get_text() for text in pictures.section(solution, ball=ball).axes[0].texts]
     assert "inner contact:\nno load" in texts
+    colours = {line.get_color() for line in pictures.section(solution, ball=ball).axes[0].get_lines()}
+    assert not colours & {style["color"] for style in STYLE.values()}, "no line of action where nothing acts"
     seats = []
     for outside in (160.0, 170.0):
         rings = qs.RingExpansion(90 * qs.mm, outside * qs.mm)
@@ -188,6 +192,32 @@ def test_the_section_of_an_unloaded_ball_says_so_and_a_given_seat_is_drawn() -> 
         _, _, outer = pictures.section(grown).axes[0].patches
         seats.append(outer.get_xy()[:, 1].max())
     assert seats[1] - seats[0] == pytest.approx(5.0, abs=1e-9)
+
+
+def test_a_ball_at_zero_is_marked_at_both_ends_of_its_line() -> None:
+    (axes,) = pictures.contact_angles(SOLUTIONS["combined, inner contacts lost"]).axes
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    x = lines["outer raceway"].get_xdata()
+    np.testing.assert_allclose(x[lines["outer raceway"].get_markevery()], np.arange(0.0, 361.0, 22.5))
+
+
+def test_a_colour_and_line_means_one_thing() -> None:
+    raceways = {(style["color"], style["linestyle"]) for style in STYLE.values()}
+    channels = {(style["color"], style["linestyle"]) for name, style in CHANNEL_LINES.items() if name}
+    assert len(channels | raceways | set(ROW_LINES)) == len(channels) + len(raceways) + len(ROW_LINES)
+    assert not {colour for colour, _ in ROW_LINES} & {colour for colour, _ in raceways}
+
+
+def test_a_legend_stays_within_a_narrow_sheet() -> None:
+    figure = figure_of_size(4.0, 3.0)
+    axes = figure.subplots()
+    for label in ("free contact angle", "inner raceway", "outer raceway", "no load on either raceway"):
+        axes.plot([0.0, 1.0], label=label)
+    legend(figure, axes)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    box = figure.legends[0].get_window_extent(canvas.get_renderer())
+    assert 0.0 <= box.x0 < box.x1 <= figure.bbox.width
 
 
 def test_one_case_of_many() -> None:

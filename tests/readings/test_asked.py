@@ -19,11 +19,11 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.design_report.document import document as design_report
 from qsbearing.documents.html import html
+from qsbearing.documents.terminal import text_of
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import taken
 from qsbearing.io.report import result
 from qsbearing.io.scene_file import scene_of
-from qsbearing.io.tables import text_of
 from qsbearing.readings import asked
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep

@@ -84,7 +84,7 @@ def test_rows_share_a_panel_and_the_title_names_bearing_and_preload(tmp_path: Pa
     found = qs.sweep(qs.Study.of(written(tmp_path, PAIR_FILE), {"speed_rpm": [0, 6000, 12000]}))
     figure = picture(found)
     rows = {axes.get_title("left").partition(",")[0]: len(axes.lines) for axes in figure.axes}
-    assert rows["axial load"] == rows["inner load"] == 2  # one panel, so one scale
+    assert rows["axial load"] == rows["inner contact load"] == 2  # one panel, so one scale
     (legend,) = figure.legends
     assert [text.get_text() for text in legend.get_texts()][:2] == ["row 1", "row 2"]
     title = figure.get_suptitle().replace("\n", " ")

@@ -48,6 +48,10 @@ def test_a_bend_is_no_jump() -> None:
         assert not jumps(lost, "x").values.any()
 
 
+def test_the_first_and_last_of_a_few_points_are_no_jumps() -> None:
+    assert not jumps(made([55.0, 56.5, 56.8, 56.7, 54.0]), "x").values.any(), "one neighbour alone tells nothing"
+
+
 def test_control_switches_of_a_sweep_are_marked() -> None:
     results = sweep(study_of("per_ball", "0:20000:81"))
     found = jumps(results, "speed_rpm")

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from qsbearing import block_statistics
 from qsbearing.cli import cli
-from qsbearing.io.tables import text_of
+from qsbearing.documents.terminal import text_of
 from qsbearing.pictures.study import lines, picture
 from qsbearing.studies import summary
 from qsbearing.studies.store import open_results

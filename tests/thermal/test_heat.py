@@ -268,3 +268,10 @@ def test_a_temperature_that_the_balance_finds_is_refused() -> None:
     with pytest.raises(qs.SceneFileError, match="inner_ring_temperature_C = 60 C: is found by the heat balance"):
         scene(effects=EFFECTS | {"ring_expansion": {"inner_ring_temperature_C": 60}})
     assert BEARING["bore_diameter_mm"] == 35
+
+
+def test_effects_of_a_scene_with_heat_are_not_chosen_and_that_is_said(tmp_path: Path) -> None:
+    file = tmp_path / "result.json"
+    file.write_text(json.dumps({"version": qs.__version__, "input": tables()}))
+    run = CliRunner().invoke(cli, ["run", str(file), "--accuracy", "1e-3"])
+    assert run.exit_code == 2 and "heat balance" in run.output, run.exception

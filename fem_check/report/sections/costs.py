@@ -7,8 +7,7 @@ from fem_check.cost import table as cost_table
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.from_rich import blocks as from_rich
-from qsbearing.documents.model import Block, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Paragraph, Section
 
 
 def section(evidence: Evidence) -> Section:
@@ -34,7 +33,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
         "another controlling raceway for one of the balls",
         0.85,
     )
-    blocks = [*from_rich(tables.report(kept.data)), speeds, kept.trace]
+    blocks = [*tables.report(kept.data), speeds, kept.trace]
     if auto is not None:
         found = auto.data
         worst = found["worst"][0]
@@ -58,7 +57,5 @@ def _elements(kept: Kept | None) -> list[Block]:
         "Error against time, by element family and mesh", 0.7,
     )  # fmt: skip
     cost_picture.plt.close(figure)
-    choices = cost_table.mesh_choices(found)
-    table = Table(choices.headings, choices.rows, "l" + "r" * (len(choices.headings) - 1), choices.title)
     remark = cost_table.remark(found).replace("`", "")
-    return [Paragraph(remark), drawn, table, kept.trace]
+    return [Paragraph(remark), drawn, cost_table.mesh_choices(found), kept.trace]

@@ -50,7 +50,7 @@ def draw_indices(indices: Dataset, names: Sequence[str]) -> Figure:
     for axes in grid[len(shown) :]:
         axes.remove()
     figure.supxlabel(
-        "part of the variance. Dark: the key alone; outline: with the others, 95 % confidence", fontsize=8.5
+        "share of the variance; dark: the key alone; light: with its interactions (bars: 95 % confidence)", fontsize=8.5
     )
     return figure
 

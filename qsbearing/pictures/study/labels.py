@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.result_keys import printed_unit
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -52,7 +54,10 @@ def stem(name: str) -> tuple[str, str]:
 
 
 def words(name: str) -> str:
-    """A stem in words."""
+    """A stem, or a whole name, in words."""
+    side, rest = stem(name)[1], stem(name)[0]
+    if side in ("inner", "outer") and name not in _NAMES:
+        return f"{side} {words(rest)}"
     for ending, said in (("_max", ", largest"), ("_min", ", smallest")):
         if name.endswith(ending):
             found = words(name.removesuffix(ending))
@@ -62,7 +67,7 @@ def words(name: str) -> str:
 
 def with_unit(text: str, unit: str) -> str:
     """A heading with its unit, where it has one."""
-    return text if unit in ("", "1", "balls") else f"{text}, {_printed(unit)}"
+    return text if unit in ("", "1", "balls") else f"{text}, {printed_unit(unit)}"
 
 
 def key_words(values: DataArray) -> str:
@@ -87,11 +92,7 @@ def key_heading(values: DataArray) -> str:
 def value_label(values: DataArray, number: float) -> str:
     """One value of a key, with its unit."""
     unit = str(values.attrs.get("units", ""))
-    return f"{number:.6g}" if unit in ("", "1", "balls") else f"{number:.6g} {_printed(unit)}"
-
-
-def _printed(unit: str) -> str:
-    return "°C" if unit == "C" else unit.replace("um", "µm")
+    return f"{number:.6g}" if unit in ("", "1", "balls") else f"{number:.6g} {printed_unit(unit)}"
 
 
 LETTERS_PER_INCH = 13.0
@@ -104,6 +105,8 @@ def head(figure: Figure, text: str) -> None:
     figure.suptitle("\n".join(lines), fontsize=10, parse_math=False, x=0.01, ha="left")
 
 
+WITH_MARKERS = 25
+"""Up to so many points a curve shows each of them."""
 HALF_LETTER, HALF_HEIGHT = 0.0105, 0.028
 """Of a label, as parts of a panel of 3 inches: half the width of a letter, and half the height of a line."""
 CLOSEST = 0.75
@@ -111,14 +114,16 @@ CLOSEST = 0.75
 
 
 def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) -> None:
-    """Write each label on its curve, where the nearest other curve or label is farthest away.
+    """Write each label on its curve, where the nearest other curve or label is farthest away, and where it hides
+    neither a marked point nor the curve's lowest or highest.
 
     Args:
         labels: abscissae, ordinates, text and colour of each curve.
     """
     axes.get_xlim(), axes.get_ylim()  # limits that are still to be found are found now
     to_panel = axes.transData + axes.transAxes.inverted()
-    curves = [_dense(to_panel.transform(np.column_stack([x, y]))) for x, y, _, _ in labels]
+    points = [to_panel.transform(np.column_stack([x, y])) for x, y, _, _ in labels]
+    curves = [_dense(each) for each in points]
     taken: list[tuple[NDArray, NDArray]] = []
     for number, (_, _, text, colour) in enumerate(labels):
         curve, half = curves[number], np.array([HALF_LETTER * max(len(text), 3), HALF_HEIGHT])
@@ -131,6 +136,8 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
         # Flat stretches are easier to read on than steep ones, and the middle is easier to find.
         slope = np.abs(np.gradient(curve[:, 1]) / np.maximum(np.abs(np.gradient(curve[:, 0])), 1e-9))
         worth = np.minimum(free, 2.0) - 0.15 * np.minimum(slope, 3.0) - 0.4 * np.abs(curve[:, 0] - 0.5)
+        shown = points[number] if len(points[number]) <= WITH_MARKERS else _extremes(curve)
+        worth -= (np.abs(curve[:, None] - shown) < 1.1 * half).all(axis=2).any(axis=1)
         at = int(np.argmax(np.where(inside, worth, -np.inf)))
         if not inside[at] or free[at] < CLOSEST:
             continue  # what would only hide other curves; the next panel shows it, or a picture of fewer
@@ -140,6 +147,13 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
             curve[at, 0], curve[at, 1], text, transform=axes.transAxes, fontsize=7.5, color=colour, ha="center",
             va="center", bbox=box, zorder=3,
         )  # fmt: skip
+
+
+def _extremes(curve: NDArray) -> NDArray:
+    """Where a curve turns from falling to rising or back, by more than the eye would miss."""
+    height = curve[:, 1]
+    ends = [int(height.argmin()), int(height.argmax())]
+    return curve[[at for at in ends if min(abs(height[at] - height[0]), abs(height[at] - height[-1])) > 0.01]]
 
 
 LINE = 0.045

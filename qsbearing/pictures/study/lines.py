@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 import warnings
 from typing import TYPE_CHECKING, Any
 
@@ -10,17 +11,24 @@ from numpy.typing import NDArray
 
 from qsbearing.block_statistics import MOST
 from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
-from qsbearing.pictures.study.labels import key_heading, key_words, label_curves, stem, value_label, with_unit, words
+from qsbearing.pictures.study.labels import (
+    WITH_MARKERS,
+    key_heading,
+    key_words,
+    label_curves,
+    stem,
+    value_label,
+    with_unit,
+    words,
+)
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
-from qsbearing.pictures.style import GREY, ROW_LINES, STYLE, figure_of_size, plain
+from qsbearing.pictures.style import CHANNEL_LINES, GREY, ROW_LINES, STYLE, figure_of_size, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from xarray import DataArray, Dataset
 
-WITH_MARKERS = 25
-"""Up to so many points a curve shows each of them."""
 BAND = (0.05, 0.95)
 """Quantiles of the samples between which a band is drawn."""
 _ALL_BALLS = "all balls (line: the most loaded one)"
@@ -32,14 +40,8 @@ _MARKS = {
 }
 MOST_MARKS = 30
 """On a curve; more would hide it."""
-_CHANNEL_STYLES: dict[str, dict[str, Any]] = {
-    "": {"color": "0.1", "linestyle": "-"},
-    "axial": {"color": "0.1", "linestyle": "-"},
-    "radial_y": {"color": "#009e73", "linestyle": "--"},
-    "radial_z": {"color": "#cc79a7", "linestyle": "-."},
-    "tilt_y": {"color": "#009e73", "linestyle": ":"},
-    "tilt_z": {"color": "#cc79a7", "linestyle": (0, (5, 1))},
-}
+ROUNDING = 1e-6
+"""Of the printed unit: a result that is nowhere larger is zero but for rounding, and drawn as such."""
 
 
 def draw_lines(chosen: Selection) -> Figure:
@@ -63,6 +65,7 @@ def draw_lines(chosen: Selection) -> Figure:
 
 def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, Any]:
     """Draw one panel; what its curves are, for the legend."""
+    from matplotlib.patches import Patch
     from matplotlib.ticker import MaxNLocator
 
     results, x = chosen.results, chosen.results[chosen.x].values
@@ -82,7 +85,8 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
             if low is not None and high is not None and not np.allclose(low, high, equal_nan=True):
                 band = axes.fill_between(x, low, high, color=style["color"], alpha=0.13, linewidth=0.0)
                 is_sampled = SAMPLE in results[name].dims
-                handles.setdefault("5 % to 95 % of the samples" if is_sampled else _ALL_BALLS, band)
+                patch = Patch(facecolor="0.35", alpha=band.get_alpha())  # of either raceway's colour in the panels
+                handles.setdefault("5 % to 95 % of the samples" if is_sampled else _ALL_BALLS, patch)
             handles |= _mark_jumps(axes, point, x, line, chosen.x)
             if chosen.other:
                 text = value_label(results[chosen.other], float(results[chosen.other].values[number]))
@@ -128,12 +132,14 @@ def _style(which: str) -> dict[str, Any]:
     if which.startswith("row "):
         number = int(which.removeprefix("row ")) - 1
         return {"marker": "D", **dict(zip(("color", "linestyle"), ROW_LINES[number % len(ROW_LINES)], strict=True))}
-    return STYLE[which] if which in STYLE else {"marker": "D", **_CHANNEL_STYLES.get(which, _CHANNEL_STYLES[""])}
+    return STYLE[which] if which in STYLE else {"marker": "D", **CHANNEL_LINES.get(which, CHANNEL_LINES[""])}
 
 
 def _limits(axes: Axes) -> None:
     low, high = axes.get_ylim()
-    if 0.0 < low < 0.4 * high:
+    if max(-low, high) < ROUNDING:
+        axes.set_ylim(-1.0, 1.0)
+    elif 0.0 < low < 0.4 * high:
         axes.set_ylim(bottom=0.0)
 
 
@@ -206,17 +212,11 @@ def _say_unsolved(axes: Axes, chosen: Selection) -> None:
         axes.axvspan(edges[start], edges[stop + 1], color="0.93", zorder=0)
         why = meanings[int(first[start])].rpartition(":")[2].replace("_", " ").strip()
         middle = 0.5 * (edges[start] + edges[stop + 1])
-        said = "\n".join(_wrapped("not converged" if why == "none" else why, 22))
+        said = textwrap.fill("not converged" if why == "none" else why, 22)
         axes.text(
             middle, 0.5, said, rotation=90, transform=axes.get_xaxis_transform(), fontsize=7, ha="center", va="center",
             color=GREY,
         )  # fmt: skip
-
-
-def _wrapped(text: str, width: int) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(text, width)
 
 
 def curves_of(chosen: Selection) -> str:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import value_label
+from qsbearing.pictures.study.labels import key_words, value_label
 from qsbearing.pictures.study.selection import SAMPLE, Selection
 from qsbearing.pictures.style import figure_of_size, label_circles, legend, line_style
 
@@ -23,7 +23,7 @@ def draw_roses(chosen: Selection) -> Figure:
         results = results.isel({chosen.other: 0})
     count = results.sizes.get(chosen.x, 1)
     numbers = np.unique(np.linspace(0, count - 1, min(MOST, count)).round().astype(int))
-    figure = figure_of_size(2.7 * numbers.size + 0.4, 4.3)
+    figure = figure_of_size(2.7 * numbers.size + 0.4, 3.7)
     panels = np.atleast_1d(np.array(figure.subplots(1, numbers.size, subplot_kw={"projection": "polar"}), object))
     top = 1.08 * max(float(results[f"{side}_load"].isel({chosen.x: numbers}).max()) for side in ("inner", "outer"))
     unit = str(results["inner_load"].attrs.get("units", "N"))
@@ -39,10 +39,11 @@ def draw_roses(chosen: Selection) -> Figure:
         axes.set_thetagrids(range(0, 360, 90), ["y", "z", "", ""], fontsize=8)
         loads = [point[f"{side}_load"].values[known] for side in ("inner", "outer")]
         label_circles(axes, azimuth[known], loads, top)
-        axes.set_title(f"contact load, {unit}", fontsize=9.5, loc="left", pad=12)
         axes.tick_params(labelsize=7)
         axes.grid(color="0.85", linewidth=0.6)
         text = value_label(results[chosen.x], float(results[chosen.x].values[number]))
-        axes.set_xlabel(text if (point["status"] == 0) else f"{text}: no solution", fontsize=9)
+        text = f"{key_words(results[chosen.x])} {text}"
+        axes.set_title(text if (point["status"] == 0) else f"{text}: no solution", fontsize=9, pad=12)
+    figure.supylabel(f"contact load, {unit}", fontsize=9)
     legend(figure, panels[0])
     return figure

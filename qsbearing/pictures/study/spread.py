@@ -75,13 +75,15 @@ def draw_sensitivities(chosen: Selection) -> Figure:
     for row, column in np.ndindex(*correlation.shape):
         value = correlation[row, column]
         colour = "white" if abs(value) > 0.75 else "black"
-        axes.text(column, row, f"{value:+.2f}", ha="center", va="center", fontsize=8, color=colour)
+        axes.text(column, row, f"{value:+.2f}".replace("-", "−"), ha="center", va="center", fontsize=8, color=colour)
     said = [f"{stem(name)[1].replace('_', ' ')} {words(stem(name)[0])}".strip() for name in names]
     axes.set_yticks(range(len(names)), said, fontsize=8)
     axes.set_xticks(range(len(keys)), [key_words(chosen.results[key]).replace(" ", "\n") for key in keys], fontsize=8)
     axes.xaxis.tick_top()
     axes.tick_params(length=0)
-    axes.set_xlabel("rank correlation: +1 rises with the key alone,\n0 does not follow it", fontsize=8)
+    axes.set_xlabel(
+        "Rank correlation: near ±1, the result follows this key;\nnear 0, it does not depend on it.", fontsize=8
+    )
     return figure
 
 

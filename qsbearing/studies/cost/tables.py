@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from textwrap import wrap
 from typing import Any
 
-from rich.console import Group
-from rich.padding import Padding
-from rich.table import Table
-from rich.text import Text
-
-from qsbearing.io.tables import plain_table
+from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.judgement import WORDS
 from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import in_a_line
@@ -19,10 +14,9 @@ from qsbearing.studies.cost.measuring import in_a_line
 Row = dict[str, Any]
 
 
-def report(record: dict[str, Any]) -> Group:
-    """Everything in the record, for the terminal."""
-    parts = (_levels(record), _speeds(record), _scaling(record))
-    return Group(_heading(record), *(Padding(part, (1, 0, 0, 0)) for part in parts))
+def report(record: dict[str, Any]) -> list[Block]:
+    """Everything in the record."""
+    return [*_heading(record), _levels(record), _speeds(record), _scaling(record)]
 
 
 def select(rows: list[Row], **chosen: Any) -> list[Row]:
@@ -42,47 +36,40 @@ def worst(row: Row, groups: Iterable[str] = WORDS) -> float | None:
     return None if None in values else max(values)
 
 
-def _heading(record: dict[str, Any]) -> Text:
+def _heading(record: dict[str, Any]) -> list[Block]:
     rounds, processes = (record["settings"][name] for name in ("rounds", "processes"))
-    return Text.assemble(
-        (record["bearing"] or "Bearing", "bold"),
-        f"  {record['scene']}\n{in_a_line(record['machine'])}\n",
-        f"Processor time: medians of {rounds} rounds in each of {processes} processes, in brackets their 5 % and 95 %.",
+    name = record["bearing"] or "Bearing"
+    how = (
+        f"Processor time: medians of {rounds} rounds in each of {processes} processes, in brackets their 5 % and 95 %."
     )
+    return [Paragraph(f"{name}  {record['scene']}", name), Paragraph(in_a_line(record["machine"])), Paragraph(how)]
 
 
 def _levels(record: dict[str, Any]) -> Table:
     batch = record["settings"]["batch"]
     heading = ["", "one call\nus", "of the finest\n", f"a case of {batch}\nus", "of the finest\n"]
-    table = _table("Model levels: time", heading)
+    cells = []
     for level in levels_of(record):
         rows = select(record["measured"], part="levels", name=level.name)
-        table.add_row(level.text, *(cell for row in rows for cell in (_micro(row), _ratio(row))))
-    return table
+        cells.append((level.text, *(cell for row in rows for cell in (_micro(row), _ratio(row)))))
+    return Table(heading, cells, caption="Model levels: time")
 
 
 def _speeds(record: dict[str, Any]) -> Table:
     named = [row for row in select(record["errors"], level=levels_of(record)[0].name) if row["speed"] is not None]
     heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:g}"]) for row in named)]
-    table = _table("Error of the worst result by speed; below: dm n, mm rpm", heading)
+    cells = []
     for level in levels_of(record):
         rows = [row for row in select(record["errors"], level=level.name) if row["speed"] is not None]
-        table.add_row(level.text, *(short(worst(row)) for row in rows))
-    return table
+        cells.append((level.text, *(short(worst(row)) for row in rows)))
+    return Table(heading, cells, caption="Error of the worst result by speed; below: dm n, mm rpm")
 
 
 def _scaling(record: dict[str, Any]) -> Table:
-    table = _table("Scaling: cases in one call, one thread", ["cases", "us a case", "of the last", "MB"])
-    for row in select(record["measured"], part="cases"):
-        table.add_row(row["name"], _micro(row), _ratio(row), f"{row['memory_MB']:.0f}")
-    return table
-
-
-def _table(title: str, heading: Sequence[str]) -> Table:
-    table = plain_table(title, heading)
-    for column in table.columns:
-        column.no_wrap, column.overflow = False, "fold"  # cut off, a number would be another number
-    return table
+    heading = ["cases", "us a case", "of the last", "MB"]
+    measured = select(record["measured"], part="cases")
+    rows = [(row["name"], _micro(row), _ratio(row), f"{row['memory_MB']:.0f}") for row in measured]
+    return Table(heading, rows, caption="Scaling: cases in one call, one thread")
 
 
 def _micro(row: Row) -> str:

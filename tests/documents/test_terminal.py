@@ -1,0 +1,41 @@
+"""A table is built once: the terminal shows what the HTML page shows."""
+
+from __future__ import annotations
+
+import html
+import re
+
+import pytest
+
+from qsbearing.documents.html import part
+from qsbearing.documents.model import Badge, Block, Bullets, Paragraph, Remark, Table
+from qsbearing.documents.terminal import text_of
+
+BLOCKS: list[Block] = [
+    Paragraph("B218 [old]  16 balls", lead="B218 [old]"),
+    Remark("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
+    Table(
+        ("name", "load\nN", ""),
+        [("[7] 7210C", "1234.5", Badge("pass")), ("a name that is long enough to be folded", "-0.25", Badge("fail"))],
+        "lrl", "Loads [of rows]", notes=[("*", "inferred")],
+    ),
+    Paragraph("Below it", is_apart=True),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("width", [34, 100])
+def test_a_terminal_shows_every_word_of_the_page(width: int) -> None:
+    page = html.unescape(re.sub(r"<[^>]*>", " ", part(BLOCKS)))
+    shown = text_of(BLOCKS, width)
+    assert sorted(page.split()) == sorted(word for word in shown.split() if "─" not in word)
+    assert max(map(len, shown.splitlines())) <= width
+
+
+def test_tables_and_what_is_apart_follow_an_empty_line() -> None:
+    lines = text_of(BLOCKS, 100).splitlines()
+    assert [lines[number + 1].split()[0] for number, line in enumerate(lines) if not line] == ["Loads", "*", "Below"]
+
+
+def test_a_piece_that_a_terminal_cannot_show_is_refused() -> None:
+    with pytest.raises(TypeError, match="Bullets"):
+        text_of([Bullets(["one"])])
