@@ -10,13 +10,13 @@ import click
 from qsbearing.cli.output import print_table, print_text, refuse
 
 
-@click.command(short_help="Make the source paper's figures; judge what it states.")
+@click.command(short_help="Make the figures of the source paper and check its statements.")
 @click.option("--out", default="figures", show_default=True, metavar="DIR", help="Folder for pictures and results.")
 def figures(out: str) -> None:
     """Reproduce Figs 19.4 to 19.7 of the source paper for B218, and maps beyond them.
 
-    Each is made from a study file that is written beside it, as a start for studies of your own; each statement about
-    it is checked: it holds, holds in a range, or does not hold.
+    Each figure is made from a study file, which is written beside it as a start for studies of your own. Each statement
+    about it in the paper is checked: it holds, holds in a range, or does not hold.
 
     Exit codes: 0 made, 2 bad input.
     """
