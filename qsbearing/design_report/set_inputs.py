@@ -68,7 +68,7 @@ def _rows(of: BearingSet) -> Table:
         ("from the row before, mm", "r", list(distances)),
     ]
     if any(float(np.asarray(row.offset)) != 0.0 for row in of.rows):
-        columns.append(("offset, um", "r", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
+        columns.append(("offset, µm", "r", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
     if any(row.sprung for row in of.rows):
         columns.append(("outer ring", "l", ["slides, sprung" if row.sprung else "fixed" for _, row in order]))
     headings, sides, cells = zip(*columns, strict=True)
