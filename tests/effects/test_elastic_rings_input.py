@@ -122,6 +122,32 @@ def in_housing(interference: Any, rings: qs.ElasticRings = PRESSED_RINGS, **load
     return qs.solve(qs.Scene(B218, qs.Operation(**THRUST | loads), ring_effects=(fit, rings)))
 
 
+ALUMINIUM = qs.Material(70e9, 0.33, 2700.0)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "said"),
+    [
+        ({}, ALUMINIUM, "housing_elastic_modulus = 2.08e+11 Pa: is that of the rings, for it is left out, but the"),
+        ({"housing_elastic_modulus": 70e9}, None, "is given here, but the housing of ring_expansion has 208 GPa"),
+        ({"housing_elastic_modulus": 70e9}, ALUMINIUM, "housing_poisson_ratio"),
+        ({"housing_elastic_modulus": 70e9, "housing_poisson_ratio": 0.33}, ALUMINIUM, ""),
+    ],
+)
+def test_a_housing_is_of_one_material(here: dict[str, float], there: qs.Material | None, said: str) -> None:
+    """Described for elastic rings and for the fit; left out, it is of the rings' in either."""
+    fit = qs.RingExpansion(
+        **PRESSED, housing_interference=60e-6, housing_outside_diameter=220 * qs.mm, housing_material=there
+    )
+    effects = (fit, replace(PRESSED_RINGS, **here))
+    if not said:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+        return
+    with pytest.raises(qs.SceneError, match="One body has one material") as error:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+    assert said in str(error.value)
+
+
 def test_a_clearance_closes() -> None:
     """The ring grows as a free one until the clearance is used up; then the housing carries, and nothing jumps.
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.sets.axial_growth import growth_along
 from qsbearing.sets.preload_limits import preload_summary
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
@@ -376,12 +375,12 @@ def test_a_shaft_that_is_not_as_warm_at_every_row_grows_between_them_by_the_mean
         for place, effect in zip(places, effects, strict=True)
     )
     of = qs.BearingSet(found, qs.Operation(axial_load=1e3), reference_position=0.04)
-    moved = [float(growth_along(of, of.rows[number].position, 0)) for number in range(3)]
+    moved = [float(of.growth[0](of.rows[number].position)) for number in range(3)]
     expected = 12e-6 * np.array([-10.0 * 0.04, 10.0 * 0.01, 10.0 * 0.01 + 40.0 * 0.1])
     np.testing.assert_allclose(moved, expected, rtol=1e-9)
     both = warm_fits(shaft=np.array([20.0, 80.0]) + qs.zero_celsius)
     spanning = replace(of, rows=(*of.rows[:2], replace(of.rows[2], ring_effects=both)))
     np.testing.assert_allclose(
-        growth_along(spanning, spanning.rows[2].position, 0), [12e-6 * (0.1 + 10.0 * 0.1), expected[2]], rtol=1e-9
+        spanning.growth[0](spanning.rows[2].position), [12e-6 * (0.1 + 10.0 * 0.1), expected[2]], rtol=1e-9
     )
     assert solved(spanning).axial_loads.shape == (2, 3)
