@@ -136,7 +136,7 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
                 (
                     f"{effect.name}.{body}_temperature_C",
                     _text(each.value - zero_celsius),
-                    "C",
+                    "°C",
                     f"left out: {each.taken_from}",
                 )
                 for body, each in effect.temperatures.items()
