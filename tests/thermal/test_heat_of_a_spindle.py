@@ -105,4 +105,6 @@ def test_files_run_heat_and_report(tmp_path: Path) -> None:
     assert again["thermal"]["temperatures_C"]["shaft"] == found["thermal"]["temperatures_C"]["shaft"]
     made = CliRunner().invoke(cli, ["report", str(path), "--out", str(tmp_path)])
     assert made.exit_code == 0, made.output
-    assert "tool" in (tmp_path / "spindle_report.html").read_text(encoding="utf-8")
+    page = (tmp_path / "spindle_report.html").read_text(encoding="utf-8")
+    table = page[page.index("Shaft section 1") :]
+    assert "tool" in page and all(each in table for each in ("Shaft section 2", "Load on the shaft 1", "length_mm"))
