@@ -25,24 +25,24 @@ STEADY = (
     "load."
 )
 OF_SETS = (
-    "Shaft and housing are rigid: nothing bends, and rows keep their distances but for what heat makes of them, by the "
-    "temperatures of shaft and housing in the input."
+    "Shaft and housing are rigid: nothing bends, and the distances of the rows change only with the temperatures of "
+    "shaft and housing in the input."
 )
 OF_SHAFTS = (
-    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings give way where "
-    "the input has their stiffness, as linear springs. Rings are as wide as their balls' plane: no seat stiffens the "
+    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
+    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
     "shaft."
 )
-RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
-GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."
-NOT_GROWN = "Rings keep the size that they have at rest and cold: neither rotation, fits nor heat change it."
+RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
+GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
+NOT_GROWN = "Rings keep the size that they have at rest and cold: rotation, fits and heat do not change it."
 EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
 FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
 ROLLING = {
     RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
     RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
     RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
-    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins as it takes the least friction power (a hypothesis).",
+    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins so that the friction power is least (a hypothesis).",
 }
 UNBOUNDED = (
     "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
@@ -52,7 +52,7 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 
 
 def _of_shaft(solution: SetSolution) -> str:
-    """What the set rests on in shaft and housing."""
+    """What the set assumes of shaft and housing."""
     of = solution.set
     is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
     return OF_SHAFTS if is_elastic else OF_SETS

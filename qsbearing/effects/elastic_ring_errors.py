@@ -67,7 +67,7 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     given += [f"{seat}_{name}" for name, value in constants.items() if value is not None]
     given += [] if word is None else [seat]
     if table is not None:
-        cause = f"Leave out {', '.join(given)}: the compliances say all that there is to know"
+        cause = f"Leave out {', '.join(given)}: the compliances replace them"
         beside = [ErrorDetail(f"{path}.{given[0]}", f"is given beside {side}_compliance", cause=cause)] if given else []
         return beside + _table_errors(f"{path}.{side}_compliance", table)
     if not given:

@@ -122,6 +122,32 @@ def in_housing(interference: Any, rings: qs.ElasticRings = PRESSED_RINGS, **load
     return qs.solve(qs.Scene(B218, qs.Operation(**THRUST | loads), ring_effects=(fit, rings)))
 
 
+ALUMINIUM = qs.Material(70e9, 0.33, 2700.0)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "said"),
+    [
+        ({}, ALUMINIUM, "housing_elastic_modulus = 2.08e+11 Pa: is that of the rings, for it is left out, but the"),
+        ({"housing_elastic_modulus": 70e9}, None, "is given here, but the housing of ring_expansion has 208 GPa"),
+        ({"housing_elastic_modulus": 70e9}, ALUMINIUM, "housing_poisson_ratio"),
+        ({"housing_elastic_modulus": 70e9, "housing_poisson_ratio": 0.33}, ALUMINIUM, ""),
+    ],
+)
+def test_a_housing_is_of_one_material(here: dict[str, float], there: qs.Material | None, said: str) -> None:
+    """Described for elastic rings and for the fit; left out, it is of the rings' in either."""
+    fit = qs.RingExpansion(
+        **PRESSED, housing_interference=60e-6, housing_outside_diameter=220 * qs.mm, housing_material=there
+    )
+    effects = (fit, replace(PRESSED_RINGS, **here))
+    if not said:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+        return
+    with pytest.raises(qs.SceneError, match="One body has one material") as error:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+    assert said in str(error.value)
+
+
 def test_a_clearance_closes() -> None:
     """The ring grows as a free one until the clearance is used up; then the housing carries, and nothing jumps.
 
@@ -166,7 +192,7 @@ def test_a_ring_that_touches_its_housing_somewhere_is_told() -> None:
     """Under radial load, in either state; not where the clearance is wide."""
     said = {um: qs.warnings(in_housing(-um * qs.um, radial_load_y=10000.0)) for um in (1.0, 18.0, 100.0)}
     assert any("lift off the housing" in each for each in said[1.0])
-    assert any("as to touch it somewhere" in each for each in said[18.0])
+    assert any("so far that it touches it" in each for each in said[18.0])
     assert not any("housing" in each for each in said[100.0])
 
 
@@ -187,7 +213,7 @@ def test_a_seat_is_looked_at_only_where_fit_and_balls_both_move_it(monkeypatch: 
 def test_clearances_in_sets_are_refused() -> None:
     fit = qs.RingExpansion(**PRESSED, housing_interference=-5 * qs.um, housing_outside_diameter=220 * qs.mm)
     rows = tuple(qs.Row(B218, position=x * qs.mm, carries=c) for x, c in ((0.0, "+x"), (50.0, "-x")))
-    with pytest.raises(qs.SceneError, match="off its ring in operation"):
+    with pytest.raises(qs.SceneError, match="of clearance to its ring in operation"):
         qs.BearingSet(rows, qs.Operation(axial_load=1000.0), ring_effects=(fit, PRESSED_RINGS))
 
 
