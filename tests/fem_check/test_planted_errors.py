@@ -228,8 +228,8 @@ PLANTED = {
     ),
     "rows of a set tilt the wrong way": (
         "qsbearing/sets/rigid_shaft.py",
-        "matrix[:, 2, 3] = -arm",
-        "matrix[:, 2, 3] = arm",
+        "matrix[:, 1, 4], matrix[:, 2, 3] = arm, -arm",
+        "matrix[:, 1, 4], matrix[:, 2, 3] = arm, arm",
         SOLUTION,
     ),
     "rows of a set displaced without their offset": (
