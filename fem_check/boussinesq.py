@@ -24,29 +24,26 @@ def point_load_displacement(dx: Array, dy: Array, z: Array, poisson_ratio: float
     return radial * dx, radial * dy, factor * (2.0 * (1.0 - nu) / rho + z * z / rho**3)
 
 
-def pressure_displacement(
-    points: Array, load_points: Array, loads: sp.csr_matrix, poisson_ratio: float, symmetric: bool = True
-) -> Array:
-    """Displacement of the half-space at `points` under each pressure basis function.
+def pressure_displacement(points: Array, load_points: Array, loads: sp.csr_matrix, poisson_ratio: float) -> Array:
+    """Displacement of the half-space at `points` under each pressure basis function; these fill the quarter x, y >= 0
+    and are mirrored in both planes.
 
     Args:
         points: where, shape (3, point), lengths in any unit, E = 1.
         load_points: where the pressure is sampled, shape (2, sample), on z = 0.
         loads: force of each basis function at each sample, shape (sample, basis).
-        symmetric: the basis functions fill the quarter x, y >= 0 and are mirrored in both planes.
 
     Returns:
         shape (3, point, basis).
     """
     found = np.zeros((3, points.shape[1], loads.shape[1]))
     transposed = loads.T.tocsr()
-    signs = [(1, 1), (1, -1), (-1, 1), (-1, -1)] if symmetric else [(1, 1)]
     # Blocks of about 10 MB: the full table of points times samples would be the memory peak of a fine mesh.
     block = max(1, int(4e5 / load_points.shape[1]))
     for start in range(0, points.shape[1], block):
         some = points[:, start : start + block]
         total = [np.zeros((some.shape[1], load_points.shape[1])) for _ in range(3)]
-        for sign_x, sign_y in signs:
+        for sign_x, sign_y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
             dx = some[0][:, None] - sign_x * load_points[0]
             dy = some[1][:, None] - sign_y * load_points[1]
             for axis, part in enumerate(point_load_displacement(dx, dy, some[2][:, None], poisson_ratio)):

@@ -80,4 +80,8 @@ class PressureBasis:
     def weighted(self, function: GapFunction) -> Array:
         """Integral of each basis function times a function of (x, y), shape (basis,)."""
         (x, y), _ = self.samples
-        return np.asarray(self.loads.T @ function(x, y))
+        return np.asarray(self._weights @ function(x, y))
+
+    @cached_property
+    def _weights(self) -> sp.csr_matrix:
+        return sp.csr_matrix(self.loads.T)

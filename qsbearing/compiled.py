@@ -35,6 +35,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.typed_passes import AnnotateTypes
+from numba.core.types import unliteral
 
 from qsbearing.private_folder import fault_of, for_the_user_alone
 
@@ -175,9 +176,19 @@ _WHOLE: Any = {"pipeline_class": _WholeCompiler} if _BUILDS_PARTS else {}
 _njit: Any = numba.njit  # its stubs do not know these options
 
 
+def _once(dispatcher: Any) -> Any:
+    """Compiled once for all values of an argument: numba compiles a function anew for each number written in a call."""
+    if COMPILED:
+        template = dispatcher.get_call_template
+        dispatcher.get_call_template = lambda args, names: template(
+            [unliteral(each) for each in args], {name: unliteral(each) for name, each in names.items()}
+        )
+    return dispatcher
+
+
 def kernel(function: F) -> F:
     """Compile a function of the kernel, for the entries that call it; compiled, Python cannot call it."""
-    return cast(F, _njit(**_OPTIONS, **_PART)(function))
+    return cast(F, _once(_njit(**_OPTIONS, **_PART)(function)))
 
 
 def inlined(function: F) -> F:
@@ -185,7 +196,7 @@ def inlined(function: F) -> F:
 
     Left to itself, LLVM calls most of them: a batch takes a tenth longer. The digits are the same.
     """
-    return cast(F, _njit(**_OPTIONS, **_PART, forceinline=True)(function))
+    return cast(F, _once(_njit(**_OPTIONS, **_PART, forceinline=True)(function)))
 
 
 def formula(function: F) -> F:

@@ -24,8 +24,6 @@ FOLDER = Path(__file__).parents[1]
 PACKAGES = ("numpy", "numba", "scipy")
 """On which every number rests."""
 
-NOT_RECORDED = "not recorded"
-
 
 def of_run(command: str, level: str | None = None, packages: Iterable[str] = ()) -> dict[str, Any]:
     """What a record states of the run that made it.
@@ -45,23 +43,6 @@ def of_run(command: str, level: str | None = None, packages: Iterable[str] = ())
         "command": command,
         "level": level,
     }
-
-
-def in_words(record: dict[str, Any]) -> str:
-    """A record's provenance as a line of text."""
-    found = record.get("provenance")
-    if not found:
-        return NOT_RECORDED
-    machine = found["machine"]
-    source = f"commit {found['commit'][:12]}" if found["commit"] else "no commit"
-    changed = " with changes that are not committed" if found["dirty"] else ""
-    memory = f", {machine['memory_GB']:g} GB" if machine["memory_GB"] else ""
-    packages = ", ".join(f"{name} {version}" for name, version in found["packages"].items())
-    return (
-        f"qsbearing {found['qsbearing']}, {source}{changed}, {found['date']}, {machine['processor']}, "
-        f"{machine['cores']} cores{memory}, {machine['system']}, Python {machine['python']}, {packages}; "
-        f"made by `{found['command']}`"
-    )
 
 
 def now() -> str:

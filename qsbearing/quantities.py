@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.effects.operating_point import Solved
 from qsbearing.result_keys import (
     BALL,
     CONTACT,
@@ -34,46 +35,18 @@ if TYPE_CHECKING:
     from qsbearing.thermal.state import ThermalState
 
 
-class Contacts(Protocol):
-    """All contacts of one raceway, as `qsbearing.solution` has them."""
-
-    @property
-    def load(self) -> NDArray: ...
-    @property
-    def approach(self) -> NDArray: ...
-    @property
-    def sine(self) -> NDArray: ...
-    @property
-    def cosine(self) -> NDArray: ...
-    @property
-    def required_friction(self) -> NDArray | None: ...
-
-
-class Solution(Protocol):
+class Solution(Solved, Protocol):
     """What is read here and in `columns` of a solution, which lies above: its methods call what is here."""
 
     scene: Scene
-    shape: tuple[int, ...]
     thermal: ThermalState | None
 
-    @property
-    def inner(self) -> Contacts: ...
-    @property
-    def outer(self) -> Contacts: ...
-    @property
-    def azimuth(self) -> NDArray: ...
-    @property
-    def displacement(self) -> NDArray: ...
     @property
     def stiffness(self) -> NDArray: ...
     @property
     def gyroscopic_moment(self) -> NDArray | None: ...
     @property
-    def raceway_control(self) -> NDArray | None: ...
-    @property
     def slips(self) -> NDArray | None: ...
-    @property
-    def converged(self) -> Any: ...
     @property
     def status(self) -> Any: ...
     @property

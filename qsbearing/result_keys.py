@@ -30,6 +30,11 @@ def split(key: str) -> tuple[str, str]:
     return key, "1"
 
 
+def printed_unit(unit: str) -> str:
+    """A unit as people write it: µm, °C; in keys and attributes it is plain ASCII."""
+    return "°C" if unit == "C" else unit.replace("um", "µm")
+
+
 class Shown(NamedTuple):
     """One number of a result."""
 
@@ -59,8 +64,9 @@ class Shown(NamedTuple):
 
     @property
     def plain_symbol(self) -> str:
-        """For tables of plain text: p0 for p_0, delta for its Greek letter."""
-        return re.sub(r"[\\\\{}_]", "", self.symbol)
+        """For tables of plain text: p0 for p_0, δ for \\delta."""
+        plain = self.symbol.replace(r"\delta", "δ").replace(r"\mu", "µ")
+        return re.sub(r"[\\\\{}_]", "", plain)
 
 
 def attributes(unit: str, words: str, symbol: str, source: str) -> dict[str, str]:

@@ -182,6 +182,17 @@ def within(field: str, value: Any, quantity: Quantity, low: float, high: float, 
     return [ErrorDetail(field, problem, wrong, quantity, (low, high), cause, outside)]
 
 
+def on_side(field: str, value: Any, limit: Any, outward: float, what: str) -> list[ErrorDetail]:
+    """The error of a length that does not lie beyond another: above it where outward is 1, below it where -1."""
+    found, other = np.broadcast_arrays(np.asarray(value, float), np.asarray(limit, float))
+    bad = outward * (found - other) <= 0.0
+    if not bad.any():
+        return []
+    wrong, least = first(bad, found, other)
+    allowed = (least, 20.0) if outward > 0.0 else (0.0, least)
+    return [ErrorDetail(field, f"is not {what}, {least / mm:.6g} mm", wrong, LENGTH, allowed, where=bad)]
+
+
 def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> str:
     """A sentence naming the unit in which an out-of-range SI value would be in range; empty where none would."""
     for _, name, size in quantity.units:

@@ -18,7 +18,7 @@ SIZES = (8.0, 16.0, 32.0)
 """Half-length of the boxes in semi-major axes; half-width and depth are SHAPE times as many semi-minor axes."""
 SHAPE = 8.2
 """a/b of B218's inner contact, for which the boxes are cubes; their growth, not their shape, is what counts."""
-ELEMENTS = {Level.QUICK: 4, Level.RELEASE: 6}
+ELEMENTS = {Level.QUICK: 3, Level.RELEASE: 6}
 TOLERANCE = 0.5
 
 

@@ -6,15 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from fem_check import boundary_element, contact, convergence, half_space_contact, measuring
+from fem_check import boundary_element, contact, convergence, half_space_contact, measuring, meshing
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
-from fem_check.checks import groove_contacts
 from fem_check.groove import BallInGroove
 from fem_check.references import hertz
 from fem_check.scenes import groove_contact
 
-COEFFICIENTS = {Level.QUICK: (0.56, 0.515, 0.51), Level.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
+COEFFICIENTS = {Level.QUICK: (0.56, 0.51), Level.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
 """f = r/D, open to close. The closest is for finer meshes: its ellipse is 3 % off Hertz's."""
+ELEMENTS = {Level.QUICK: (4, 5, 6), Level.RELEASE: half_space_contact.SEQUENCES[Level.RELEASE]}
+"""Per semi-axis, coarse to fine. Of a ratio on one mesh little error is left, so the quick level's may be coarser than
+those of the other contacts."""
 LOAD = 2000.0
 LOADS = (125.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0)
 LIMITS = (1.0, 5.0)
@@ -48,8 +50,7 @@ def over_hertz(groove: BallInGroove, load: float, elements: int, progress: Progr
 def gap_rows(groove: BallInGroove, case: str, level: Level, progress: Progress) -> list[Row]:
     """What the gap's shape does to each quantity, finite elements against boundary elements."""
     reference = boundary_element.over_hertz(groove, LOAD)
-    counts = half_space_contact.SEQUENCES[level]
-    found = [over_hertz(groove, LOAD, count, progress) for count in counts]
+    found = [over_hertz(groove, LOAD, count, progress) for count in ELEMENTS[level]]
     rows = []
     for name, tolerance in TOLERANCES[level].items():
         mesh = convergence.largest_change([each[name] for each in found])
@@ -88,7 +89,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         groove = replace(base, groove_radius=coefficient * base.ball_diameter)
         case = f"f = {coefficient:g}, Q = {LOAD:.0f} N"
         rows += gap_rows(groove, case, level, progress)
-        every = [over_hertz(groove, load, half_space_contact.SEQUENCES[level][-1], progress) for load in LOADS]
+        every = [over_hertz(groove, load, ELEMENTS[level][-1], progress) for load in LOADS]
         curve = {name: [100.0 * (each[name] - 1.0) for each in every] for name in boundary_element.QUANTITIES}
         curves[f"{coefficient:g}"] = curve
         worst = [max(abs(curve[name][i]) for name in curve) for i in range(len(LOADS))]
@@ -99,7 +100,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             within = "stays within {:g} % up to" if load is None else "is off by {:g} % at"
             reached.append(f"f = {coefficient:g}: it {within.format(limit)} {at:.0f} N ({pressure:.0f} MPa).")
     series["curves"] = curves
-    bodies = half_space_contact.condensed_bodies(base.problem(LOAD), half_space_contact.SEQUENCES[level][-2])
+    bodies = half_space_contact.condensed_bodies(base.problem(LOAD), ELEMENTS[level][-2])
     entry = {
         "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
         "dofs": bodies.race.dofs,
@@ -120,5 +121,5 @@ CHECK = Check(
     reference="boundary elements on half-spaces, exact gap",
     tolerance="approach and a 0.1 %, b 0.2 %, p0 0.05 % of boundary elements (quick level: p0 0.3 %)",
     run=run,
-    largest_dofs=groove_contacts.largest_dofs,
+    largest_dofs=lambda level: meshing.half_space(ELEMENTS[level][-1]).dofs,
 )

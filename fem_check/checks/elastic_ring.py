@@ -118,7 +118,7 @@ def _constants(material: ElasticConstants) -> tuple[float, float]:
     return material.elastic_modulus, material.poisson_ratio
 
 
-def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.Give]]:
+def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.PressureCompliance]]:
     """Each ring on a grid, whether it is pressed at its bore, and what the model says of it."""
     around, through = grid
     thick = around, 2 * through
@@ -130,14 +130,16 @@ def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.
     housing = body((B218[1], HOUSING), thick, ALUMINIUM)
     shaft = body((SHAFT, INNER[0]), thick, ALUMINIUM)
     return {
-        "free outer ring 73.863/80 mm": (Ring(outer), True, ring_compliance.outer_ring_give(annulus(outer), None)),
-        "free outer ring 99/101 mm": (Ring(thin), True, ring_compliance.outer_ring_give(annulus(thin), None)),
-        "outer ring 73.863/80 mm, sliding in aluminium 200 mm": (
-            Ring(outer, housing), True, ring_compliance.outer_ring_give(annulus(outer), annulus(housing)),
+        "free outer ring 73.863/80 mm": (
+            Ring(outer), True, ring_compliance.outer_ring_compliance(annulus(outer), None),
         ),
-        "free inner ring 45/51 mm": (Ring(inner), False, ring_compliance.inner_ring_give(annulus(inner), None)),
+        "free outer ring 99/101 mm": (Ring(thin), True, ring_compliance.outer_ring_compliance(annulus(thin), None)),
+        "outer ring 73.863/80 mm, sliding in aluminium 200 mm": (
+            Ring(outer, housing), True, ring_compliance.outer_ring_compliance(annulus(outer), annulus(housing)),
+        ),
+        "free inner ring 45/51 mm": (Ring(inner), False, ring_compliance.inner_ring_compliance(annulus(inner), None)),
         "inner ring 45/51 mm, sliding on aluminium, bore 70 mm": (
-            Ring(inner, shaft), False, ring_compliance.inner_ring_give(annulus(inner), annulus(shaft)),
+            Ring(inner, shaft), False, ring_compliance.inner_ring_compliance(annulus(inner), annulus(shaft)),
         ),
     }  # fmt: skip
 
@@ -153,11 +155,11 @@ def compliance_rows(level: Level) -> list[Row]:
     """Every wave of every ring."""
     rows: list[Row] = []
     on_grids = [rings(grid) for grid in GRIDS[level]]
-    for name, (_, _, give) in on_grids[-1].items():
+    for name, (_, _, compliance) in on_grids[-1].items():
         values = [[wave_give(*grid[name][:2], n) for n in WAVES] for grid in on_grids]
         some = []
         for n, study in zip(WAVES, studied(GRIDS[level], values), strict=True):
-            reference = float(give.groove[n])
+            reference = float(compliance.groove[n])
             some.append(
                 Row(
                     f"{name}, n = {n}", "compliance of the groove", "m/Pa", reference, MODEL, study.values[-1],
@@ -319,10 +321,10 @@ def pitch_rows(level: Level) -> list[Row]:
         ring = sector_comparison.free_ring(drawing, profile)
         diameters = {name: getattr(ring, name) for name in ("outer_shoulder_diameter", "outer_open_diameter")}
         sections = RingSections.of(("option", diameters), ("scene", known.sections.known))
-        give = ring.gives(grooves_of(scenes.load_scene(EXAMPLE).bearing))[1]
-        assert give is not None
+        compliance = ring.compliances(grooves_of(scenes.load_scene(EXAMPLE).bearing))[1]
+        assert compliance is not None
         for count in counts[level]:
-            reference = count * float(np.sum(give.by_load[::count]))
+            reference = count * float(np.sum(compliance.by_load[::count]))
             found = [
                 RingPitch(SectorBearing(drawing, count, sections), at_angle, PITCH_LOAD, elements).radial_compliance
                 for elements in PITCH_ELEMENTS[level]

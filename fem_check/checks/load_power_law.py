@@ -23,7 +23,7 @@ from fem_check.scenes import groove_contact, operating_loads
 DECADES = {Level.QUICK: 1, Level.RELEASE: 2}
 """Of load. Two take 2.2 GB on six elements per semi-axis, and fewer elements are too coarse for an uncertainty that
 covers: on 3, 4 and 5 the peak pressure is 1.1 times its own off."""
-STEPS = {Level.QUICK: 4, Level.RELEASE: 7}
+STEPS = {Level.QUICK: 3, Level.RELEASE: 7}
 """Loads in even steps, the heaviest being the bearing's own."""
 SMALLEST = 1.3
 """Semi-axis of the smallest contact in the mesh, of which the evenly divided part is 1: there its elements are those of

@@ -16,7 +16,7 @@ from qsbearing.documents.model import Badge, Table
 @click.command("book")
 @click.argument("names", nargs=-1, metavar="[CASE ...]")
 @click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
-@click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON record per line, and nothing else.")
 def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
     """Hold qsbearing against published catalogues, standards and measurements, all cases by default.
 

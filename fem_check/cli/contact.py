@@ -15,9 +15,9 @@ from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, re
 
 @click.command("contact")
 @click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
-@click.option("--race", required=True, help="inner or outer")
+@click.option("--race", required=True, help="Raceway: inner or outer.")
 @click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
-@click.option("--elements", default=None, type=int, help="Per semi-axis; 8 unless an accuracy is asked for.")
+@click.option("--elements", default=None, type=int, help="Elements per semi-axis; 8 unless --accuracy is given.")
 @click.option(
     "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
 )
@@ -26,9 +26,9 @@ from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, re
     type=click.Choice(["parabolic", "true"]),
     default="parabolic",
     show_default=True,
-    help="Half-spaces and Hertz's gap, or ball and ring as they are.",
+    help="parabolic: half-spaces and Hertz's gap; true: ball and ring with their real shapes.",
 )
-@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print the record as JSON, and nothing else.")
 def contact(
     scene: str,
     race: str,

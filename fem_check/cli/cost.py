@@ -21,7 +21,7 @@ from qsbearing.cli.output import print_table, print_text, print_wrote
     show_default=True,
     help="Folder of results; the record and its picture are written into its folder `cost`.",
 )
-@click.option("--json", "as_json", is_flag=True, help="The record on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print the record as JSON, and nothing else.")
 def cost(level: str, out: Path, as_json: bool) -> None:
     """Measure error, time and memory for element families and meshes."""
     require(*FEM)

@@ -17,13 +17,13 @@ from qsbearing.validation import printable
     "--records",
     default=None,
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of records; unless named, that of --out, or where it has none, those that came with the package.",
+    help="Folder of records; by default that of --out, or if it has none, the records that came with the package.",
 )
 @click.option(
     "--previous",
     default=None,
     type=click.Path(path_type=Path, file_okay=False, exists=True),
-    help="Folder of an earlier release's records, to be compared with.",
+    help="Folder with the records of an earlier release to compare with.",
 )
 def report(out: Path, records: Path | None, previous: Path | None) -> None:
     """Write the validation report as HTML and PDF, and its rows as CSV and JSON, from records alone; runs no check.

@@ -20,7 +20,7 @@ from qsbearing.validation import printable
 def ring_options(command: Any) -> Any:
     """An option for each dimension of a ring's section."""
     for name, told in reversed(DIMENSIONS.items()):
-        help_text = f"Of the bearing's rings: {told} [mm]; else the scene's, the catalogue's, or assumed."
+        help_text = f"{told.capitalize()} of the rings [mm]; by default from the scene or the catalogue, else assumed."
         command = click.option(f"--{name.replace('_', '-')}-mm", name, type=float, default=None, help=help_text)(
             command
         )
@@ -33,7 +33,7 @@ def ring_options(command: Any) -> Any:
 @click.option("--scene", default=None, help="Your bearing: a scene file (TOML) or a name of the catalogue.")
 @ring_options
 @click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
-@click.option("--json", "as_json", is_flag=True, help="One record per line on stdout, and nothing else.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON record per line, and nothing else.")
 def run_checks(
     names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool, **rings: float | None
 ) -> None:

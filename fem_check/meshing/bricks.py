@@ -75,6 +75,6 @@ def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
 COMMITTED = (
     *(half_space(elements) for elements in (3, 4, 5, 6, 8)),
     *(load_series(elements, 2.8) for elements in (3, 4, 6)),
-    *(clamped_box(4, size, 8.2) for size in (8.0, 16.0, 32.0)),
+    *(clamped_box(3, size, 8.2) for size in (8.0, 16.0, 32.0)),
 )
 """The meshes of the quick level."""

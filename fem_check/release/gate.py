@@ -87,7 +87,7 @@ def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdic
     said = f"{before.label}, as they were kept"
     unknown = sum((before.read(name) or {}).get("provenance") is None for name in kept)
     if unknown:
-        said += f"; {unknown} of {len(kept)} do not say from what ({provenance.NOT_RECORDED}): values only"
+        said += f"; {unknown} of {len(kept)} do not say from what: values only"
     return [
         Verdict("clean tree", dirty, f"commit {place.commit[:12]}", "git status"),
         Verdict("previous release", before.problems + gone, said, "git log -- fem_check/records"),

@@ -21,7 +21,7 @@ from scipy.optimize import root
 
 from fem_check.contact import ContactError, active_set
 from fem_check.contact_problem import Array
-from fem_check.references import hertz
+from fem_check.references import ellipse
 from fem_check.solids import contact_results, normal_contact
 from fem_check.solids.condensation import NEAR, CondensedSolid, condense_free, condense_supported
 from fem_check.solids.contact_frame import ContactFrame, Sphere
@@ -32,6 +32,8 @@ from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 FRICTION_ITERATIONS = 20
 FRICTION_TOLERANCE = 1e-8
+XTOL = 1e-11
+"""Of the positions' micrometres: below it their metres round."""
 RESIDUAL = 1e-7
 """Largest imbalance left, over the largest force."""
 
@@ -109,7 +111,7 @@ class Sector:
         start = np.zeros(3)
         for _ in range(FRICTION_ITERATIONS):
             state = _State(self, load, friction)
-            found = root(state.residual, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-7})
+            found = root(state.residual, start, method="hybr", options={"xtol": XTOL, "eps": 1e-7})
             worst = float(np.abs(state.residual(found.x)).max())
             if not worst < RESIDUAL:
                 raise ContactError(
@@ -189,7 +191,7 @@ class BearingSector(Sector):
         on_ring = slice(-(first if inner else second), None)
         flexibility = self.ball.flexibility[on_ball, on_ball] + ring.flexibility[on_ring, on_ring]
         problem = self.geometry.bearing.drawing.groove(race, results.angle).problem(results.load)
-        exact = hertz(problem)
+        exact = ellipse(problem)
         basis = frame.basis
         gaps = basis.weighted(lambda x, y: problem.parabolic_gap(x - results.centre, y))
         x, y = basis.points

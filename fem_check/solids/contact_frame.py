@@ -22,6 +22,9 @@ from fem_check.solids import contact_block
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
+HEIGHT_ITERATIONS, ROUNDING = 8, 1e-15
+"""Of Newton's iteration for the height of a groove, and the part of its radius below which a step is rounding."""
+
 
 @dataclass(frozen=True)
 class Sphere:
@@ -88,14 +91,17 @@ class ContactFrame:
         groove = groove or self.groove
         # Newton's iteration for the height, from the tangent circle; distances from the circle's centre line.
         zeta = np.zeros_like(xi)
-        for _ in range(8):
+        for _ in range(HEIGHT_ITERATIONS):
             axial = self.origin[0] + xi * self.tangent[0] + zeta * self.normal[0]
             height = self.origin[1] + xi * self.tangent[1] + zeta * self.normal[1]
             reach = np.hypot(height, eta)
             across, up = axial - groove.centre[0], reach - groove.centre[1]
             distance = np.hypot(across, up)
             gradient = np.stack([across, up * height / reach, up * eta / reach]) / distance
-            zeta = zeta - (distance - groove.radius) / (gradient[:2].T @ self.normal)
+            step = (distance - groove.radius) / (gradient[:2].T @ self.normal)
+            zeta = zeta - step
+            if np.abs(step).max(initial=0.0) < ROUNDING * groove.radius:
+                break
         return zeta, np.stack([self.tangent @ gradient[:2], gradient[2], self.normal @ gradient[:2]])
 
     def gap(self, xi: Array, eta: Array, ball: Sphere | None = None, groove: Torus | None = None) -> Array:

@@ -29,7 +29,7 @@ from fem_check.contact_problem import Array
 from fem_check.elastic_body import silent
 from fem_check.groove import BallInGroove
 from fem_check.measuring import central_pressure
-from fem_check.references import hertz
+from fem_check.references import ellipse
 from fem_check.ring_sections import (
     BORE_BELOW_PITCH,
     HIGH_SHOULDER,
@@ -46,8 +46,10 @@ from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
-POSITIONS = 8
-"""Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh."""
+POSITIONS = 16
+"""Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh. On the
+inner groove at 5 kN the gap's part of a moves from 8 to 16 by 0.017 % with 4 elements, a sixth of the uncertainty that
+this mesh gives it, and from 16 to 32 by 0.006 %; on 8 elements all parts move by less than 0.005 and 0.001 %."""
 READ = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
 
 
@@ -58,14 +60,14 @@ def loaded_angle(inner: BallInGroove, outer: BallInGroove, load: float) -> float
     Kotzalas, thrust-loaded ball bearings). The approaches are Hertz's: the angle is a place to look at, not a result.
     """
     distance = inner.groove_radius + outer.groove_radius - inner.ball_diameter
-    stretched = distance + sum(hertz(groove.problem(load)).approach for groove in (inner, outer))
+    stretched = distance + sum(ellipse(groove.problem(load)).approach for groove in (inner, outer))
     # Rounded, so that every machine takes the same mesh.
     return round(acos(distance * cos(inner.contact_angle) / stretched), 6)
 
 
 def room(groove: BallInGroove, load: float) -> tuple[float, float]:
     """The contact's angle, and how far round the groove its elements reach to either side [rad]."""
-    return groove.contact_angle, contact_block.PATCH * hertz(
+    return groove.contact_angle, contact_block.PATCH * ellipse(
         groove.problem(load)
     ).semi_major_axis / groove.groove_radius
 
@@ -92,7 +94,7 @@ class TrueContact:
         normal = side * np.array([sin(groove.contact_angle), cos(groove.contact_angle)])
         centre = np.array([0.0, 0.5 * groove.pitch_diameter])
         # Rounded: the same mesh on every machine. Its size is a choice, not part of the problem.
-        exact = hertz(groove.problem(self.load))
+        exact = ellipse(groove.problem(self.load))
         a, b = (float(f"{axis:.4g}") for axis in (exact.semi_major_axis, exact.semi_minor_axis))
         patch = Patch(normal, a, b, along=1.0)
         compliances = groove.ball.compliance, groove.race.compliance
@@ -269,7 +271,7 @@ class CondensedContact:
             part = load * (1.0 + ((position + 0.5) / POSITIONS - 0.5) / cells) ** 3
             pressure, approach = self._pressure(part, follows_surface, parabola, start)
             start = pressure > 0.0
-            exact = hertz(self.contact.groove.problem(part))
+            exact = ellipse(self.contact.groove.problem(part))
             values = (approach, *self._read(pressure))
             found.append([value / getattr(exact, name) for name, value in zip(READ, values, strict=True)])
         return dict(zip(READ, (float(mean) for mean in np.mean(found, axis=0)), strict=True))
@@ -282,7 +284,7 @@ class CondensedContact:
         problem = self.contact.groove.problem(load)
         gaps = basis.weighted(problem.parabolic_gap if parabola else frame.gap)
         if start is None:
-            exact = hertz(problem)
+            exact = ellipse(problem)
             start = np.hypot(basis.points[0] / exact.semi_major_axis, basis.points[1] / exact.semi_minor_axis) < 1.0
         # The ball moves along the normal, which is the approach, and along the groove, where no force acts on it.
         along = basis.weighted((lambda x, y: frame.force_direction(x, y)[0]) if follows_surface else (lambda x, y: x))
@@ -314,7 +316,7 @@ class CondensedContact:
         groove = self.contact.groove
         problem = groove.problem(load)
         pressure, _ = self._pressure(load, follows_surface=False, parabola=True)
-        exact = hertz(problem)
+        exact = ellipse(problem)
         # Mean displacement under Hertz's pressure, of which <x^2> = a^2/5; each half-space has its compliance's share.
         lower = (
             0.1 * problem.curvature_x * exact.semi_major_axis**2 + 0.1 * problem.curvature_y * exact.semi_minor_axis**2

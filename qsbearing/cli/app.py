@@ -10,12 +10,17 @@ from qsbearing.cli.output import note, refuse
 
 @click.command(short_help="Explore a scene with sliders, in the browser.")
 @click.argument("scene", default="b218")
-@click.option("--port", type=click.IntRange(1, 65535), default=8218, show_default=True, help="Of the page.")
-@click.option("--host", default="127.0.0.1", show_default=True, help="Another address lets other computers in.")
+@click.option("--port", type=click.IntRange(1, 65535), default=8218, show_default=True, help="Port of the page.")
+@click.option(
+    "--host",
+    default="127.0.0.1",
+    show_default=True,
+    help="Address to serve on; other computers can open the page only at another address.",
+)
 @click.option("--open", "is_opened", is_flag=True, help="Open the page in the browser.")
 def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """Serve a page on this computer that shows SCENE, a file or a bearing of the catalogue: its numbers as sliders and
-    fields, effects as switches, and what becomes of contacts, stiffness and life.
+    fields, its effects as switches, and the resulting contacts, stiffness and life.
 
     Exit codes: 0 ended, 2 bad input.
     """

@@ -14,15 +14,16 @@ if TYPE_CHECKING:
 
 @click.command(short_help="List the bearings that can be named, and their sources.")
 @click.argument("name", required=False)
-@click.option("--bore", type=float, metavar="MM", help="Standard spindle bearings of this bore.")
-@click.option("--angle", type=float, metavar="DEG", help="Of this free contact angle: 15, 17 or 25.")
-@click.option("--series", default="", metavar="SERIES", help="Whose names begin with this: 719, 72, KH70, KH719.")
-@click.option("--hybrid/--steel", default=None, help="With ceramic balls, or with steel ones.")
+@click.option("--bore", type=float, metavar="MM", help="Bore diameter.")
+@click.option("--angle", type=float, metavar="DEG", help="Free contact angle: 15, 17 or 25.")
+@click.option("--series", default="", metavar="SERIES", help="Beginning of the name: 719, 72, KH70, KH719.")
+@click.option("--hybrid/--steel", default=None, help="With ceramic or with steel balls.")
 def catalogue(name: str | None, bore: float | None, angle: float | None, series: str, hybrid: bool | None) -> None:
-    """List the bearings that can be named, or with NAME where each number of one comes from. With an option: those of
-    the standard spindle bearings that it names.
+    """List the bearings that can be named; with NAME, where each number of that bearing comes from.
 
-    Exit codes: 0 listed, 2 there is none.
+    The options select standard spindle bearings.
+
+    Exit codes: 0 listed, 2 no such bearing.
     """
     from qsbearing.io import tables
     from qsbearing.io.catalogue import chosen, entries

@@ -27,19 +27,20 @@ BESIDE = 2
 """Bearings beside the first in one table, so that no number is cut off."""
 
 
-@click.command(short_help="Several bearings at the same job, side by side.")
+@click.command(short_help="Compare several bearings under the same loads.")
 @click.argument("scenes", nargs=-1, required=True)
 @click.option(
-    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings all of them get."
+    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings are used for all bearings."
 )
 @click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
 @click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
 def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plot_target: str | None) -> None:
-    """Solve the bearings of SCENES, files or names of the catalogue, at the same job: that of --at, or the first's.
+    """Solve the bearings of SCENES, files or names of the catalogue, under the same loads: those of --at, or of the
+    first.
 
-    Differences of more than 1 % from the first bearing stand beside the numbers.
+    Differences of more than 1 % from the first bearing are shown beside the numbers.
 
-    Exit codes: 0 all solved, 1 some is not, 2 bad input.
+    Exit codes: 0 all solved, 1 some are not, 2 bad input.
     """
     from qsbearing.design.compare import job_of, solved
     from qsbearing.io.csv_table import csv_bytes

@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
 
 
-@click.command(short_help="Measure what accuracy costs in time; two minutes.")
+@click.command(short_help="Measure what accuracy costs in time (two minutes).")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print the record as one JSON object, and nothing else.")
 @click.option("--out", metavar="DIR", help="Also write the record (JSON) and its pictures (PNG) to this folder.")
-@click.option("--quick", is_flag=True, help="Few repeats: for a look, with a spread that means little.")
+@click.option("--quick", is_flag=True, help="Repeat the measurements only a few times; their spread then means little.")
 def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
     """Measure what accuracy costs in time, for the bearing and the loads of SCENE; takes about two minutes.
 
-    Model levels from a static bearing to all that the model has, each with its time and its error against the finest,
-    from rest to the speeds of aero engines; time and memory by the cases of a call.
+    Model levels from a static bearing to the full model are shown with their time and their error against the full
+    model, from rest to the speeds of aero engines; then time and memory against the number of cases in a call.
 
     Exit codes: 0 measured, 1 the scene has no solution, 2 bad input.
     """

@@ -29,17 +29,21 @@ HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nnes
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
 @click.option("--verify", is_flag=True, hidden=True, help="What is done anyway: solve with and without each.")
 @click.option(
-    "--tolerance", type=float, default=0.01, show_default=True, help="The relative change below which none is needed."
+    "--tolerance",
+    type=float,
+    default=0.01,
+    show_default=True,
+    help="Relative change below which an effect is not needed.",
 )
 def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
-    Each is solved with and without: its change of contact angles, loads, pressures, displacement and
-    stiffness; how much longer a solve takes with it; and a verdict: needed, not needed, likely needed but without the
-    data that it takes (then its changes are estimated, and marked ≈), or not assessed and why. The indicator is a
-    dimensionless number that its influence follows.
+    The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
+    displacement and stiffness, how much longer a solve takes, and a verdict: needed; not needed; likely needed, but
+    input data are missing (the changes are then estimated and marked ≈); or not assessed, with the reason. The
+    indicator is a dimensionless number that governs the influence of the effect.
 
-    Of a set of rows, what its preload does is said first.
+    For a set of rows, the table is preceded by what speed and loads do to its preload.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """

@@ -10,13 +10,13 @@ import click
 from qsbearing.cli.output import print_table, print_text, refuse
 
 
-@click.command(short_help="Make the source paper's figures; judge what it states.")
+@click.command(short_help="Make the figures of the source paper and check its statements.")
 @click.option("--out", default="figures", show_default=True, metavar="DIR", help="Folder for pictures and results.")
 def figures(out: str) -> None:
     """Reproduce Figs 19.4 to 19.7 of the source paper for B218, and maps beyond them.
 
-    Each is made from a study file that is written beside it, as a start for studies of your own; each statement about
-    it is checked: it holds, holds in a range, or does not hold.
+    Each figure is made from a study file, which is written beside it as a start for studies of your own. Each statement
+    about it in the paper is checked: it holds, holds in a range, or does not hold.
 
     Exit codes: 0 made, 2 bad input.
     """
@@ -34,14 +34,11 @@ def figures(out: str) -> None:
 def _make(folder: Path) -> None:
     from importlib.resources import files
 
-    from rich.table import Table
-
+    from qsbearing.documents.model import Table
     from qsbearing.studies.paper.figures import FIGURES, made
     from qsbearing.validation import printable
 
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    for head in ("figure", "statement", "by", "verdict"):
-        table.add_column(head)
+    rows = []
     for figure in FIGURES:
         results, picture, judged = made(figure)
         picture.savefig(folder / f"{figure.name}.png")
@@ -52,9 +49,9 @@ def _make(folder: Path) -> None:
         for number, each in enumerate(judged):
             where = f": {_in_short(each.where)}" if each.where else ""
             name = figure.name if number == 0 else ""
-            table.add_row(name, each.statement.sentence, each.statement.source, f"{each.verdict}{where}")
+            rows.append((name, each.statement.sentence, each.statement.source, f"{each.verdict}{where}"))
     print_text("\n")
-    print_table(table)
+    print_table([Table(("figure", "statement", "by", "verdict"), rows, "llll")])
 
 
 LONGEST = 200

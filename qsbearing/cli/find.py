@@ -19,19 +19,19 @@ MOST_POINTS = 100_000_000
 @click.command(short_help="Find the numbers of a scene that meet goals and limits.")
 @click.argument("scene")
 @click.option(
-    "--vary", multiple=True, metavar="KEY=RANGE", help="A numeric key of the scene file and what it may take: "
-    "LOW:HIGH, LOW:HIGH:log or A,B,C. Again for each further key, up to six; ball_count takes whole numbers.",
+    "--vary", multiple=True, metavar="KEY=RANGE", help="A numeric key of the scene file and its range: "
+    "LOW:HIGH, LOW:HIGH:log or A,B,C. Repeat it for each further key, up to six; ball_count takes whole numbers.",
 )  # fmt: skip
-@click.option("--goal", "goals", multiple=True, metavar="NAME=VALUE", help="A result that shall have this value.")
+@click.option("--goal", "goals", multiple=True, metavar="NAME=VALUE", help="A result that must have this value.")
 @click.option(
     "--limit", "limits", multiple=True, metavar="NAME<=VALUE", help="A result's upper limit, or with >= its lower one."
 )
 @click.option("--minimise", metavar="NAME", help="A result to make as small as the limits allow.")
 @click.option("--maximise", metavar="NAME", help="A result to make as large as the limits allow.")
 @click.option(
-    "--points", type=click.IntRange(1, MOST_POINTS), metavar="N", help="Points of the sample over all ranges."
+    "--points", type=click.IntRange(1, MOST_POINTS), metavar="N", help="Number of sample points over all ranges."
 )
-@click.option("--seed", type=click.IntRange(0), default=0, metavar="N", help="Of the sample; 0 if not given.")
+@click.option("--seed", type=click.IntRange(0), default=0, metavar="N", help="Seed of the sample; 0 if not given.")
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object, from which `qsbearing run` solves the result."
 )
@@ -39,10 +39,11 @@ MOST_POINTS = 100_000_000
     "--plot", "target", metavar="FILE", help="Draw the feasible region over the first two ranges; .png, .svg or .pdf."
 )
 def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, **asked: Any) -> None:
-    """Look for the numbers of SCENE that meet goals and limits, with the least or most of a result.
+    """Look for the numbers of SCENE that meet goals and limits, and make a result as small or as large as possible.
 
     Results are those of `qsbearing sweep`, such as effective_stiffness_radial_y, inner.max_pressure_MPa or
-    life.basic_duration_h, in their units; of all balls the one that is worst off.
+    life.basic_duration_h, in their units; of results of each ball the worst
+    counts.
 
     Exit codes: 0 found, 1 no point meets all (the nearest is shown, and what fails), 2 bad input.
     """

@@ -16,26 +16,26 @@ if TYPE_CHECKING:
     from qsbearing.thermal.state import ThermalState
 
 
-@click.command(short_help="Temperatures over speed and time; where the preload runs away.")
+@click.command(short_help="Find temperatures over speed and time, and thermal runaway.")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of tables, and nothing else.")
 @click.option(
     "--transient",
     type=float,
     metavar="SECONDS",
-    help="Heat up for so long, at full speed from the first instant: temperatures and preload over time.",
+    help="Show temperatures and preload over this time of heating up, at full speed from the start.",
 )
-@click.option("--start", type=float, metavar="C", help="With --transient: at which temperature all begins.")
+@click.option("--start", type=float, metavar="C", help="With --transient: temperature of all parts at the start [°C].")
 @click.option(
     "--plot",
     metavar="FILE",
-    help="Also draw them, over the speed or with --transient over the time; .png, .svg or .pdf.",
+    help="Also draw them over the speed, or with --transient over the time; .png, .svg or .pdf.",
 )
 def heat(scene: str, as_json: bool, transient: float | None, start: float | None, plot: str | None) -> None:
-    """Steady temperatures of SCENE, which has a table [thermal]; of a bearing, or of a set of rows.
+    """Find the steady temperatures of SCENE, a bearing or a set of rows with a table [thermal].
 
     They are followed from standstill in speed, to the speed at which they turn back (thermal runaway of the preload) or
-    reach the limit of temperature.
+    reach the temperature limit.
 
     Exit codes: 0 a steady state, 1 none, or no equilibrium, 2 bad input.
     """

@@ -10,7 +10,7 @@ from qsbearing.cli.output import print_text
 
 @click.command(short_help="Print a commented scene file.")
 @click.argument("name", required=False)
-@click.option("--set", "as_set", is_flag=True, help="Of two rows on one shaft, pressed against each other.")
+@click.option("--set", "as_set", is_flag=True, help="Print a set: two rows on one shaft, preloaded against each other.")
 def init(name: str | None, as_set: bool) -> None:
     """Print a commented scene file: B218 spelled out, or the catalogue bearing NAME; with --set a pair of 7210C, or of
     NAME."""

@@ -13,15 +13,19 @@ from qsbearing.cli.output import note, refuse
 
 @click.command(short_help="Draw the results of a sweep.")
 @click.argument("results")
-@click.option("-x", "x", metavar="KEY", help="Along the horizontal axis; the longest axis if not given.")
-@click.option("-y", "y", multiple=True, metavar="QUANTITY", help="A result to show; again for each further one.")
+@click.option("-x", "x", metavar="KEY", help="Key along the horizontal axis; the longest axis if not given.")
+@click.option("-y", "y", multiple=True, metavar="QUANTITY", help="A result to show; repeat it for each further result.")
 @click.option(
     "--kind",
     metavar="KIND",
-    help="lines, map, rose, azimuth, distribution or sensitivity; if not what suits the results.",
+    help="lines, map, rose, azimuth, distribution or sensitivity; by default the kind that suits the results.",
 )
-@click.option("--at", multiple=True, metavar="KEY=VALUE", help="Of a further axis, the value to show; its first.")
-@click.option("--out", metavar="FILE", help=".png, .svg or .pdf; the name of RESULTS with .png if not given.")
+@click.option(
+    "--at", multiple=True, metavar="KEY=VALUE", help="Value of a further axis to show; its first if not given."
+)
+@click.option(
+    "--out", metavar="FILE", help="Picture to write: .png, .svg or .pdf; the name of RESULTS with .png if not given."
+)
 def plot(
     results: str, x: str | None, y: tuple[str, ...], kind: str | None, at: tuple[str, ...], out: str | None
 ) -> None:

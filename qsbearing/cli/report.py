@@ -28,12 +28,12 @@ MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 @click.command(short_help="Write the design report of a scene or set, HTML and PDF.")
 @click.argument("scene")
-@click.option("--out", metavar="DIR", required=True, help="Folder for the two files; made if it is not there.")
+@click.option("--out", metavar="DIR", required=True, help="Folder for the two files; it is made if it does not exist.")
 def report(scene: str, out: str) -> None:
     """Solve SCENE, a bearing or a set of rows, and write its design report to DIR, as one HTML page and one PDF.
 
-    Key results and warnings, input, assumptions, effects in and left out and why, results with pictures, readings,
-    curves around the operating point, and the evidence that applies.
+    It contains key results and warnings, the input, assumptions, the effects that are simulated or left out and why,
+    results with pictures, readings, curves around the operating point, and the evidence that applies.
 
     Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input.
     """

@@ -39,24 +39,24 @@ if TYPE_CHECKING:
     "--plot",
     "plot_target",
     metavar="FILE",
-    help="Also draw loads, contact angles and contact ellipses, of a set loads and angles of each row; .png, .svg or "
-    ".pdf.",
+    help="Also draw loads, contact angles and contact ellipses; for a set, the loads and angles of each row; .png, "
+    ".svg or .pdf.",
 )
 @click.option(
     "--accuracy",
     type=float,
     metavar="ERROR",
     help="Choose the effects: some are left out, whether SCENE names them or not, as long as all results stay within "
-    "this relative error of the full model of the operating point. 1e-3, for instance.",
+    "this relative error of the full model at the operating point, such as 1e-3.",
 )
 @click.option(
     "--points",
     metavar="TABLE",
     help="Solve SCENE at each row of a table: .csv, .xlsx or .parquet; headings "
-    "are keys of the scene file, such as speed_rpm. One row in, one row out, a status each.",
+    "are keys of the scene file, such as speed_rpm. Each row gives one row of results with its status.",
 )
 @click.option(
-    "--out", metavar="TABLE", help="With --points: where the rows go with their results; .csv, .xlsx, .parquet."
+    "--out", metavar="TABLE", help="With --points: write the rows and their results here; .csv, .xlsx or .parquet."
 )
 def run(
     scene: str,
@@ -67,10 +67,11 @@ def run(
     points: str | None,
     out: str | None,
 ) -> None:
-    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved. A file with [[rows]]
-    is a set of rows on one shaft: `qsbearing init --set` prints one. One with [[spectrum]] has operating points with
-    shares of time, which make one life. A result, of --json (.json) or of `qsbearing sweep` (.nc), is solved again from
-    the input that it holds; of a sweep the scene of its first point.
+    """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
+
+    A file with [[rows]] is a set of rows on one shaft: `qsbearing init --set` prints one. A file with [[spectrum]] has
+    operating points with shares of time, which give one life. The result of --json (.json) or of `qsbearing sweep`
+    (.nc) is solved again from the input that it holds; for a sweep this is the scene of its first point.
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """

@@ -18,7 +18,7 @@ from qsbearing.cli.vary import study_of, vary_option
 @click.option("--mirrored", is_flag=True, help="The bearing is mounted the other way round on the shaft.")
 @click.option("--out", metavar="FILE", help="Write the table to this CSV file instead of printing it.")
 def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None) -> None:
-    """Stiffness of SCENE as programs of rotor dynamics take it: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
+    """Tabulate the stiffness of SCENE for rotor dynamics: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
 
     The shaft turns about z: x, y, z of the table are y, z, x of the scene. For instance: qsbearing stiffness 7210c
     --vary speed_rpm=0:24000:13 --vary axial_load_N=240,720,1440 --out 7210c.csv

@@ -39,22 +39,27 @@ IN_MEMORY = 1 << 18
 @click.command(short_help="Solve a scene over ranges of its keys.")
 @click.argument("scene")
 @vary_option
-@click.option("--samples", type=int, metavar="N", help="Points of the keys that vary at random; 1024 if not given.")
-@click.option("--sampling", metavar="HOW", help="random, latin_hypercube or sobol (if not given).")
-@click.option("--seed", type=int, metavar="N", help="Of the random points; 0 if not given.")
+@click.option(
+    "--samples", type=int, metavar="N", help="Number of points of the keys that vary at random; 1024 if not given."
+)
+@click.option("--sampling", metavar="HOW", help="random, latin_hypercube or sobol (the default).")
+@click.option("--seed", type=int, metavar="N", help="Seed of the random points; 0 if not given.")
 @click.option("--quantity", "-y", "quantities", multiple=True, metavar="NAME", help="A result to keep; all by default.")
 @click.option(
-    "--sobol", type=int, metavar="N", help="In place of a sweep, Sobol indices from N base samples, such as 1024."
+    "--sobol",
+    type=int,
+    metavar="N",
+    help="Instead of a sweep, compute Sobol indices from N base samples, such as 1024.",
 )
 @click.option("--out", metavar="FILE", help="Write all results: .nc (netCDF), .csv or .parquet.")
 @click.option("--plot", "picture", metavar="FILE", help="Also draw them, as `qsbearing plot` does; .png, .svg or .pdf.")
-@click.option("--overwrite", is_flag=True, help="Replace the file of --out, if there is one, at the end.")
+@click.option("--overwrite", is_flag=True, help="Replace an existing file of --out, once the sweep has ended.")
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Solve on a Dask cluster, such as tcp://host:8786; ends once it has had no worker for a minute.",
+    help="Solve on a Dask cluster, such as tcp://host:8786; the sweep ends if there is no worker for a minute.",
 )
-@click.option("--resume", is_flag=True, help="Go on where an interrupted run of the same study stopped.")
+@click.option("--resume", is_flag=True, help="Continue an interrupted run of the same study.")
 def sweep(
     scene: str,
     vary: tuple[str, ...],
@@ -71,9 +76,10 @@ def sweep(
     A study file is a scene file with a table [vary]; a netCDF file of a sweep holds its study, which is solved again.
     Points that are impossible or have no equilibrium stay in the results with status and reason.
 
-    With --sobol: which part of each result's variance each random key makes, alone and together with the others.
+    With --sobol: which share of the variance of each result each random key causes, alone and together with the
+    others.
 
-    Exit codes: 0 some point is solved, 1 none is, 2 bad input, wrong whatever the point.
+    Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
     from qsbearing.studies import summary
     from qsbearing.validation import SceneError

@@ -15,9 +15,9 @@ vary_option = click.option(
     "--vary",
     multiple=True,
     metavar="KEY=VALUES",
-    help="A numeric key of the scene file and what it takes: START:STOP:COUNT, START:STOP:COUNT:log, A,B,C, "
-    "normal(MEAN,SD), uniform(LOW,HIGH) or triangular(LOW,MODE,HIGH). Again for each further key; all combinations are "
-    "solved.",
+    help="A numeric key of the scene file and its values: START:STOP:COUNT, START:STOP:COUNT:log, A,B,C, "
+    "normal(MEAN,SD), uniform(LOW,HIGH) or triangular(LOW,MODE,HIGH). Repeat it for each further key; all combinations "
+    "are solved.",
 )
 
 

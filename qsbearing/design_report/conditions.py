@@ -111,7 +111,7 @@ def other_choices(facts: Facts, control: Collection[str] = ()) -> list[Differenc
     if scene.orbit_radius is not OrbitRadius.PITCH_CIRCLE:
         found.append("no balls on orbits of their own in the check")
     if scene.gyroscopic_moment is not None and scene.gyroscopic_moment.friction_coefficient is not None:
-        found.append("no bound of friction in the check")
+        found.append("no limit of friction in the check")
     return [Difference(each, True) for each in found] + other_formulas(facts)
 
 

@@ -25,24 +25,24 @@ STEADY = (
     "load."
 )
 OF_SETS = (
-    "Shaft and housing are rigid: nothing bends, and rows keep their distances but for what heat makes of them, by the "
-    "temperatures of shaft and housing in the input."
+    "Shaft and housing are rigid: nothing bends, and the distances of the rows change only with the temperatures of "
+    "shaft and housing in the input."
 )
 OF_SHAFTS = (
-    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings give way where "
-    "the input has their stiffness, as linear springs. Rings are as wide as their balls' plane: no seat stiffens the "
+    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
+    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
     "shaft."
 )
-RIGID = "Ball loads deform contacts alone, and neither rings nor what they sit on: Hertz's ellipses in round grooves."
-GROWN = "Rings change their size as round rings do, by what the input names of rotation, fits and heat."
-NOT_GROWN = "Rings keep the size that they have at rest and cold: neither rotation, fits nor heat change it."
+RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
+GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
+NOT_GROWN = "Rings keep the size that they have at rest and cold: rotation, fits and heat do not change it."
 EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
 FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
 ROLLING = {
     RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
     RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
     RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
-    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins as it takes the least friction power (a hypothesis).",
+    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins so that the friction power is least (a hypothesis).",
 }
 UNBOUNDED = (
     "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
@@ -52,7 +52,7 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 
 
 def _of_shaft(solution: SetSolution) -> str:
-    """What the set rests on in shaft and housing."""
+    """What the set assumes of shaft and housing."""
     of = solution.set
     is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
     return OF_SHAFTS if is_elastic else OF_SETS
@@ -82,7 +82,7 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
     """
     _, rows = explain(solution.scene, tolerance)
     said = [] if solution.choice is None else chosen(solution, asked)
-    return _section("What this solution assumes:", assumptions(solution.scene), said, rows, tolerance)
+    return _section(assumptions(solution.scene), said, rows, tolerance)
 
 
 def section_of_set(solution: SetSolution) -> Section:
@@ -90,11 +90,11 @@ def section_of_set(solution: SetSolution) -> Section:
     _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
-    return _section("What this solution assumes:", [_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
+    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
 
 
-def _section(first: str, assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
-    blocks: list[Block] = [Paragraph(first), Bullets(assumed), *map(Paragraph, said)]
+def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
+    blocks: list[Block] = [Paragraph("What this solution assumes:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
         f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."

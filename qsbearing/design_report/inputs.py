@@ -16,6 +16,7 @@ from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.scene_file import load_scene
 from qsbearing.material import BY_NAME, Material
+from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, Key
 from qsbearing.scene.scene import CHOICES, Scene
@@ -48,8 +49,8 @@ def section(scene: Scene, source: str) -> Section:
         if lines:
             rows += [Group(title), *lines]
     words = (
-        "Every number that the solution rests on, in the units and by the keys of a scene file. A channel of the ring "
-        "that is not named carries no load and is free to move."
+        "Every number that the solution depends on, in the units and by the keys of a scene file. A channel of the "
+        "ring that is not named carries no load and is free to move."
     )
     blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
     return Section("Input", blocks + as_read(source))
@@ -125,7 +126,9 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
             elif key is not None and np.ndim(value):
                 found.append(_list(key, np.asarray(value, float)))
             elif key is not None:
-                found.append((f"{effect.name}.{key.name}", _text(key.in_file(float(value))), key.unit, ""))
+                found.append(
+                    (f"{effect.name}.{key.name}", _text(key.in_file(float(value))), printed_unit(key.unit), "")
+                )
             elif isinstance(value, str):
                 found.append((each.name, str(value), "", ""))
         if isinstance(effect, RingExpansion) and effect.is_warm:
@@ -133,7 +136,7 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
                 (
                     f"{effect.name}.{body}_temperature_C",
                     _text(each.value - zero_celsius),
-                    "C",
+                    "°C",
                     f"left out: {each.taken_from}",
                 )
                 for body, each in effect.temperatures.items()
@@ -150,7 +153,12 @@ def choice_lines(holder: Any) -> list[Line]:
 def _list(key: Key, values: NDArray) -> Line:
     """Numbers of which there are many: between which they lie, and beside it all of them."""
     found = [key.in_file(float(value)) for value in values]
-    return (key.name, f"{_text(min(found))} ... {_text(max(found))}", key.unit, ", ".join(map(_text, found)))
+    return (
+        key.name,
+        f"{_text(min(found))} ... {_text(max(found))}",
+        printed_unit(key.unit),
+        ", ".join(map(_text, found)),
+    )
 
 
 def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
@@ -163,7 +171,7 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
                 keys = reading_tables()[name].keys if name in reading_tables() else ()
                 known = None if isinstance(value, str) else _key(keys, key)
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
-                unit = known.unit if known else "" if isinstance(value, str) else "SI"
+                unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
                 found.append((f"{name}.{known.name if known else key}", text, unit, ""))
     return found
 
@@ -174,7 +182,7 @@ def numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:
     for key in keys:
         value = getattr(holder, key.field, None)
         if value is not None:
-            found.append((key.name, _text(key.in_file(float(value))), key.unit, ""))
+            found.append((key.name, _text(key.in_file(float(value))), printed_unit(key.unit), ""))
     return found
 
 

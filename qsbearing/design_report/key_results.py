@@ -98,11 +98,11 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     """
     free = set(map(int, solution._free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
-    lengths, turns = (um, "um"), (mrad, "mrad")
+    lengths, turns = (um, "µm"), (mrad, "mrad")
     moved = _channels(solution.displacement, levers, lengths, turns, free)
-    stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/um"), (1.0 / mrad, "Nm/mrad"), free)
+    stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad"), free)
     given = set(range(len(CHANNELS))) - free
-    reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "Nm"), given)
+    reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "N m"), given)
     lines = [(f"displacement of the {what}", moved), (f"effective stiffness, {freedom(free)}", stiff)]
     lines.append(("load where a displacement is given", reactions))
     return [line for line in lines if line[1]]

@@ -47,8 +47,8 @@ def section(of: BearingSet, limits: Limits) -> Section:
     """
     speeds, loads = limits
     words = (
-        "Everything else stays as the set has it. The dotted line is the operating point, dashed red lines are where a "
-        "row loses its preload, has too much or has it back. Points without a solution are left out."
+        "Everything else stays as the set has it. The dotted line is the operating point; dashed red lines mark where "
+        "a row loses its preload, has too much of it or regains it. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
@@ -98,7 +98,7 @@ def _what(change: Change) -> str:
         "maintained": "preload back",
         "lost": "preload lost",
         "excessive": "preload excessive",
-        "no_equilibrium": "gives way",
+        "no_equilibrium": "no equilibrium",
     }
     return f"{name}: {ends.get(change.after, 'not solved')}"
 

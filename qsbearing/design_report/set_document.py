@@ -9,10 +9,11 @@ from qsbearing.design_report import effects, evidence, set_curves, set_inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Bullets, Document, Remark, Section
+from qsbearing.documents.model import Block, Bullets, Document, Section
 from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
+from qsbearing.io.tables import remarks
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.ranked_warning import said_of
@@ -84,6 +85,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
         width=0.85,
     )
-    said = [Remark(each.line, each.rank.status) for each in messages.warnings(row)]
+    said = remarks(messages.warnings(row))
     title = capital(row_name(solution.set.rows[number], number))
     return Section(title, [*said, *report.tables_of_balls(row), drawn, *readings_tables(found)], f"row-{number + 1}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,19 @@ from qsbearing.design_report.inputs import (
     reading_lines,
 )
 from qsbearing.documents.model import Block, Cell, Group, Paragraph, Section, Table
-from qsbearing.scene.keys import OPERATION, PRELOAD
+from qsbearing.scene.keys import (
+    FLOATING,
+    HEATED,
+    HOUSING_STIFFNESS,
+    OPERATION,
+    PRELOAD,
+    SECTION,
+    SHAFT,
+    SHAFT_LOAD,
+    SHAFT_SUPPORT,
+    SPACER,
+    Key,
+)
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.units import mm, um
 
@@ -32,7 +45,8 @@ def section(of: BearingSet, source: str) -> Section:
     named = [*effect_lines((*of.ring_effects, *of.ball_effects)), *choice_lines(of)]
     rows: list[Line | Group] = []
     for title, lines in (
-        ("Shaft", [shaft]),
+        ("Shaft", [shaft, *numbers(SHAFT, of.shaft)]),
+        *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),
         ("Effects and choices", named),
@@ -55,6 +69,32 @@ def section(of: BearingSet, source: str) -> Section:
     return Section("Input", blocks + as_read(source))
 
 
+def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
+    """Sections, loads and supports of the shaft, what outer rings sit in, spacers and floating groups."""
+    shaft = of.shaft
+    parts: list[tuple[str, tuple[Any, ...], tuple[Key, ...]]] = [
+        ("Shaft section", () if shaft is None else shaft.sections, SECTION),
+        ("Load on the shaft", () if shaft is None else shaft.loads, SHAFT_LOAD),
+        ("Support of the shaft", () if shaft is None else shaft.supports, SHAFT_SUPPORT),
+        ("Spacer", of.spacers, SPACER),
+        ("Floating group", of.floating, FLOATING),
+    ]
+    found = [(f"{title} {n}", _of_part(each, keys)) for title, all_, keys in parts for n, each in enumerate(all_, 1)]
+    housings = [(f"Housing of row {n}", row.housing_stiffness) for n, row in enumerate(of.rows, 1)]
+    found += [(title, numbers(HOUSING_STIFFNESS, own)) for title, own in housings if own is not None]
+    return [*found, ("Housing", _of_part(of.housing, HEATED))]
+
+
+def _of_part(part: Any, keys: tuple[Key, ...]) -> list[Line]:
+    """Its numbers, the rows that it names, its materials and its preload."""
+    lines = list(numbers(keys, part))
+    for name in ("rows", "material", "inner_material", "outer_material"):
+        value = getattr(part, name, None)
+        if value is not None:
+            lines.append((name, getattr(value, "name", None) or ", ".join(map(str, value)), "", ""))
+    return lines + numbers(PRELOAD, getattr(part, "preload", None))
+
+
 def _rows(of: BearingSet) -> Table:
     """The rows from the least x to the largest; what none of them has is no column."""
     order = sorted(enumerate(of.rows), key=lambda each: float(np.asarray(each[1].position)))
@@ -68,7 +108,7 @@ def _rows(of: BearingSet) -> Table:
         ("from the row before, mm", "r", list(distances)),
     ]
     if any(float(np.asarray(row.offset)) != 0.0 for row in of.rows):
-        columns.append(("offset, um", "r", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
+        columns.append(("offset, µm", "r", [f"{float(np.asarray(row.offset)) / um:.9g}" for _, row in order]))
     if any(row.sprung for row in of.rows):
         columns.append(("outer ring", "l", ["slides, sprung" if row.sprung else "fixed" for _, row in order]))
     headings, sides, cells = zip(*columns, strict=True)

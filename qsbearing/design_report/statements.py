@@ -176,20 +176,20 @@ _pairs, _lives, _tests = NUMBERS["gmn_rigidities"], NUMBERS["iso_16281_seven_bal
 
 STATEMENTS = (
     Statement(
-        f"The equations, whatever the numbers in them: {_reference['scenes']} scenes solved to fifty digits.",
+        f"The solution of the equations: {_reference['scenes']} scenes solved to fifty digits.",
         lambda facts: f"Loads, angles, displacements and stiffness within {_reference['largest']:.0e}",
         "python -m tests.reference.table",
         _equations,
     ),
     Statement(
-        "Hertz's formulas beside closed forms of a second derivation.",
+        "Hertz's formulas against closed forms derived a second time.",
         lambda facts: f"Within {_hertz['largest_percent']:.0e} %",
         "fem-check run hertz_formula",
         _ellipticity,
     ),
     Statement(
         f"Every contact reported for B218, steel and ceramic balls, at {_points['operating_points']} operating points "
-        "up to 10,000 rpm, thrust and radial load, beside closed forms and finite elements of half-spaces. With "
+        "up to 10,000 rpm, thrust and radial load, against closed forms and finite elements of half-spaces. With "
         "--scene the same is done for any scene.",
         lambda facts: (
             f"Closed forms within {_points['closed_form_percent']:.0e} %, finite elements within "
@@ -199,7 +199,7 @@ STATEMENTS = (
         _contacts,
     ),
     Statement(
-        "Hertz's parabola beside the exact gap between ball and inner groove of B218 at its free contact angle, "
+        "Hertz's parabola against the exact gap between ball and inner groove of B218 at its free contact angle, "
         "the groove radius varied.",
         lambda facts: (
             f"Hertz's worst quantity at {_gaps['load_N'][1]:.0f} N is off by "
@@ -209,7 +209,7 @@ STATEMENTS = (
         _gap,
     ),
     Statement(
-        "Hertz beside ball and ring of B218 as they are, both raceways, at rest, up to 5000 N per ball.",
+        "Hertz against finite elements of B218's true ball and rings, both raceways, at rest, up to 5000 N per ball.",
         lambda facts: (
             f"Elements less Hertz: a {_spread(_bodies['semi_major_axis'])} %, b "
             f"{_spread(_bodies['semi_minor_axis'])} %, p0 {_spread(_bodies['max_pressure'])} %, approach "
@@ -226,21 +226,22 @@ STATEMENTS = (
         _elastic,
     ),
     Statement(
-        "The model as a whole beside one ball of B218 between elastic rings, in three dimensions: thrust, at rest and "
+        "The whole model against one ball of B218 between elastic rings, in three dimensions: thrust, at rest and "
         "at 10,000 rpm.",
         _sector_result,
         "fem-check run bearing_sector",
         _sector,
     ),
     Statement(
-        "Expansion of the rings beside closed forms of thick rings, limits and powers.",
+        "Expansion of the rings against closed forms of thick rings, limits and powers.",
         lambda facts: "Closed forms to rounding. No measurement",
         "pytest tests/effects/test_ring_expansion.py",
         lambda facts: [],
         lambda facts: facts.scene.ring_expansion is not None,
     ),
     Statement(
-        "Unequal balls: a set that deviates alike beside a bearing of that ball, one large ball beside its spring.",
+        "Unequal balls: all balls with one deviation against a bearing of such balls, one large ball against its "
+        "spring.",
         lambda facts: "To ten digits. No measurement",
         "pytest tests/effects/test_unequal_balls.py",
         lambda facts: [],
@@ -257,7 +258,7 @@ STATEMENTS = (
         _has_spindle_angle,
     ),
     Statement(
-        "Lives and displacements by ISO/TS 16281 of a deep-groove bearing of seven balls, at rest, beside another "
+        "Lives and displacements by ISO/TS 16281 of a deep-groove bearing of seven balls, at rest, against another "
         "program.",
         lambda facts: (
             f"Displacements within {_lives['displacements_percent']:.1g} %, {_lives['lives']} lives within "
@@ -268,7 +269,7 @@ STATEMENTS = (
         _asks("life"),
     ),
     Statement(
-        f"Rating life beside {_tests['bearings']} tested deep-groove bearings.",
+        f"Rating life against {_tests['bearings']} tested deep-groove bearings.",
         lambda facts: (
             f"Measured over computed {_tests['measured_over_computed']:.2f} on average; single groups scatter by a "
             f"factor of {_tests['scatter_factor']:.1f}"
@@ -291,15 +292,15 @@ STATEMENTS = (
         _asks("frequencies"),
     ),
     Statement(
-        "The film formulas beside a textbook's example of a 209 bearing and the standards' examples of oils.",
+        "The film formulas against a textbook's example of a 209 bearing and the standards' examples of oils.",
         lambda facts: f"Within {NUMBERS['hamrock_209_film']['textbook_percent']:.1g} %. No measurement",
         "fem-check book hamrock_209_film",
         lambda facts: [],
         _asks("film"),
     ),
     Statement(
-        "The friction formulas beside closed forms and brute force.",
-        lambda facts: "The integrals as they should be. No measurement",
+        "The friction formulas against closed forms and direct numerical integration.",
+        lambda facts: "The integrals agree. No measurement",
         "pytest tests/readings/test_friction.py",
         lambda facts: [],
         _asks("friction", "friction_estimate"),

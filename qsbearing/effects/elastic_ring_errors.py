@@ -2,17 +2,41 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
-from qsbearing.units import mm
-from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, first, within
+from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, on_side, within
 
-ElasticRings = Any
-Grooves = Any
-"""Of `effects.elastic_rings`, which lies above: it asks for what is here."""
+
+class Grooves(NamedTuple):
+    """What of a bearing its rings' compliance depends on, over cases."""
+
+    inner_bottom: Any
+    """Radius [m]."""
+    outer_bottom: Any
+    inner_groove: Any
+    """Radius of the profile [m]."""
+    outer_groove: Any
+    is_symmetric: Any
+    """Whether both shoulders of a ring are alike, as in a deep-groove bearing."""
+    modulus: Any
+    """Of the rings [Pa]."""
+    poisson_ratio: Any
+
+
+class ElasticRings(Protocol):
+    """What is read by name of a `qsbearing.effects.ElasticRings`, which lies above: it asks for its errors."""
+
+    name: ClassVar[str]
+
+    @property
+    def outside_diameter(self) -> ArrayLike | None: ...
+    @property
+    def bore_diameter(self) -> ArrayLike | None: ...
+
 
 SIDES = {
     "outer": ("outside_diameter", "housing", "housing_outside_diameter", ("rigid", "free")),
@@ -43,7 +67,7 @@ def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
     given += [f"{seat}_{name}" for name, value in constants.items() if value is not None]
     given += [] if word is None else [seat]
     if table is not None:
-        cause = f"Leave out {', '.join(given)}: the compliances say all that there is to know"
+        cause = f"Leave out {', '.join(given)}: the compliances replace them"
         beside = [ErrorDetail(f"{path}.{given[0]}", f"is given beside {side}_compliance", cause=cause)] if given else []
         return beside + _table_errors(f"{path}.{side}_compliance", table)
     if not given:
@@ -108,13 +132,6 @@ def section_errors(effect: ElasticRings, grooves: Grooves) -> list[ErrorDetail]:
     errors = []
     for name, what, limit, outward in pairs:
         value = getattr(effect, name)
-        if value is None or limit is None:
-            continue
-        found, other = np.broadcast_arrays(np.asarray(value, float), np.asarray(limit, float))
-        bad = outward * (found - other) <= 0.0
-        if bad.any():
-            wrong, least = first(bad, found, other)
-            allowed = (least, 20.0) if outward > 0.0 else (0.0, least)
-            problem = f"is not {what}, {least / mm:.6g} mm"
-            errors.append(ErrorDetail(f"{effect.name}.{name}", problem, wrong, LENGTH, allowed, where=bad))
+        if value is not None and limit is not None:
+            errors += on_side(f"{effect.name}.{name}", value, limit, outward, what)
     return errors

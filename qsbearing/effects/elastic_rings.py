@@ -1,4 +1,4 @@
-"""Rings that give way under their balls: they grow evenly and bend, each alone, in a housing or on a shaft.
+"""Rings that deflect under their balls: they grow evenly and bend, each alone, in a housing or on a shaft.
 
 Source        Timoshenko & Goodier (ring_compliance.py has the formulas); found missing by finite elements of a bearing
               sector whose outside diameter is free: 7 to 9 um more axial displacement at 17.8 kN, angles 1.1 degrees
@@ -12,9 +12,9 @@ Assumes       small deflections; growth of a rectangle between groove bottom and
 When not      a seat with clearance, which must close first; ribbed or split housings (give compliances by harmonic,
               from finite elements); a section that rolls about its circumference, which a face that is held prevents
 Parameters    of each ring its width, its diameter away from the groove, its shoulders and what holds it: rigid (it does
-              not give way), free, a housing or shaft of some diameter; or compliances by harmonic in place of all that
-Indicator     the turn of the contact angle by the largest give, over the contact angle; without parameters that of a
-              free outer ring of usual section
+              not deflect), free, a housing or shaft of some diameter; or compliances by harmonic in place of all that
+Indicator     the turn of the contact angle by the largest deflection, over the contact angle; without parameters that
+              of a free outer ring of usual section
 Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housing="free")
 """
 
@@ -29,17 +29,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
-from qsbearing.effects.elastic_ring_errors import parameter_errors, section_errors
+from qsbearing.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
 from qsbearing.effects.entry import Entry, Errors, effect
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_compliance import (
     MOST_HARMONICS,
     Annulus,
-    Give,
+    PressureCompliance,
     by_load,
-    inner_ring_give,
+    inner_ring_compliance,
     of_section,
-    outer_ring_give,
+    outer_ring_compliance,
 )
 from qsbearing.effects.ring_section import bending_height
 from qsbearing.validation import ErrorDetail, raise_if_any
@@ -50,25 +50,9 @@ if TYPE_CHECKING:
 
 
 RIGID, FREE, SOLID = "rigid", "free", "solid"
-"""What holds a ring, where that is no body of some diameter: it does not give way; nothing; a solid shaft."""
+"""What holds a ring, where that is no body of some diameter: it is rigid; nothing; a solid shaft."""
 USUAL_SECTION = (0.28, 1.35)
 """Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
-
-
-class Grooves(NamedTuple):
-    """What of a bearing its rings' give depends on, over cases."""
-
-    inner_bottom: Any
-    """Radius [m]."""
-    outer_bottom: Any
-    inner_groove: Any
-    """Radius of the profile [m]."""
-    outer_groove: Any
-    is_symmetric: Any
-    """Whether both shoulders of a ring are alike, as in a deep-groove bearing."""
-    modulus: Any
-    """Of the rings [Pa]."""
-    poisson_ratio: Any
 
 
 def grooves_of(bearing: BallBearing) -> Grooves:
@@ -80,8 +64,8 @@ def grooves_of(bearing: BallBearing) -> Grooves:
     return Grooves(*bottoms, inner, outer, is_symmetric, ring.elastic_modulus, ring.poisson_ratio)
 
 
-class RingGive(NamedTuple):
-    """How one ring gives way, by harmonics along the first axis."""
+class RingCompliance(NamedTuple):
+    """How one ring deflects, by harmonics along the first axis."""
 
     by_load: NDArray
     """c_n: of the groove, away from the balls, under one radial load [m/N]."""
@@ -91,7 +75,7 @@ class RingGive(NamedTuple):
 
 @dataclass(frozen=True)
 class ElasticRings:
-    """Ask for rings that give way. SI units; any number but the compliances may be an array.
+    """Ask for rings that deflect. SI units; any number but the compliances may be an array.
 
     Raises:
         SceneError: every error, at once.
@@ -152,19 +136,19 @@ class ElasticRings:
         return section_errors(self, grooves_of(bearing))
 
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
-        """The bearing as it is: before it is loaded nothing gives way."""
+        """The bearing as it is: before it is loaded nothing deflects."""
         return bearing
 
-    def gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
-        """Of the inner and the outer ring; None for one that does not give way."""
+    def compliances(self, grooves: Grooves) -> tuple[RingCompliance | None, RingCompliance | None]:
+        """Of the inner and the outer ring; None for a rigid one."""
         if any(np.ndim(each) for each in (*self.numbers.values(), *grooves)):
-            return self._gives(grooves)
-        return _known_gives(self, Grooves(*map(float, grooves)))
+            return self._compliances(grooves)
+        return _known_compliances(self, Grooves(*map(float, grooves)))
 
-    def _gives(self, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
+    def _compliances(self, grooves: Grooves) -> tuple[RingCompliance | None, RingCompliance | None]:
         return self._inner(grooves), self._outer(grooves)
 
-    def _outer(self, at: Grooves) -> RingGive | None:
+    def _outer(self, at: Grooves) -> RingCompliance | None:
         if self.outer_compliance is not None:
             return _tabled(self.outer_compliance)
         if self.outer_width is None or self.housing == RIGID:
@@ -176,16 +160,16 @@ class ElasticRings:
             housing = Annulus(outside, _half(self.housing_outside_diameter), *material)
         height = self._bending_height("outer", outside - at.outer_bottom, at)
 
-        def held(seat: Annulus | None) -> RingGive:
-            def given(bottom: Any) -> RingGive:
-                give = outer_ring_give(Annulus(bottom, outside, at.modulus, at.poisson_ratio), seat)
-                return _given(give, bottom, self.outer_width, at.modulus, None if seat is None else outside)
+        def held(seat: Annulus | None) -> RingCompliance:
+            def given(bottom: Any) -> RingCompliance:
+                compliance = outer_ring_compliance(Annulus(bottom, outside, at.modulus, at.poisson_ratio), seat)
+                return _given(compliance, bottom, self.outer_width, at.modulus, None if seat is None else outside)
 
             return _grown_and_bent(given(at.outer_bottom), None if height is None else given(outside - height))
 
         return _touching(self.housing_touches, held, housing)
 
-    def _inner(self, at: Grooves) -> RingGive | None:
+    def _inner(self, at: Grooves) -> RingCompliance | None:
         if self.inner_compliance is not None:
             return _tabled(self.inner_compliance)
         if self.inner_width is None or self.shaft == RIGID:
@@ -197,10 +181,10 @@ class ElasticRings:
             shaft = Annulus(hollow, bore, *material)
         height = self._bending_height("inner", at.inner_bottom - bore, at)
 
-        def held(seat: Annulus | None) -> RingGive:
-            def given(bottom: Any) -> RingGive:
-                give = inner_ring_give(Annulus(bore, bottom, at.modulus, at.poisson_ratio), seat)
-                return _given(give, bottom, self.inner_width, at.modulus, None if seat is None else bore)
+        def held(seat: Annulus | None) -> RingCompliance:
+            def given(bottom: Any) -> RingCompliance:
+                compliance = inner_ring_compliance(Annulus(bore, bottom, at.modulus, at.poisson_ratio), seat)
+                return _given(compliance, bottom, self.inner_width, at.modulus, None if seat is None else bore)
 
             return _grown_and_bent(given(at.inner_bottom), None if height is None else given(bore + height))
 
@@ -218,16 +202,16 @@ class ElasticRings:
 
 
 @lru_cache(maxsize=32)
-def _known_gives(rings: ElasticRings, grooves: Grooves) -> tuple[RingGive | None, RingGive | None]:
+def _known_compliances(rings: ElasticRings, grooves: Grooves) -> tuple[RingCompliance | None, RingCompliance | None]:
     """Of a single case: asked for by every solve and reading, and slower to find than to solve the case."""
-    return rings._gives(grooves)
+    return rings._compliances(grooves)
 
 
 def _half(diameter: Any) -> NDArray:
     return 0.5 * np.asarray(diameter, float)
 
 
-def _grown_and_bent(grown: RingGive, bent: RingGive | None) -> RingGive:
+def _grown_and_bent(grown: RingCompliance, bent: RingCompliance | None) -> RingCompliance:
     """n = 0 and 1 of the one, all else of the other."""
     if bent is None:
         return grown
@@ -238,10 +222,10 @@ def _grown_and_bent(grown: RingGive, bent: RingGive | None) -> RingGive:
         return np.concatenate([first[:2], rest[2:]])
 
     seat = None if grown.seat is None or bent.seat is None else joined(grown.seat, bent.seat)
-    return RingGive(joined(grown.by_load, bent.by_load), seat)
+    return RingCompliance(joined(grown.by_load, bent.by_load), seat)
 
 
-def _touching(touches: Any, held: Callable[[Annulus | None], RingGive], seat: Annulus | None) -> RingGive:
+def _touching(touches: Any, held: Callable[[Annulus | None], RingCompliance], seat: Annulus | None) -> RingCompliance:
     """On its seat where it touches it, free elsewhere."""
     on_seat = held(seat)
     if touches is None or on_seat.seat is None:
@@ -250,7 +234,7 @@ def _touching(touches: Any, held: Callable[[Annulus | None], RingGive], seat: An
     free = held(None).by_load
     axes = max(is_free.ndim, free.ndim - 1, on_seat.by_load.ndim - 1)
     by_load, free, pressed = (_with_axes(each, axes) for each in (on_seat.by_load, free, on_seat.seat))
-    return RingGive(np.where(is_free, free, by_load), np.where(is_free, 0.0, pressed))
+    return RingCompliance(np.where(is_free, free, by_load), np.where(is_free, 0.0, pressed))
 
 
 def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:
@@ -260,15 +244,19 @@ def _material(modulus: Any, poisson_ratio: Any, at: Grooves) -> tuple[Any, Any]:
     )
 
 
-def _given(give: Give, radius: Any, width: Any, modulus: Any, seat: NDArray | None) -> RingGive:
-    cases = np.broadcast_shapes(give.groove.shape[1:], np.shape(radius), np.shape(width))
-    give = Give(*(np.broadcast_to(_with_axes(each, len(cases)), (len(each), *cases)) for each in give))
-    moved = by_load(of_section(give.groove, radius, modulus), radius, width)
+def _given(
+    compliance: PressureCompliance, radius: Any, width: Any, modulus: Any, seat: NDArray | None
+) -> RingCompliance:
+    cases = np.broadcast_shapes(compliance.groove.shape[1:], np.shape(radius), np.shape(width))
+    compliance = PressureCompliance(
+        *(np.broadcast_to(_with_axes(each, len(cases)), (len(each), *cases)) for each in compliance)
+    )
+    moved = by_load(of_section(compliance.groove, radius, modulus), radius, width)
     if seat is None:
-        return RingGive(moved, None)
-    pressed = give.seat.copy()
+        return RingCompliance(moved, None)
+    pressed = compliance.seat.copy()
     pressed[1] = np.asarray(radius, float) / seat  # the resultant goes through, by pressure alone
-    return RingGive(moved, by_load(pressed, radius, width))
+    return RingCompliance(moved, by_load(pressed, radius, width))
 
 
 def _with_axes(by_harmonic: NDArray, cases: int) -> NDArray:
@@ -276,10 +264,10 @@ def _with_axes(by_harmonic: NDArray, cases: int) -> NDArray:
     return by_harmonic.reshape(len(by_harmonic), *(1,) * (cases + 1 - by_harmonic.ndim), *by_harmonic.shape[1:])
 
 
-def _tabled(compliance: tuple[float, ...]) -> RingGive:
+def _tabled(compliance: tuple[float, ...]) -> RingCompliance:
     by_harmonic = np.zeros(MOST_HARMONICS + 1)
     by_harmonic[: len(compliance)] = compliance
-    return RingGive(by_harmonic, None)
+    return RingCompliance(by_harmonic, None)
 
 
 def folded(by_harmonic: NDArray, ball_count: NDArray, waves: int) -> NDArray:
@@ -299,17 +287,17 @@ def folded(by_harmonic: NDArray, ball_count: NDArray, waves: int) -> NDArray:
     return out
 
 
-def gives_at_balls(
-    gives: tuple[RingGive | None, RingGive | None], azimuth: NDArray, inner: NDArray, outer: NDArray
+def deflections_at_balls(
+    compliances: tuple[RingCompliance | None, RingCompliance | None], azimuth: NDArray, inner: NDArray, outer: NDArray
 ) -> NDArray:
     """By how much the grooves part at each ball under radial loads (*cases, ball) on both rings [m]."""
     apart = np.nan_to_num(azimuth[..., :, None] - azimuth[..., None, :])
     total = np.zeros(azimuth.shape)
-    for give, load in zip(gives, (inner, outer), strict=True):
-        for n in range(0 if give is None else MOST_HARMONICS + 1):
-            assert give is not None
+    for compliance, load in zip(compliances, (inner, outer), strict=True):
+        for n in range(0 if compliance is None else MOST_HARMONICS + 1):
+            assert compliance is not None
             moved = np.einsum("...ji,...i->...j", np.cos(n * apart), np.nan_to_num(load))
-            total = total + np.asarray(give.by_load[n])[..., None] * moved
+            total = total + np.asarray(compliance.by_load[n])[..., None] * moved
     return total
 
 
@@ -319,14 +307,14 @@ def _largest_give(point: OperatingPoint) -> NDArray:
     found = [one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings)]
     at = grooves_of(bearing)
     if found:
-        rings = found[0].gives(at)
+        rings = found[0].compliances(at)
     else:
         thickness, width = (part * np.asarray(bearing.ball_diameter, float) for part in USUAL_SECTION)
         ring = Annulus(at.outer_bottom, at.outer_bottom + thickness, at.modulus, at.poisson_ratio)
-        rings = None, _given(outer_ring_give(ring, None), at.outer_bottom, width, at.modulus, None)
+        rings = None, _given(outer_ring_compliance(ring, None), at.outer_bottom, width, at.modulus, None)
     radial = [np.asarray(each.load * each.cosine) for each in (solution.inner, solution.outer)]
-    gives = gives_at_balls(rings, np.asarray(solution.azimuth), *radial)
-    return np.asarray(np.abs(gives).max(axis=-1))
+    deflections = deflections_at_balls(rings, np.asarray(solution.azimuth), *radial)
+    return np.asarray(np.abs(deflections).max(axis=-1))
 
 
 def _errors(point: OperatingPoint) -> Errors:
@@ -339,7 +327,7 @@ def _indicator(point: OperatingPoint) -> NDArray:
 
 ENTRY = Entry(
     "elastic_rings",
-    "the give of the rings",
+    "the deflection of the rings",
     effect("ring_effects", ElasticRings),
     indicator=_indicator,
     errors=_errors,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import radians
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,12 +24,50 @@ indicator (measured: of 6,500 random scenes without such a ball none erred by mo
 of the others one in ten)."""
 
 
+class Contacts(Protocol):
+    """All contacts of one raceway, as `qsbearing.solution` has them: arrays of shape (*cases, ball)."""
+
+    @property
+    def load(self) -> NDArray: ...
+    @property
+    def angle(self) -> NDArray: ...
+    @property
+    def sine(self) -> NDArray: ...
+    @property
+    def cosine(self) -> NDArray: ...
+    @property
+    def approach(self) -> NDArray: ...
+    @property
+    def required_friction(self) -> NDArray | None: ...
+
+
+class Solved(Protocol):
+    """What is read here of a solution, which lies above the effects."""
+
+    scene: Any
+    shape: tuple[int, ...]
+
+    @property
+    def inner(self) -> Contacts: ...
+    @property
+    def outer(self) -> Contacts: ...
+    @property
+    def azimuth(self) -> NDArray: ...
+    @property
+    def displacement(self) -> NDArray: ...
+    @property
+    def compliance(self) -> NDArray: ...
+    @property
+    def raceway_control(self) -> NDArray | None: ...
+    @property
+    def converged(self) -> Any: ...
+
+
 @dataclass(frozen=True)
 class OperatingPoint:
     """A solution as indicators read it; arrays of shape (*cases) unless said otherwise, SI and radians."""
 
-    solution: Any
-    """A `Solution`, which lies above the effects."""
+    solution: Solved
     asked: Any = None
     """A scene with everything whose influence is asked for, parameters included; None: the solution's own."""
 

@@ -1,4 +1,4 @@
-"""How far a ring gives way under the pressure of its balls, alone or with shaft or housing, by harmonics.
+"""How far a ring deflects under the pressure of its balls, alone or with shaft or housing, by harmonics.
 
 Source        Timoshenko & Goodier, Theory of Elasticity: Lame's cylinder, n = 0; Michell's solution of the plane
               problem in polar coordinates, n >= 2 (displacements of its terms as in Barber, Elasticity, table 9.1)
@@ -97,8 +97,8 @@ def _michell(body: Annulus) -> NDArray:
     return np.asarray(moved @ np.linalg.solve(system, pressed) * (b * (1.0 + nu) / modulus)[..., None, None])  # b/2G
 
 
-class Give(NamedTuple):
-    """How a ring gives way under a pressure p_n cos(n theta) on the bottom of its groove, by harmonics."""
+class PressureCompliance(NamedTuple):
+    """How a ring deflects under a pressure p_n cos(n theta) on the bottom of its groove, by harmonics."""
 
     groove: NDArray
     """u_n/p_n, away from the balls [m/Pa]."""
@@ -106,26 +106,26 @@ class Give(NamedTuple):
     """Pressure at its seat over p_n; 0 without a seat."""
 
 
-def outer_ring_give(ring: Annulus, housing: Annulus | None) -> Give:
+def outer_ring_compliance(ring: Annulus, housing: Annulus | None) -> PressureCompliance:
     """Of an outer ring, in a housing or free; its groove's bottom is its bore."""
     ring, housing = _broadcast(ring, housing)
     own = rim_compliances(ring)
     if housing is None:
-        return Give(own.bore_by_bore, 0.0 * own.bore_by_bore)
+        return PressureCompliance(own.bore_by_bore, 0.0 * own.bore_by_bore)
     held = rim_compliances(housing).bore_by_bore - own.outside_by_outside
     seat = _ratio(own.outside_by_bore, held)
-    return Give(own.bore_by_bore + own.bore_by_outside * seat, seat)
+    return PressureCompliance(own.bore_by_bore + own.bore_by_outside * seat, seat)
 
 
-def inner_ring_give(ring: Annulus, shaft: Annulus | None) -> Give:
+def inner_ring_compliance(ring: Annulus, shaft: Annulus | None) -> PressureCompliance:
     """Of an inner ring, on a shaft or free; its groove's bottom is its outside."""
     ring, shaft = _broadcast(ring, shaft)
     own = rim_compliances(ring)
     if shaft is None:
-        return Give(-own.outside_by_outside, 0.0 * own.outside_by_outside)
+        return PressureCompliance(-own.outside_by_outside, 0.0 * own.outside_by_outside)
     held = rim_compliances(shaft).outside_by_outside - own.bore_by_bore
     seat = _ratio(own.bore_by_outside, held)
-    return Give(-(own.outside_by_outside + own.outside_by_bore * seat), seat)
+    return PressureCompliance(-(own.outside_by_outside + own.outside_by_bore * seat), seat)
 
 
 def _broadcast(ring: Annulus, seat: Annulus | None) -> tuple[Annulus, Annulus | None]:
@@ -138,23 +138,23 @@ def _ratio(moved: NDArray, held: NDArray) -> NDArray:
     return np.divide(moved, held, out=np.zeros(np.broadcast(moved, held).shape), where=held != 0.0)
 
 
-def of_section(give: NDArray, radius: Any, modulus: Any) -> NDArray:
+def of_section(compliance: NDArray, radius: Any, modulus: Any) -> NDArray:
     """u_n/p_n by which the section moves as one: less what is local.
 
     That is a half-plane's compression, 2 r/(E n), which Hertz's contact has already. Harmonics shorter than the ring is
     wide count too: finite elements of one pitch in three dimensions have more deflection than with them, not less. Of
     the bending under one load on a thin ring, what is beyond n = 12 makes 1.3e-3, beyond 24 2e-4.
     """
-    n = np.arange(float(len(give))).reshape(-1, *(1,) * (give.ndim - 1))
+    n = np.arange(float(len(compliance))).reshape(-1, *(1,) * (compliance.ndim - 1))
     local = 2.0 * np.asarray(radius, float) / (np.asarray(modulus, float) * np.maximum(n, 1.0))
-    return np.where(n < 2.0, give, np.maximum(give - local, 0.0))
+    return np.where(n < 2.0, compliance, np.maximum(compliance - local, 0.0))
 
 
-def by_load(give: NDArray, radius: Any, width: Any) -> NDArray:
+def by_load(compliance: NDArray, radius: Any, width: Any) -> NDArray:
     """c_n [m/N]: a load F at one place moves the groove, an angle t further, by the sum of c_n F cos(n t).
 
     The load's harmonics are p_n = e_n F/(2 pi r B), e_0 = 1, else 2.
     """
-    size = np.full((len(give), *(1,) * (give.ndim - 1)), 2.0)
+    size = np.full((len(compliance), *(1,) * (compliance.ndim - 1)), 2.0)
     size[0] = 1.0
-    return np.asarray(size * give / (2.0 * np.pi * np.asarray(radius, float) * np.asarray(width, float)))
+    return np.asarray(size * compliance / (2.0 * np.pi * np.asarray(radius, float) * np.asarray(width, float)))

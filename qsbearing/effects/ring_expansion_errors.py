@@ -2,20 +2,39 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from qsbearing.material import Material, material_errors
 from qsbearing.units import zero_celsius
-from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, first, numeric, within
+from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, numeric, on_side, within
 
 if TYPE_CHECKING:
     from qsbearing.scene.bearing import BallBearing
 
-RingExpansion = Any
-"""A `qsbearing.effects.ring_expansion.RingExpansion`, which asks for its errors."""
+
+class RingExpansion(Protocol):
+    """What is read by name of a `qsbearing.effects.RingExpansion`, which lies above: it asks for its errors."""
+
+    name: ClassVar[str]
+
+    @property
+    def bore_diameter(self) -> ArrayLike: ...
+    @property
+    def outside_diameter(self) -> ArrayLike: ...
+    @property
+    def shaft_bore_diameter(self) -> ArrayLike | None: ...
+    @property
+    def housing_interference(self) -> ArrayLike | None: ...
+    @property
+    def housing_outside_diameter(self) -> ArrayLike | None: ...
+    @property
+    def reference_temperature(self) -> ArrayLike: ...
+    @property
+    def yield_strength(self) -> float: ...
+
 
 LARGEST_FIT = 0.01
 """Of the seat's diameter: ten times any press fit; it catches mistakes of unit."""
@@ -88,44 +107,23 @@ def section_errors(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDet
     """Diameters that are no rings around this bearing's grooves, and missing coefficients of expansion."""
     bottom_inner = 2.0 * (bearing.inner_groove_centre_radius - np.asarray(bearing.inner_groove_radius))
     bottom_outer = 2.0 * (bearing.outer_groove_centre_radius + np.asarray(bearing.outer_groove_radius))
-    bore, outside = np.asarray(effect.bore_diameter, float), np.asarray(effect.outside_diameter, float)
-    pairs = [
-        ("bore_diameter", bore, bottom_inner, "the bottom of the inner groove"),
-        ("outside_diameter", outside, bottom_outer, "the bottom of the outer groove"),
-    ]
-    if effect.shaft_bore_diameter is not None:
-        pairs.append(("shaft_bore_diameter", np.asarray(effect.shaft_bore_diameter, float), bore, "the shaft's seat"))
-    if effect.housing_outside_diameter is not None:
-        seat = "the housing's seat"
-        pairs.append(("housing_outside_diameter", np.asarray(effect.housing_outside_diameter, float), outside, seat))
     errors = []
-    for name, found, other, what in pairs:
-        field = f"{effect.name}.{name}"
-        errors += _inside(field, found, other, what) if "bore" in name else _outside(field, found, other, what)
+    for name, limit, outward, what in (
+        ("bore_diameter", bottom_inner, -1.0, "within the bottom of the inner groove"),
+        ("outside_diameter", bottom_outer, 1.0, "around the bottom of the outer groove"),
+        ("shaft_bore_diameter", effect.bore_diameter, -1.0, "within the shaft's seat"),
+        ("housing_outside_diameter", effect.outside_diameter, 1.0, "around the housing's seat"),
+    ):
+        if getattr(effect, name) is not None:
+            errors += on_side(f"{effect.name}.{name}", getattr(effect, name), limit, outward, what)
     return errors + _expansion_missing(effect, bearing)
-
-
-def _inside(field: str, found: NDArray, other: NDArray, what: str) -> list[ErrorDetail]:
-    bad = found >= other
-    if not bad.any():
-        return []
-    value, limit = first(bad, found, other)
-    return [ErrorDetail(field, f"is not within {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (0.0, limit), where=bad)]
-
-
-def _outside(field: str, found: NDArray, other: NDArray, what: str) -> list[ErrorDetail]:
-    bad = found <= other
-    if not bad.any():
-        return []
-    value, limit = first(bad, found, other)
-    return [ErrorDetail(field, f"is not around {what}, {limit / 1e-3:.6g} mm", value, LENGTH, (limit, 20.0), where=bad)]
 
 
 def _expansion_missing(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
     asked: dict[str, tuple[Material, bool]] = {
         "bearing.ring_material": (
             bearing.ring_material,
-            effect.inner_ring_temperature is not None or effect.outer_ring_temperature is not None,
+            any(getattr(effect, f"{side}_ring_temperature") is not None for side in ("inner", "outer")),
         )
     }
     for seat, ring in (("shaft", "inner_ring"), ("housing", "outer_ring")):

@@ -31,11 +31,14 @@ def bending_height(thickness: Any, width: Any, groove_radius: Any, shoulders: tu
     moments, thickness = np.zeros((3, *shape)), np.broadcast_to(thickness, shape)
     for shoulder in shoulders:
         height, half = np.asarray(shoulder, float), 0.5 * np.asarray(width, float)
-        edge = np.minimum(np.sqrt(height * (2.0 * groove_radius - height)), half)
+        # By the angle around the groove: against x the arc is vertical at the groove's centre circle.
+        face = np.arcsin(np.minimum(half / groove_radius, 1.0))
+        edge = np.minimum(np.arccos(1.0 - height / groove_radius), face)
         for point, weight in zip(0.5 * (_POINTS + 1.0), 0.5 * _WEIGHTS, strict=True):
-            x = point * edge
-            arc = thickness + groove_radius - np.sqrt(groove_radius**2 - x * x)
-            moments += weight * edge * np.stack(np.broadcast_arrays(*(arc**k for k in (1, 2, 3))))
-        moments += (half - edge) * np.stack(np.broadcast_arrays(*((thickness + height) ** k for k in (1, 2, 3))))
+            along = groove_radius * np.cos(point * edge)
+            arc = thickness + groove_radius - along
+            moments += weight * edge * along * np.stack(np.broadcast_arrays(*(arc**k for k in (1, 2, 3))))
+        flat, high = half - groove_radius * np.sin(edge), thickness + height
+        moments += flat * np.stack(np.broadcast_arrays(*(high**k for k in (1, 2, 3))))
     area, first, second = moments[0], 0.5 * moments[1], moments[2] / 3.0
     return np.asarray(np.cbrt(12.0 * (second - first**2 / area) / width))

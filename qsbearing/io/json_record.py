@@ -144,7 +144,7 @@ def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | 
 
 
 def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
-    """How the rings give way, and what part of the axial displacement that is; None between rigid rings."""
+    """How the rings deflect, and what part of the axial displacement that is; None between rigid rings."""
     if solution.scene.elastic_rings is None:
         return None
     share = solution.elastic_share

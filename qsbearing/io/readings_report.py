@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.tables import digits_of, remarks
 from qsbearing.readings.asked import READINGS
-from qsbearing.result_keys import Shown, split
+from qsbearing.result_keys import Shown, printed_unit, split
 
-UNITS = {"1": "", "Mrev": "million rev", "N mm": "Nmm"}
+UNITS = {"1": "", "Mrev": "million rev"}
 """Units that tables for people write otherwise."""
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
@@ -70,4 +70,4 @@ def _span(values: NDArray, noise: float) -> tuple[str, str]:
 
 def _unit(shown: Shown) -> str:
     unit = split(shown.key)[1]
-    return UNITS.get(unit, unit)
+    return UNITS.get(unit, printed_unit(unit))

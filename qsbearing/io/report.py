@@ -12,7 +12,7 @@ from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import remarks
 from qsbearing.judgement import percent
-from qsbearing.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, split
+from qsbearing.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
 from qsbearing.solution.solution import Solution
@@ -28,7 +28,7 @@ makes them equal but for rounding."""
 RING_NOISE = 1e-10
 """Ring loads below this part of the largest are rounding."""
 
-_UNITS = (("um", "N", "N/um"), ("mrad", "Nm", "Nm/mrad"))
+_UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
 def result(solution: Solution, readings: Readings) -> list[Block]:
@@ -190,7 +190,7 @@ def channels_table(
 
 
 RINGS = (
-    "", "radial growth\nof groove um", "seat pres-\nsure MPa", "seat gap\num", "hoop stress\nat bore MPa",
+    "", "radial growth\nof groove µm", "seat pres-\nsure MPa", "seat gap\nµm", "hoop stress\nat bore MPa",
     "largest Tresca\nstress MPa",
 )  # fmt: skip
 
@@ -203,7 +203,9 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         rows = []
         for shown in GEOMETRY:
             cold = float(shown.of(solution.scene.bearing))
-            rows.append((shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", split(shown.key)[1]))
+            rows.append(
+                (shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", printed_unit(split(shown.key)[1]))
+            )
         heading = ("", "at rest, cold", "in operation", "")
         tables.append(Table(heading, rows, "lrrl", "Geometry before it is loaded"))
     if rings is not None:
@@ -213,11 +215,11 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
 
 
 def _shapes(found: dict[str, Any]) -> list[Table]:
-    """How elastic rings have given way."""
+    """How elastic rings have deflected."""
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
-    heading = ("", "growth\num", "bending\num", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
+    heading = ("", "growth\nµm", "bending\nµm", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
     share = elastic["share_of_axial_displacement"]
     part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
     rows = [
@@ -225,7 +227,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
         for side in ("inner", "outer")
         if elastic[side] is not None
     ]
-    return [Table(heading, rows, caption=f"Rings giving way under their balls{part}")]
+    return [Table(heading, rows, caption=f"Rings deflected by their balls{part}")]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:
@@ -236,7 +238,7 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
         (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
         for body, each in found["temperatures"].items()
     ]
-    return [Table(("", "C", "from"), rows, "lrl", "Temperatures: shaft and housing hold rings and preload")]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures: shaft and housing hold rings and preload")]
 
 
 def freedom(free: Collection[int]) -> str:
@@ -260,7 +262,7 @@ def stiffness_matrix_table(found: dict[str, Any]) -> Table:
     """The whole tangent of a record; what is rounding beside the diagonal is shown as zero."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
-    heading = [f"{channel.label}\n/{'mrad' if tilt else 'um'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
+    heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
     matrix, rows = found["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
         noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
@@ -281,8 +283,8 @@ _SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"an
 
 
 def _head_of(key: str, side: str = "") -> str:
-    name, unit = split(key)
-    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + ("-" if unit == "1" else key.removeprefix(f"{name}_"))
+    _, unit = split(key)
+    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + ("-" if unit == "1" else printed_unit(unit))
 
 
 def contacts_table(rows: list[Row], count: int) -> Table:
@@ -292,21 +294,21 @@ def contacts_table(rows: list[Row], count: int) -> Table:
     columns = [_contact_column(rows, *pair) for pair in pairs]
     deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
     if any(deviation is not None for deviation in deviations):
-        heading, columns = ["D - D0\num", *heading], [_column(deviations, 4), *columns]
+        heading, columns = ["D - D0\nµm", *heading], [_column(deviations, 4), *columns]
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
 def _ellipses(rows: list[Row], count: int) -> Table:
     pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
     pairs += [("inner", "approach_um"), ("outer", "approach_um")]
-    title = "Contact ellipses: a across, b along the rolling direction; delta: approach"
+    title = "Contact ellipses: a across, b along rolling; δ: approach"
     heading = [_head_of(key, side) for side, key in pairs]
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
-    title = "Ball inertia and motion" + ("; mu: the friction that Mg demands" if gyroscopic else "")
+    title = "Ball inertia and motion" + ("; µ: friction that Mg requires" if gyroscopic else "")
     columns: dict[str, list[str]] = {}
     for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
         if any(row.ball[key] is not None for row in rows):

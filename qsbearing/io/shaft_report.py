@@ -80,7 +80,7 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     tables = [Table(heading, cells, caption="Shaft: deflection, and what its part beyond does to the part before")]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
-        cells = [("stiffness, N/um and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
+        cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
             cells.append((f"of the deflection: {part}", *map(_share, share.values())))
         tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))

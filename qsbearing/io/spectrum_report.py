@@ -18,7 +18,7 @@ from qsbearing.result_keys import LOAD
 from qsbearing.solution.solution import Solution
 from qsbearing.units import rpm
 
-NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nNm", "moment z\nNm")
+NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nN m", "moment z\nN m")
 
 
 def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:

@@ -31,8 +31,8 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
         lambda i: wrong_model(
-            "No consistent raceway control: with each choice some ball's loads call for the other. The last choice "
-            "tried is reported.",
+            "No consistent raceway control: whichever raceway is taken, the loads of some ball point to the other. The "
+            "last choice tried is reported.",
             HYPOTHESES,
         ),
     )
@@ -63,8 +63,8 @@ def _slip_warning(solution: Solution, part: slice) -> Warnings:
     yield (
         np.asarray(slips.any(axis=-1)),
         lambda i: wrong_model(
-            f"{_ball_list(slips[i])} slip: the gyroscopic moment asks for friction up to {asked[i].max():.3g}, contacts"
-            f" carry {given[i]:.3g}. Speeds stay those without slip.",
+            f"{_ball_list(slips[i])} slip: the gyroscopic moment requires a friction coefficient of "
+            f"{asked[i].max():.3g}, the contacts have {given[i]:.3g}. The speeds reported are those without slip.",
             HYPOTHESES,
         ),
     )
@@ -84,8 +84,8 @@ def friction_warnings(solution: Solution, part: slice) -> Warnings:
             most, balls = friction[i].max(), _ball_list(friction[i] > FRICTION_IN_DOUBT)
             is_beyond = most > FRICTION_BEYOND
             return RankedWarning(
-                f"The gyroscopic moment demands friction up to {most:.2f} at the {name} raceway of {balls}: "
-                f"{'expect slip' if is_beyond else 'slip may begin'} (typical {FRICTION_IN_DOUBT:g} to "
+                f"The gyroscopic moment requires a friction coefficient of {most:.2f} at the {name} raceway of "
+                f"{balls}: {'expect slip' if is_beyond else 'slip may begin'} (typical: {FRICTION_IN_DOUBT:g} to "
                 f"{FRICTION_BEYOND:g}).",
                 Rank.WRONG_MODEL if is_beyond else Rank.GOOD_TO_KNOW,
                 HYPOTHESES,

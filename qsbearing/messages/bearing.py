@@ -89,11 +89,11 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
         return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
     if notes & FRICTION_WITHOUT_LOAD:
         why = (
-            " under this raceway control: the gyroscopic moment would have to be reacted by friction at a contact that "
-            "carries too little load or none; the ball slips."
+            " under this raceway control: the gyroscopic moment would have to be carried by friction at a contact with "
+            "too little load, or none: the ball slips."
         )
         if case["control"] == INNER:
-            why += " Outer or per-ball control does not demand this."
+            why += " Outer or per-ball control does not require this."
     elif notes & OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
@@ -102,7 +102,7 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
     elif notes & OVER_SHOULDER:
         why = (
             ": a loaded inner contact lies at more than 90 degrees, over the shoulder of any groove: the inner ring "
-            "cannot hold the balls against what throws or pulls them outward."
+            "cannot hold the balls against the forces that push them outward."
         )
     else:
         return "No equilibrium."
@@ -113,7 +113,9 @@ def _where(part: float) -> str:
     """At which part of the speed that shows, if not at the whole."""
     if part == 1.0:
         return ""
-    return f" It is so already at {100.0 * part:.3g} % of the speed." if part > 0.0 else " It is so already at rest."
+    return (
+        f" This is already so at {100.0 * part:.3g} % of the speed." if part > 0.0 else " This is already so at rest."
+    )
 
 
 def _unsupported(case: NDArray) -> str:
@@ -136,12 +138,12 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
         return []
     what = {entry.name: entry.what for entry in EFFECTS}
     out = [f"{what[one.effect]}: {estimated(float(np.max(one.estimated_error)))}" for one in choice.left_out]
-    left = f"left out, with the error expected: {'; '.join(out)}." if out else "nothing is left out."
+    left = f"left out, with the expected error: {'; '.join(out)}." if out else "nothing is left out."
     said = [f"Tolerance {choice.tolerance:g}: {left}"]
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
-        needed = f"Needed, though the scene does not name it: {', '.join(entry.what for entry in added)}."
-        said.append(f"{needed} Under [effects]: {', '.join(lines_to_add(named, added))}")
+        needed = f"Needed, although the scene does not name it: {', '.join(entry.what for entry in added)}."
+        said.append(f"{needed} Add under [effects]: {', '.join(lines_to_add(named, added))}")
     return said
 
 
@@ -209,7 +211,7 @@ def _sparse_warning(solution: Solution, part: slice) -> Warnings:
     yield (
         filled < SPARSE,
         lambda i: check_data(
-            f"The balls fill {100.0 * filled[i]:.2g} % of the pitch circle, 59 to 90 % is usual: are ball count, ball "
+            f"The balls fill {100.0 * filled[i]:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
             "diameter and pitch diameter right?",
             "ten_minutes#2-write-your-own",
         ),
@@ -222,7 +224,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         unloaded,
         lambda i: check_data(
-            "Nothing loads the ring: its position is not determined; one possible one is reported.", STATUSES
+            "Nothing loads the ring: its position is not determined, and one of many is reported.", STATUSES
         ),
     )
     stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
@@ -233,7 +235,9 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     def undetermined(i: int) -> str:
         share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
         names = ", ".join(CHANNELS[channel].label for channel in free[share > 0.1])
-        return check_data(f"Nothing resists the ring in: {names}. What is reported there is not determined.", STATUSES)
+        return check_data(
+            f"Nothing resists the ring in {names}: the displacement reported there is arbitrary.", STATUSES
+        )
 
     yield ~unloaded & soft.any(axis=-1), undetermined
     bearing = solution.scene.bearing
@@ -247,7 +251,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
         lambda i: check_data(
-            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} um, to "
+            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} µm, to "
             "contact angles of zero.",
             "how_to#preload-of-one-bearing",
         ),

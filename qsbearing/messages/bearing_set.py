@@ -113,7 +113,7 @@ def _overloaded(solution: SetSolution, k: int) -> str:
     value = 0.0 if load is None else of_case(load)
     direction = "+x" if value > 0.0 else "-x"
     if value != 0.0 and np.sign(value) not in {row.sign for row in solution.set.rows}:
-        return f" The axial load acts in {direction}, in which no row carries."
+        return f" The axial load acts in {direction}, which no row carries."
     against = [row for row in solution.set.rows if row.sprung and row.sign * value > 0.0]
     if against and preload is not None and preload.spring is not None and abs(value) > of_case(preload.spring):
         return f" The axial load in {direction} is more than the spring's {of_case(preload.spring):.4g} N."
@@ -139,7 +139,7 @@ def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
     if of is not None:
         said = [each for number in range(len(rows)) for each in _preload(solution, of, place, number)]
     if not solution.control_is_consistent[place]:
-        what = "No stiffness: raceway control contradicts itself in a row, which has several solutions side by side."
+        what = "No stiffness: raceway control contradicts itself in a row, which has several solutions."
         said.append(wrong_model(what, "limits#hypotheses"))
     for number, row_solution in enumerate(solution.rows):
         name = capital(row_name(rows[number], number))

@@ -25,7 +25,8 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         wedged < 0.0,
         lambda i: check_data(
-            f"The expansion has taken up all clearance and {-wedged[i]:.4g} um more (diametral): the balls are wedged.",
+            f"The expansion has taken up all clearance and {-wedged[i]:.4g} µm more (diametral): the balls "
+            "are wedged between the rings.",
             HEAT,
         ),
     )
@@ -56,8 +57,8 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
             i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
         ) -> str:
             return check_data(
-                f"The fit of the {ring} ring is lost in operation: mounted with {interference[i] / um:.4g} um, it "
-                f"stands {gap[i] / um:.4g} um (diametral) off the {seat}.",
+                f"The fit of the {ring} ring is lost in operation: mounted with {interference[i] / um:.4g} µm, it "
+                f"has {gap[i] / um:.4g} µm (diametral) of clearance to the {seat}.",
                 HEAT,
             )
 
@@ -94,8 +95,8 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
 
             def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> str:
                 return check_data(
-                    f"The {side} ring would lift off the {seat} somewhere, unless its fit presses it by "
-                    f"{short[i] / MPa:.3g} MPa more: it gives way further there than computed.",
+                    f"The {side} ring would lift off the {seat} in places, unless its fit pressed it by "
+                    f"{short[i] / MPa:.3g} MPa more: it deflects more there than computed.",
                     GIVE,
                 )
 
@@ -105,8 +106,8 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
 
             def touches(i: int, side: str = side, seat: str = seat) -> str:
                 return check_data(
-                    f"The {side} ring stands off the {seat} in the mean, but bends as far as to touch it somewhere: it "
-                    f"gives way less there than computed.",
+                    f"The {side} ring has clearance to the {seat} on average, but bends so far that it touches it in "
+                    f"places: it deflects less there than computed.",
                     GIVE,
                 )
 

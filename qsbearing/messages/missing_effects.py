@@ -29,7 +29,7 @@ def missing_warnings(solution: Solution, part: slice) -> Warnings:
             quantity, error = each.worst(part.start + i)
             said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)})")
         lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
-        return wrong_model(f"Missing here: {' and '.join(said)}. Under [effects]: {lines}", EXPLAINED)
+        return wrong_model(f"Not simulated: {' and '.join(said)}. Add under [effects]: {lines}", EXPLAINED)
 
     yield np.asarray(matters.any(axis=0)), sentence
 
@@ -45,8 +45,8 @@ def data_warnings(solution: Solution, part: slice) -> Warnings:
         said = []
         for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
             quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)}): give {each.entry.needs}")
-        return wrong_model(f"Missing for want of numbers: {'; '.join(said)}", EXPLAINED)
+            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)}), which needs {each.entry.needs}")
+        return wrong_model(f"Not simulated, because input data are missing: {'; '.join(said)}", EXPLAINED)
 
     yield np.asarray(matters.any(axis=0)), sentence
 

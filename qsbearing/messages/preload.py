@@ -67,7 +67,7 @@ def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -
     went = "fell" if now < before else "rose"
     return check_data(
         f"Preload reduced: {who} carries {of.carried:.4g} N, {100.0 * float(share(of)):.2g} % of the {of.given:.4g} N "
-        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/um mounted to {1e-6 * now:.4g} N/um.",
+        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/µm mounted to {1e-6 * now:.4g} N/µm.",
         "sets#preload",
     )
 

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from qsbearing.effects import ElasticRings, RingExpansion
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.operation import Operation
-from qsbearing.units import um
-from qsbearing.validation import LENGTH, ErrorDetail, first
+from qsbearing.units import GPa, um
+from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, first
 
 _SEATS = (
     ("shaft", "bore_diameter", "shaft_bore_diameter", 0),
@@ -26,7 +26,7 @@ _SEATS = (
 """Of each seat: the ring's diameter and its own, and which of a bearing's rings it holds."""
 
 
-def seat_errors(rings: ElasticRings, expansion: RingExpansion) -> list[ErrorDetail]:
+def seat_errors(rings: ElasticRings, expansion: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
     """What the two say differently of a ring or its seat."""
     errors: list[ErrorDetail] = []
     for seat, ring, own, _ in _SEATS:
@@ -40,7 +40,7 @@ def seat_errors(rings: ElasticRings, expansion: RingExpansion) -> list[ErrorDeta
             field = f"{rings.name}.{seat}"
             errors.append(ErrorDetail(field, f"is free, but ring_expansion fits it to a {seat}", "free", cause=cause))
         elif has_body:
-            errors += _differing(rings, expansion, own)
+            errors += _differing(rings, expansion, own) + _material_errors(rings, expansion, bearing, seat)
     return errors
 
 
@@ -67,7 +67,7 @@ def clearance_errors(
     errors = []
     for seat, gap in clearances(rings, expansion, bearing, operation).items():
         (found,) = first(gap > 0.0, gap)
-        problem = f"gives way, but stands {found / um:.4g} um (diametral) off its ring in operation"
+        problem = f"is elastic, but has {found / um:.4g} um (diametral) of clearance to its ring in operation"
         cause = f'A clearance closes in a bearing alone: a tighter fit, or {seat} = "free" while it stays open'
         errors.append(ErrorDetail(f"elastic_rings.{seat}", problem, cause=cause, where=gap > 0.0))
     return errors
@@ -85,3 +85,23 @@ def _differing(rings: ElasticRings, expansion: RingExpansion, name: str) -> list
     found, other = first(bad, here, there)
     problem = f"is another than ring_expansion.{name}, {other / 1e-3:.8g} mm"
     return [ErrorDetail(f"{rings.name}.{name}", problem, found, LENGTH, cause="One body has one diameter", where=bad)]
+
+
+def _material_errors(
+    rings: ElasticRings, expansion: RingExpansion, bearing: BallBearing, seat: str
+) -> list[ErrorDetail]:
+    """A seat of two materials; left out, it is of the rings' in either description."""
+    errors, material = [], getattr(expansion, f"{seat}_material") or bearing.ring_material
+    for name, quantity, unit in (("elastic_modulus", MODULUS, GPa), ("poisson_ratio", RATIO, 1.0)):
+        own = getattr(rings, f"{seat}_{name}")
+        of_rings = getattr(bearing.ring_material, name)
+        numbers = (np.asarray(each, float) for each in (of_rings if own is None else own, getattr(material, name)))
+        here, there = np.broadcast_arrays(*numbers)
+        bad = np.abs(here - there) > 1e-9 * np.abs(there)
+        if bad.any():
+            found, other = first(bad, here, there)
+            told = "that of the rings, for it is left out" if own is None else "given here"
+            problem = f"is {told}, but the {seat} of ring_expansion has {other / unit:.6g}{' GPa' * (unit == GPa)}"
+            cause = f"One body has one material: state {seat}_material there and its constants here alike"
+            errors.append(ErrorDetail(f"{rings.name}.{seat}_{name}", problem, found, quantity, cause=cause, where=bad))
+    return errors

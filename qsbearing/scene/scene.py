@@ -108,7 +108,7 @@ class Scene(InNotebooks):
         raise_if_any([*errors, *clashes] if clashes else [])  # what follows takes them together
         wrong = ring_effect_errors(self.ring_effects, self.bearing)
         if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
-            wrong = seat_errors(self.elastic_rings, self.ring_expansion)
+            wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing)
         errors += wrong
         if self.thermal is not None and self.tolerance is not None:
             errors.append(ErrorDetail("tolerance", "is given beside a heat balance: name the effects"))

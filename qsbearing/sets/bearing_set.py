@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from qsbearing.scene.elastic_seats import clearance_errors
 from qsbearing.scene.operation import Operation
 from qsbearing.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
 from qsbearing.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
 
@@ -135,7 +137,17 @@ class BearingSet(InNotebooks):
         raise_if_any(_temperature_errors(self) or _scene_errors(self))
 
     def effects_of(self, row: Row) -> tuple[RingEffect, ...]:
-        """What changes the bearing of a row: its own ring effects, or the set's."""
+        """What changes the bearing of a row of the set: its own ring effects, or the set's."""
+        if id(row) not in self._effects:
+            self._effects[id(row)] = self._seated_effects(row)
+        return self._effects[id(row)]
+
+    @cached_property
+    def _effects(self) -> dict[int, tuple[RingEffect, ...]]:
+        """What is asked for again and again, by the rows' identities."""
+        return {}
+
+    def _seated_effects(self, row: Row) -> tuple[RingEffect, ...]:
         effects = self.ring_effects if row.ring_effects is None else row.ring_effects
         if self.shaft is None and self.housing is None:
             return effects
@@ -165,7 +177,35 @@ class BearingSet(InNotebooks):
             **{name: getattr(self, name) for name in choices},
         )
 
-    @property
+    @cached_property
+    def alike(self) -> tuple[int, ...]:
+        """Of each row, from 0, the first that as a bearing is the very same: solved alike, checked once."""
+        known: dict[tuple[int, ...], int] = {}
+        found = []
+        for number, row in enumerate(self.rows):
+            effects = self.ring_effects if row.ring_effects is None else row.ring_effects
+            effects = effects if isinstance(effects, tuple) else (effects,)
+            has_seat = self.shaft is not None and any(isinstance(each, RingExpansion) for each in effects)
+            seat = self.shaft.section_number(row.position) if has_seat else 0
+            own = row.bearing, row.readings, *effects
+            found.append(known.setdefault((seat, *map(id, own)), number))
+        return tuple(found)
+
+    @cached_property
+    def growth(self) -> tuple[Growth, Growth]:
+        """Along the shaft and in the housing."""
+        return Growth(self, SHAFT), Growth(self, HOUSING)
+
+    def offset_in_operation(self, row: Row, offset: NDArray) -> NDArray:
+        """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
+
+        What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
+        the reference position.
+        """
+        along, outside = (growth(row.position) for growth in self.growth)
+        return np.asarray(offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside))
+
+    @cached_property
     def reference(self) -> NDArray:
         """Where the shaft's channels are meant [m]."""
         if self.reference_position is not None:
@@ -313,7 +353,10 @@ def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
     """What is wrong with the rows as bearings; what all have alike is said once, without a row."""
     plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
     found: list[list[ErrorDetail]] = []
-    for number in range(len(of.rows)):
+    for number, same in enumerate(of.alike):
+        if same < number:
+            found.append(found[same])
+            continue
         try:
             row = of.row_scene(number, plain)
             found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, plain))

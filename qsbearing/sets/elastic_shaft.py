@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from qsbearing.sets.beam import Beam, beam_of, flexibility, rigid_motion
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.rigid_shaft import UNKNOWNS, arm_along, own_lever, row_matrix
+from qsbearing.sets.rigid_shaft import UNKNOWNS, arms_along, own_lever, row_matrices
 from qsbearing.sets.shaft import Shaft
 
 PLANES = ((0,), (1, 4), (2, 3))
@@ -76,7 +76,7 @@ def ground_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Ground
     Args:
         length: makes tilts lengths; shape (case,) [m].
     """
-    rigid = np.stack([row_matrix(of, number, shape) for number in range(len(of.rows))])
+    rigid = row_matrices(of, shape)
     springs = np.zeros((rigid.shape[1], rigid.shape[-1]))
     for number, group in enumerate(of.floating, UNKNOWNS):
         springs[:, number] = np.broadcast_to(np.asarray(group.spring, float), shape).reshape(-1)
@@ -102,11 +102,7 @@ class Places:
 
     def arms(self, positions: list) -> NDArray:
         """From the reference, warm; shape (case or 1, position)."""
-        each = [arm_along(self.of, position) for position in positions]
-        common = np.broadcast_shapes((), *(np.shape(arm) for arm in each))
-        if common:
-            each = [np.broadcast_to(arm, self.shape).reshape(-1) for arm in each]
-        return np.stack(each, axis=-1).reshape(-1, len(each)) if each else np.zeros((1, 0))
+        return arms_along(self.of, positions, self.shape) if positions else np.zeros((1, 0))
 
     def flexibility(self, at: NDArray, loaded: NDArray) -> NDArray:
         """The beam's; shape (case or 1, at, loaded, 5, 5); nothing of a rigid shaft."""
@@ -133,7 +129,7 @@ class Places:
 def _warm_beam(of: BearingSet, shaft: Shaft, places: Places) -> Beam:
     """About the reference position, as long and thick as heat makes it."""
     ends = places.arms(list(shaft.ends))
-    strains = shaft.strains()
+    strains = shaft.strains
     if strains.ndim > 1:
         strains = np.broadcast_to(strains, (*places.shape, strains.shape[-1])).reshape(-1, strains.shape[-1])
     grown = 1.0 + np.atleast_2d(strains)
@@ -150,8 +146,7 @@ def _warm_beam(of: BearingSet, shaft: Shaft, places: Places) -> Beam:
 def to_row(of: BearingSet, number: int, cases: int) -> NDArray:
     """T, from the displacement of a row's place on the shaft to the row's own frame; shape (case, 5, 5)."""
     row = of.rows[number]
-    arm = np.broadcast_to(own_lever(of, row), (cases,)) if np.ndim(own_lever(of, row)) == 0 else own_lever(of, row)
-    out = rigid_motion(np.broadcast_to(np.asarray(arm, float).reshape(-1), (cases,)))
+    out = rigid_motion(np.broadcast_to(np.asarray(own_lever(of, row), float).reshape(-1), (cases,)))
     out[:, (0, 3, 4)] *= row.sign
     return out
 

@@ -25,7 +25,7 @@ MOST_ITERATIONS = 60
 # A step moves no row further than this part of the distance of its groove centres: that, not the stiffness, is the
 # scale on which contact angles change.
 LARGEST_STEP = 0.1
-SHORTENINGS = 12
+SHORTEST = 0.5**11
 # Of the stiffness: keeps a channel that nothing resists solvable.
 REGULARISATION = 1e-12
 # Where rounding forbids the tolerance, this relative imbalance still counts as solved; as in the kernel.
@@ -109,13 +109,17 @@ class Stretch:
         return total + self.elasticity[which] if self.elasticity.size else total
 
     def solve_rows(self, q: NDArray, which: NDArray) -> tuple[list[Found], NDArray]:
-        """All rows at this displacement: (what is found, where all are solved)."""
-        found = [row.solve(q, which, self.tolerance, self.speed_factor[which]) for row in self.rows]
-        solved = np.stack([good for _, good in found], axis=1)
-        for k in np.flatnonzero(~solved.all(axis=1)):
-            number, case = int(np.argmin(solved[k])), int(which[k])
-            self.fault[case], self.refused[case] = number, found[number][0].results[k].copy()
-        return [each for each, _ in found], np.asarray(solved.all(axis=1))
+        """All rows at this displacement: (what is found, where all are solved); none after one that is not."""
+        every, good = [], np.ones(which.size, bool)
+        for number, row in enumerate(self.rows):
+            found, left = row.found.part(which), np.flatnonzero(good)
+            new, solved = row.solve(q[left], which[left], self.tolerance, self.speed_factor[which[left]])
+            found.put(left, new)
+            for k in left[~solved]:
+                self.fault[which[k]], self.refused[int(which[k])] = number, found.results[k].copy()
+            good[left[~solved]] = False
+            every.append(found)
+        return every, good
 
     def keep(self, which: NDArray, q: NDArray, found: list[Found], residual: NDArray) -> None:
         """Go on from here."""
@@ -165,13 +169,16 @@ def _step(s: Stretch, which: NDArray, imbalance: NDArray) -> NDArray:
 def _take(
     s: Stretch, which: NDArray, imbalance: NDArray, before: NDArray, step: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """Take each step, or the longest part of it, by halves, that lessens the imbalance; cases without one are left."""
-    size, fraction = np.linalg.norm(imbalance, axis=1), 1.0
+    """Take each step, or the longest part of it, by halves, that lessens the imbalance; cases without one are left.
+
+    By quarters where some row has no equilibrium: to find that out takes longest.
+    """
+    size, fraction = np.linalg.norm(imbalance, axis=1), np.ones(which.size)
     left = np.arange(which.size)
     taken = np.zeros(which.size, bool)
-    for _ in range(SHORTENINGS):
+    while left.size:
         cases = which[left]
-        q = s.q[cases] + fraction * step[left] / s.scale(cases)
+        q = s.q[cases] + fraction[left, None] * step[left] / s.scale(cases)
         found, good = s.solve_rows(q, cases)
         new, relative = s.imbalance(cases, q, found)
         # The limit of rounding: an imbalance as small as any may stay as it is.
@@ -179,9 +186,8 @@ def _take(
         s.keep(cases[better], q[better], [each.part(np.flatnonzero(better)) for each in found], relative[better])
         imbalance[left[better]] = new[better]
         taken[left[better]] = True
-        left, fraction = left[~better], 0.5 * fraction
-        if not left.size:
-            break
+        fraction[left] *= np.where(good, 0.5, 0.25)
+        left = left[~better & (fraction[left] >= SHORTEST)]
     return which[taken], imbalance[taken], before[taken]
 
 

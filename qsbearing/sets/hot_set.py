@@ -18,7 +18,7 @@ from qsbearing.thermal.hot import Temperatures, at_speed, hot_row
 
 
 class HotSet:
-    """As `qsbearing.thermal.hot.Machine` asks it."""
+    """As `qsbearing.thermal.hot.HotSystem` asks it."""
 
     def __init__(self, of: BearingSet, shape: tuple[int, ...], solve: Callable[[BearingSet], SetSolution]) -> None:
         assert of.thermal is not None

@@ -23,12 +23,14 @@ class Outcome:
     """Which unknowns nothing resists although they are loaded; shape (case, unknown)."""
     reached: NDArray
     """The part of loads and speeds up to which an equilibrium was followed."""
+    axial: NDArray
+    """Load of each row in the direction that it carries; shape (row, case) [N]."""
 
     @classmethod
-    def of(cls, count: int, unknowns: int) -> Outcome:
+    def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
         """Of so many cases of so many unknowns, not solved yet."""
         numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
         return cls(
             np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
-            np.zeros((count, unknowns), bool), np.ones(count),
+            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)),
         )  # fmt: skip

@@ -71,7 +71,9 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
 
 def speed_sentence(of: BearingSet, change: Change) -> str:
     """What changes at which speed."""
-    return sentence(of, change, f"at {change.value / rpm:.4g} rpm", "already at rest, under these loads")
+    return sentence(
+        of, change, f"at {float(f'{change.value / rpm:.4g}'):.0f} rpm", "already at rest, under these loads"
+    )
 
 
 @dataclass(frozen=True)
@@ -184,21 +186,21 @@ def _kind(solution: SetSolution) -> str:
         slid = float(solution.slide) / um
         return (
             f"A spring presses {sprung} with {float(np.asarray(preload.spring)):.6g} N, whatever speed, heat and loads "
-            f"do; the outer rings have slid by {slid:.4g} um."
+            f"do; the outer rings have slid by {slid:.4g} µm."
         )
     if preload.kind == "axial_displacement":
-        pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} um"
+        pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} µm"
     else:
         force = float(np.asarray(getattr(preload, preload.kind)))
-        pressed = f"where {force:.6g} N took the rows of either direction {preload.state}, at rest and cold"
-    return f"Rings are held {pressed}: speed, heat and loads change what presses the rows."
+        pressed = f"where {force:.6g} N pressed the rows of either direction {preload.state}, at rest and cold"
+    return f"Rings are held {pressed}: speed, heat and loads change the loads on the rows."
 
 
 def _fitted(solution: SetSolution) -> list[str]:
     before, after = solution.preload_unmounted, solution.preload_mounted
     if before is None or after is None or not np.abs(after - before).max() > UNCHANGED * np.abs(before).max():
         return []
-    return [f"Fitting changes what presses the rows from {_span(before)} N to {_span(after)} N, at rest and cold."]
+    return [f"Fitting changes the preload of the rows from {_span(before)} N to {_span(after)} N, at rest and cold."]
 
 
 def _span(values: NDArray, digits: int = 4) -> str:

@@ -110,7 +110,7 @@ def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
         str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times what is given, {at}.",
         "no_equilibrium": f"{name} gives way {at}: no equilibrium there.",
     }
-    return said.get(change.after, f"{name}: not solved any more {at}.")
+    return said.get(change.after, f"{name}: no solution {at}.")
 
 
 def _labels(at: Callable[[NDArray], BearingSet], values: NDArray, threads: int | None) -> NDArray[Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import prod
 from typing import Any
 
@@ -11,8 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
 from qsbearing.scene.operation import CHANNELS, TURNING, Operation
-from qsbearing.sets.axial_growth import offset_in_operation
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.bearing_set import BearingSet, Row
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, ground_of
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
@@ -30,34 +30,41 @@ class Problem:
         self.of, self.tolerance, self.threads = of, tolerance, threads
         operation = of.operation
         self._turning = {name: getattr(operation, name) for name in TURNING}
-        scenes = [of.row_scene(number, Operation(**self._turning)) for number in range(len(of.rows))]
+        turning = Operation(**self._turning)
+        scenes = {number: of.row_scene(number, turning) for number in sorted(set(of.alike))}
         spring = None if of.preload is None else of.preload.spring
         numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
         numbers += of.numbers_around
         shapes = [np.shape(number) for number in numbers if number is not None]
         try:
-            self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes))
+            self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes.values()))
         except ValueError:
             raise ValueError("the array fields of the set do not broadcast to common case axes") from None
         self.count = prod(self.shape)
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
-        self.makers = [CaseMaker(scene, dict(given)) for scene in scenes]
-        warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
+        self.makers = {number: CaseMaker(scene, dict(given)) for number, scene in scenes.items()}
+        """Of bearings that are not alike, by their first row."""
+        warm = (of.offset_in_operation(row, offset) for row, offset in zip(of.rows, offsets, strict=True))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
-        pitch = [self._flat(row.bearing.pitch_diameter) for row in of.rows]
-        self._lever = 0.5 * np.mean(pitch, axis=0)
+        self._lever = 0.5 * np.mean(self._of_rows(lambda row: row.bearing.pitch_diameter), axis=0)
         self.ground = ground_of(of, self.shape, self._lever)
         self.matrices = self.ground.matrices
-        self.outcome = Outcome.of(self.count, self.matrices.shape[-1])
-        size = max(maker.position_size for maker in self.makers)
-        balls = max(maker.ball_axis for maker in self.makers)
+        self.outcome = Outcome.of(self.count, *self.matrices.shape[::3])
+        size = max(maker.position_size for maker in self.makers.values())
+        balls = max(maker.ball_axis for maker in self.makers.values())
         self.found = empty(len(of.rows), self.count, balls, position_size=size)
         """Of all rows: row, case, ball."""
         self._set_unknowns(spring)
-        self._step = LARGEST_STEP * np.min([self._flat(row.bearing.groove_centre_distance) for row in of.rows], axis=0)
+        self._step = LARGEST_STEP * np.min(self._of_rows(lambda row: row.bearing.groove_centre_distance), axis=0)
 
     def _flat(self, values: Any) -> NDArray:
-        return np.broadcast_to(np.asarray(values, float), self.shape).reshape(-1)
+        array = np.asarray(values, float)
+        return np.full(self.count, array) if array.ndim == 0 else np.broadcast_to(array, self.shape).reshape(-1)
+
+    def _of_rows(self, number: Callable[[Row], Any]) -> list[NDArray]:
+        """A number of each row over the flattened cases."""
+        known = {same: self._flat(number(self.of.rows[same])) for same in self.makers}
+        return [known[same] for same in self.of.alike]
 
     def _set_unknowns(self, spring: Any) -> None:
         """Loads, and which unknowns have their values given or vanish by symmetry."""
@@ -80,7 +87,7 @@ class Problem:
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
         skew = self._has_unequal_balls | self.ground.bends_askew
         out_of_xy, out_of_xz = out_of_xy | skew | self.ground.bends_in(2), out_of_xz | skew | self.ground.bends_in(1)
-        is_thrust = ~out_of_xy & ~out_of_xz & np.all([self._flat(row.bearing.ball_count) >= 2 for row in self.of.rows])
+        is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
         for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
             self._held[:, [*PLANES[plane], *self.ground.unknowns_in(plane)]] |= vanish[:, None]
@@ -88,24 +95,30 @@ class Problem:
     @property
     def _has_unequal_balls(self) -> NDArray:
         """Where some row has balls that make nothing symmetric."""
-        return np.any([np.broadcast_to(maker.has_unequal_balls(0, self.count), self.count) for maker in self.makers], 0)
+        found = [maker.has_unequal_balls(0, self.count) for maker in self.makers.values()]
+        return np.any([np.broadcast_to(each, self.count) for each in found], axis=0)
 
     def _mirrors(self, azimuth: float) -> NDArray:
         """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""
         first = self._flat(self.of.operation.first_ball_azimuth)
-        turns = [(azimuth - first) * self._flat(row.bearing.ball_count) / np.pi for row in self.of.rows]
-        return np.asarray(np.all([np.abs(each - np.round(each)) <= 1e-9 for each in turns], axis=0))
+        turns = (azimuth - first) * np.array(self._of_rows(lambda row: row.bearing.ball_count)) / np.pi
+        return np.asarray((np.abs(turns - np.round(turns)) <= 1e-9).all(axis=0))
 
     def solve(self, part: slice, carried: NDArray) -> None:
         """A stretch of the flattened cases, but for those whose preload at rest is not carried."""
         count = part.stop - part.start
-        cases = np.stack([maker.make(part.start, part.stop) for maker in self.makers])
-        shift = np.stack([np.broadcast_to(maker.axial_datum_shift(), (self.count,))[part] for maker in self.makers])
+        alike = self.of.alike
+        made = {number: maker.make(part.start, part.stop) for number, maker in self.makers.items()}
+        cases = np.stack([made[number] for number in alike])
+        moved = {
+            number: np.broadcast_to(maker.axial_datum_shift(), self.count) for number, maker in self.makers.items()
+        }
+        shift = np.stack([moved[number][part] for number in alike])
         own = self._own_balls(cases, part.start)
         matrices, offsets, found = self.matrices[:, part], self.offsets[:, part], self.found.part(np.s_[:, part])
         rows = [
             RowCases(cases[r], matrices[r], offsets[r], shift[r], found.part(np.s_[r]), own[r])
-            for r in range(len(self.makers))
+            for r in range(len(alike))
         ]
         o = self.outcome
         s = Stretch(
@@ -132,6 +145,7 @@ class Problem:
             refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
             o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
             o.reached[part][rest] = reached[rest]
+        o.axial[:, part] = found.results["load"][..., 0] * cases["force"]
         failed = o.status[part] != CONVERGED
         if failed.any():
             for row in rows:
@@ -161,10 +175,10 @@ class Problem:
 
     def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
         """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""
-        each = [maker.own_balls(cases[r], begin) for r, maker in enumerate(self.makers)]
-        together = np.zeros((*cases.shape, max(own.shape[1] for own in each)), OWN_BALL)
-        for whole, own in zip(together, each, strict=True):
-            whole[:, : own.shape[1]] = own
+        each = {number: maker.own_balls(cases[number], begin) for number, maker in self.makers.items()}
+        together = np.zeros((*cases.shape, max(own.shape[1] for own in each.values())), OWN_BALL)
+        for whole, number in zip(together, self.of.alike, strict=True):
+            whole[:, : each[number].shape[1]] = each[number]
         return together
 
     def row_solution(self, number: int) -> Solution:

@@ -216,8 +216,7 @@ class SetSolution(Plotted):
     @cached_property
     def axial_loads(self) -> NDArray:
         """Of each row in the direction that it carries; shape (*cases, row) [N]."""
-        loads = np.stack([row.load[..., 0].reshape(-1) for row in self.rows], axis=-1)
-        return np.asarray(self._shaped(self._known(loads), len(self.rows)))
+        return np.asarray(self._shaped(self._known(self._outcome.axial.T), len(self.set.rows)))
 
     @cached_property
     def stiffness(self) -> NDArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -232,11 +233,12 @@ class Shaft:
     def __post_init__(self) -> None:
         raise_if_any(list(_shaft_errors(self)))
 
-    @property
+    @cached_property
     def ends(self) -> NDArray:
         """Of the sections, from `start`; shape (section + 1,) [m]."""
         return self.start + np.concatenate([[0.0], np.cumsum([each.length for each in self.sections])])
 
+    @cached_property
     def strains(self) -> NDArray:
         """alpha dT of each section; shape (..., section)."""
         if self.temperature is None:

@@ -101,6 +101,7 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
     """Under a preload that is held and given as a force: of each group, the rows of either direction alone, at rest and
     cold."""
     sides: Sides = {}
+    known: dict[tuple[int, ...], SetSolution] = {}
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
     for group, preload in of.groups:
         if preload is None or preload.kind not in ("rigid", "mounted") or not of.opposes(group):
@@ -109,12 +110,19 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
         effects_at_rest = as_fitted if preload.is_given_mounted else as_made
         for sign in (1.0, -1.0):
             numbers = tuple(number for number in group if of.rows[number].sign == sign)
+            alike = (id(preload), *(of.alike[number] for number in numbers))
+            is_pressed = any(np.any(np.asarray(of.rows[number].offset) != 0.0) for number in numbers)
+            if alike in known and not is_pressed and np.all(known[alike].converged):
+                sides[numbers] = known[alike]
+                continue
             rows = tuple(
                 replace(row, ring_effects=effects_at_rest(of.effects_of(row)), housing_stiffness=None, readings=None)
                 for row in (of.rows[number] for number in numbers)
             )
             side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
-            sides[numbers] = solve_set(side, threads=threads, tolerance=tolerance)
+            sides[numbers] = solve_at_given_temperatures(side, threads, tolerance)
+            if not is_pressed:
+                known[alike] = sides[numbers]
     return sides
 
 
@@ -123,7 +131,7 @@ def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
     pressed: list[Any] = [0.0] * len(of.rows)
     for numbers, side in sides.items():
         for number in numbers:
-            pressed[number] = of.rows[number].sign * side.displacement[..., 0]
+            pressed[number] = side.set.rows[0].sign * side.displacement[..., 0]
     for group, preload in of.groups:
         if preload is not None and preload.kind == "axial_displacement" and of.opposes(group):
             for number in group:

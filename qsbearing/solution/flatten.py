@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
-from qsbearing.effects.elastic_rings import ElasticRings, Grooves, folded
+from qsbearing.effects.elastic_ring_errors import Grooves
+from qsbearing.effects.elastic_rings import ElasticRings, folded
 from qsbearing.effects.entry import with_found
 from qsbearing.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.effects.hertz_angle import HertzAngle
@@ -202,7 +203,7 @@ class CaseMaker:
 
     @property
     def position_size(self) -> int:
-        """How many numbers the kernel keeps of a ball's position: with elastic rings, their give at it besides."""
+        """How many numbers the kernel keeps of a ball's position: with elastic rings, how far they deflect there."""
         return 3 if self._rings is None else 4
 
     def axial_datum_shift(self) -> NDArray | float:
@@ -319,11 +320,11 @@ class CaseMaker:
         grooves = Grooves(*bottoms, *radii, is_symmetric, v["ring_elastic_modulus"], v["ring_poisson_ratio"])
         given = {name: v[f"{rings.name}.{name}"] for name in rings.numbers}
         waves = min(MOST_WAVES + 1, self.ball_axis)
-        for side, give in zip(("inner", "outer"), with_found(rings, given).gives(grooves), strict=True):
+        for side, compliance in zip(("inner", "outer"), with_found(rings, given).compliances(grooves), strict=True):
             own[f"{side}_compliance"] = 0.0
-            if give is not None:
+            if compliance is not None:
                 by_harmonic = np.broadcast_to(
-                    give.by_load.reshape(len(give.by_load), -1), (len(give.by_load), cases.size)
+                    compliance.by_load.reshape(len(compliance.by_load), -1), (len(compliance.by_load), cases.size)
                 )
                 by_wave = folded(by_harmonic * cases["force"] / cases["length"], cases["ball_count"], waves)
                 own[f"{side}_compliance"][:, :waves] = by_wave

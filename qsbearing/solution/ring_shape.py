@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.elastic_rings import ElasticRings, RingGive, grooves_of
+from qsbearing.effects.elastic_rings import ElasticRings, RingCompliance, grooves_of
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
 from qsbearing.quantities import Solution
 
@@ -51,17 +51,17 @@ def radial_loads(solution: Solution) -> tuple[NDArray, NDArray]:
 
 
 def shape_of(solution: Solution, side: str) -> RingShape | None:
-    """Of the inner or the outer ring; None where the scene lets it not give way."""
-    number, give = _give(solution, side)
-    if give is None:
+    """Of the inner or the outer ring; None where the scene has it rigid."""
+    number, compliance = _compliance(solution, side)
+    if compliance is None:
         return None
     waves = _waves(solution, radial_loads(solution)[number])
-    amplitude = _by_case(give.by_load, waves)
+    amplitude = _by_case(compliance.by_load, waves)
     moved = _around(amplitude)
     solved = np.where(solution.converged, 1.0, np.nan)
     pressures: tuple[Any, Any, Any] = (None, None, None)
-    if give.seat is not None:
-        harmonics = _by_case(give.seat, waves)
+    if compliance.seat is not None:
+        harmonics = _by_case(compliance.seat, waves)
         pressure = _around(harmonics)
         pressures = (
             harmonics[..., 0].real * solved,
@@ -76,22 +76,22 @@ def shape_of(solution: Solution, side: str) -> RingShape | None:
 def mean_seat_pressure(solution: Solution, rings: ElasticRings, side: str) -> NDArray:
     """By the solution's loads at the seat of one of these rings; shape (*cases) [Pa]."""
     number = ("inner", "outer").index(side)
-    give = rings.gives(grooves_of(solution.scene.operating_bearing))[number]
-    assert give is not None and give.seat is not None
-    return np.asarray(give.seat[0] * radial_loads(solution)[number].sum(axis=-1))
+    compliance = rings.compliances(grooves_of(solution.scene.operating_bearing))[number]
+    assert compliance is not None and compliance.seat is not None
+    return np.asarray(compliance.seat[0] * radial_loads(solution)[number].sum(axis=-1))
 
 
 def groove_shape(solution: Solution, side: str, azimuth: NDArray) -> NDArray:
     """How far the groove has moved away from the balls at these azimuths; shape (*cases, azimuth) [m]."""
-    number, give = _give(solution, side)
-    if give is None:
+    number, compliance = _compliance(solution, side)
+    if compliance is None:
         return np.zeros((*solution.shape, azimuth.size))
-    return _around(_by_case(give.by_load, _waves(solution, radial_loads(solution)[number])), azimuth)
+    return _around(_by_case(compliance.by_load, _waves(solution, radial_loads(solution)[number])), azimuth)
 
 
-def _give(solution: Solution, side: str) -> tuple[int, RingGive | None]:
+def _compliance(solution: Solution, side: str) -> tuple[int, RingCompliance | None]:
     number, rings = ("inner", "outer").index(side), solution.scene.elastic_rings
-    return number, None if rings is None else rings.gives(grooves_of(solution.scene.operating_bearing))[number]
+    return number, None if rings is None else rings.compliances(grooves_of(solution.scene.operating_bearing))[number]
 
 
 def _waves(solution: Solution, load: NDArray) -> NDArray:

@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, replace
 
 from qsbearing.io.file_keys import numbers, sections
+from qsbearing.io.thermal_keys import SECTIONS as THERMAL_SECTIONS
 from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
 from qsbearing.scene.operation import CHANNELS
@@ -103,6 +104,8 @@ def known(name: str) -> StudyKey:
 
 def suggestion(name: str) -> str:
     """What is likely meant by a name that no key has."""
+    if "thermal" in name.split(".") or any(name in names for names in THERMAL_SECTIONS.values()):
+        return "Numbers of [thermal] make one network for all points: write a file for each value"
     stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
     fields = {field.field: field.name for fields in numbers().values() for field in fields}
     word = name.rpartition(".")[2]

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.block_statistics import blocks, quantiles
+from qsbearing.documents.model import Block, Paragraph, Table
 
 if TYPE_CHECKING:
-    from rich.console import Group
     from xarray import DataArray, Dataset
 
 QUANTILES = (0.0, 0.05, 0.5, 0.95, 1.0)
@@ -69,59 +69,50 @@ def point(results: Dataset, number: int) -> dict[str, float]:
     }
 
 
-def table(results: Dataset) -> Group:
-    """The results as tables of rich."""
-    from rich.console import Group
-    from rich.table import Table
-
-    ends = Table(box=None, padding=(0, 2, 0, 0), title_justify="left")
-    for head in ("points", "status", "why", "first point"):
-        ends.add_column(head, justify="right" if head == "points" else "left")
+def table(results: Dataset) -> list[Block]:
+    """The results as tables."""
+    ends, spread = [], []
     for status, count, why, keys in endings(results):
         where = ", ".join(f"{name} {value:.6g}" for name, value in keys.items())
-        ends.add_row(f"{count:,}", status, why, "" if status == "converged" else where)
-    spread = Table(box=None, padding=(0, 2, 0, 0))
-    spread.add_column("result")
-    for head in HEADS:
-        spread.add_column(head, justify="right")
-    spread.add_column("unit")
+        ends.append((f"{count:,}", status, why, "" if status == "converged" else where))
     for name, values in results.data_vars.items():
         if name in ITSELF:
             continue
         row = quantiles(partial(blocks, values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
             unit = str(values.attrs.get("units", ""))
-            spread.add_row(str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else unit)
-    return Group(ends, "", spread)
+            spread.append((str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else unit))
+    return [
+        Table(("points", "status", "why", "first point"), ends, "rlll"),
+        Table(("result", *HEADS, "unit"), spread, f"l{'r' * len(HEADS)}l"),
+    ]
 
 
-def table_of_indices(indices: Dataset) -> Group:
-    """Sobol indices as a table of rich: for each result the keys that matter, the one that matters most first."""
-    from rich.console import Group
-    from rich.table import Table
-
-    shown = Table(box=None, padding=(0, 2, 0, 0))
-    for head in ("result", "key"):
-        shown.add_column(head, min_width=max(len(str(name)) for name in indices[head].values))
-    for head in ("first order", "total"):
-        shown.add_column(head, justify="right")
+def table_of_indices(indices: Dataset) -> list[Block]:
+    """Sobol indices as a table: for each result the keys that matter, the one that matters most first."""
+    shown: list[tuple[str, ...]] = []
     for name in indices["result"].values:
         of_result = indices.sel(result=name)
         total = of_result["total"].values
         if not np.isfinite(total).any():
-            shown.add_row(str(name), _WITHOUT_INDICES)
+            shown.append((str(name), _WITHOUT_INDICES, "", ""))
             continue
         order = [int(i) for i in np.argsort(-total) if total[i] >= LEAST_INDEX]
         for place, i in enumerate(order):
             pairs = ((of_result[each].values[i], of_result[f"{each}_error"].values[i]) for each in INDICES)
             cells = (f"{value:.2f} ± {error:.2f}" for value, error in pairs)
-            shown.add_row(str(name) if place == 0 else "", str(indices["key"].values[i]), *cells)
-        if len(order) < total.size:
-            shown.add_row("", f"{total.size - len(order)} keys below {LEAST_INDEX:g}")
+            shown.append((str(name) if place == 0 else "", str(indices["key"].values[i]), *cells))
+        if rest := total.size - len(order):
+            shown.append(("", f"{rest} {'key' if rest == 1 else 'keys'} below {LEAST_INDEX:g}", "", ""))
     said = f"{indices.attrs['points']:,} points, {indices.attrs['base_samples']:,} base samples; ±: 95 % confidence"
+    found: list[Block] = [
+        Table(("result", "key", "first order", "total"), shown, "llrr"),
+        Paragraph(said, is_apart=True),
+    ]
     if indices.attrs["unsolved"]:
-        said += f"\n{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
-    return Group(shown, "", said)
+        lack = f"{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
+        found.append(Paragraph(lack))
+    return found
 
 
 INDICES = ("first_order", "total")

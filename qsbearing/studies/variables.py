@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from math import isfinite, sqrt
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -61,16 +61,6 @@ class Distribution:
         rising = low + np.sqrt(quantile * (high - low) * (mode - low))
         falling = high - np.sqrt((1.0 - quantile) * (high - low) * (high - mode))
         return np.where(quantile * (high - low) < mode - low, rising, falling)
-
-    @property
-    def standard_deviation(self) -> float:
-        """In the key's unit."""
-        if self.kind == "normal":
-            return self.parameters[1]
-        if self.kind == "uniform":
-            return (self.parameters[1] - self.parameters[0]) / sqrt(12.0)
-        a, c, b = self.parameters
-        return sqrt((a * a + b * b + c * c - a * b - a * c - b * c) / 18.0)
 
 
 Variable = Axis | Distribution

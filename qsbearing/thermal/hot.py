@@ -25,7 +25,7 @@ Temperatures = Mapping[str, NDArray]
 RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")
 
 
-class Machine(Protocol):
+class HotSystem(Protocol):
     """A bearing or a set that can be solved at temperatures."""
 
     thermal: Thermal

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from qsbearing.result_keys import NODES, OF_EACH_ROW
 from qsbearing.units import zero_celsius
 from qsbearing.validation import (
@@ -98,7 +100,7 @@ class Thermal:
     """Above which no steady state is looked for [K]."""
 
     def __post_init__(self) -> None:
-        wrong = self._structure_errors()
+        wrong = self._structure_errors() or self._array_errors()
         raise_if_any(wrong or self._number_errors() + self._path_errors())
 
     @property
@@ -153,6 +155,15 @@ class Thermal:
             cause = f"One of {', '.join(READING_OF)}"
             errors.append(ErrorDetail("thermal.friction", "is no model of friction", self.friction, cause=cause))
         return errors
+
+    def _array_errors(self) -> list[ErrorDetail]:
+        numbers = {f"conductances {n}.conductance": each.conductance for n, each in enumerate(self.conductances, 1)}
+        for name in ("fixed", "heats", "heat_capacities"):
+            numbers |= {f"{name}.{node}": value for node, value in getattr(self, name).items()}
+        numbers |= {} if self.oil is None else {f"oil.{name}": value for name, value in vars(self.oil).items()}
+        numbers |= {name: getattr(self, name) for name in ("heat_to_rings", "heat_at_inner", "limit_temperature")}
+        cause = "One network stands for all cases: solve a scene for each value, or vary loads and speeds"
+        return [ErrorDetail(f"thermal.{path}", "is an array", cause=cause) for path, x in numbers.items() if np.ndim(x)]
 
     def _number_errors(self) -> list[ErrorDetail]:
         errors = []

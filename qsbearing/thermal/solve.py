@@ -13,7 +13,7 @@ from qsbearing.scene.scene import Scene
 from qsbearing.solution import solver
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
-from qsbearing.thermal.hot import HotBearing, Machine
+from qsbearing.thermal.hot import HotBearing, HotSystem
 from qsbearing.thermal.speeds import follow_speeds
 from qsbearing.thermal.state import SpeedCurve, ThermalState, Verdict
 from qsbearing.thermal.steady import Heated, Steady, feedback, find_steady
@@ -31,18 +31,18 @@ def solve(scene: Scene, *, threads: int | None = None, tolerance: float = solver
         without an equilibrium, or not converged where none was found.
     """
     shape = CaseMaker(scene).shape
-    machine = HotBearing(scene, shape, lambda each: solver.solve(each, threads=threads, tolerance=tolerance))
-    solution: Solution = at_steady_temperatures(machine)
+    system = HotBearing(scene, shape, lambda each: solver.solve(each, threads=threads, tolerance=tolerance))
+    solution: Solution = at_steady_temperatures(system)
     return solution
 
 
-def at_steady_temperatures(machine: Machine) -> Any:
-    """The machine's solution at its steady temperatures, with its `ThermalState`."""
-    heated = Heated(machine)
+def at_steady_temperatures(system: HotSystem) -> Any:
+    """The system's solution at its steady temperatures, with its `ThermalState`."""
+    heated = Heated(system)
     steady = find_steady(heated)
     good = _is_stable(steady)
     verdict, curve = np.where(good, Verdict.STABLE, Verdict.UNDECIDED), None
-    if not machine.shape and not good:
+    if not system.shape and not good:
         curve = follow_speeds(heated, FARTHEST)
         if curve.crossing is not None:
             steady = find_steady(heated, curve.crossing.powers)
@@ -68,19 +68,19 @@ def at_steady_temperatures(machine: Machine) -> Any:
         verdict=verdict,
         withdrawn=withdrawn,
         solves=heated.solved,
-        thermal=machine.thermal,
-        speed=_speed(machine),
-        heat_up=partial(heat_up, machine),
-        follow=lambda: curve or follow_speeds(Heated(machine), FARTHEST),
+        thermal=system.thermal,
+        speed=_speed(system),
+        heat_up=partial(heat_up, system),
+        follow=lambda: curve or follow_speeds(Heated(system), FARTHEST),
     )
     return solution
 
 
-def _speed(machine: Machine) -> NDArray:
+def _speed(system: HotSystem) -> NDArray:
     """The larger one of both rings; shape (*cases)."""
-    rings = machine.operation.speed, machine.operation.outer_speed
+    rings = system.operation.speed, system.operation.outer_speed
     speeds = np.broadcast_arrays(*(np.abs(0.0 if each is None else each) for each in rings))
-    return np.broadcast_to(np.maximum(*speeds), machine.shape)
+    return np.broadcast_to(np.maximum(*speeds), system.shape)
 
 
 def _is_stable(steady: Steady) -> NDArray:

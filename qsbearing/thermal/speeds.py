@@ -31,13 +31,13 @@ MOST_POINTS = 200
 
 class _Curve:
     def __init__(self, heated: Heated) -> None:
-        assert heated.machine.shape == ()
+        assert heated.system.shape == ()
         self.heated, self.count = heated, len(heated.balance.sources)
         cold = np.zeros(self.count)
         first = heated.friction(cold)
         self.cold = heated.balance.temperatures(cold)
         rise = float((heated.balance.temperatures(first) - self.cold).max())
-        room = heated.machine.thermal.limit_temperature - float(self.cold.max())
+        room = heated.system.thermal.limit_temperature - float(self.cold.max())
         self.scale = float(np.maximum(first.sum() * max(room, 1.0) / max(rise, 1e-9), 1e-9))
         """The heat that reaches the limit, about [W]."""
 
@@ -69,12 +69,12 @@ class _Curve:
         x = y[:-1] * self.scale
         temperatures = self.heated.balance.temperatures(x)
         solution, _ = self.heated.at(temperatures, y[-1])
-        return State(float(y[-1]), x, temperatures, self.heated.machine.preloads(solution))
+        return State(float(y[-1]), x, temperatures, self.heated.system.preloads(solution))
 
 
 def follow_speeds(heated: Heated, until: float) -> SpeedCurve:
     """The curve of a single case, up to this multiple of the scene's speed or to the limit of temperature."""
-    curve, limit = _Curve(heated), heated.machine.thermal.limit_temperature
+    curve, limit = _Curve(heated), heated.system.thermal.limit_temperature
     in_speed = np.eye(curve.count + 1)[-1]
     points: list[NDArray] = []
     if not np.isfinite(curve.scale):

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.thermal.balance import HeatBalance
-from qsbearing.thermal.hot import Machine
+from qsbearing.thermal.hot import HotSystem
 from qsbearing.thermal.sources import powers, sources_of
 from qsbearing.validation import TEMPERATURE, ErrorDetail, SceneError, raise_if_any
 
@@ -32,20 +32,20 @@ MOST = 25
 
 
 class Heated:
-    """A machine and its network: what friction makes at given temperatures. Counts what it solves."""
+    """A system and its network: what friction makes at given temperatures. Counts what it solves."""
 
-    def __init__(self, machine: Machine) -> None:
-        thermal = machine.thermal
-        raise_if_any(thermal.errors(machine.readings))
-        self.machine = machine
-        self.balance = HeatBalance(thermal, [sources_of(thermal.friction, each) for each in machine.readings])
+    def __init__(self, system: HotSystem) -> None:
+        thermal = system.thermal
+        raise_if_any(thermal.errors(system.readings))
+        self.system = system
+        self.balance = HeatBalance(thermal, [sources_of(thermal.friction, each) for each in system.readings])
         raise_if_any(self._too_hot_already())
         self.solved = 0
-        """States of the machine solved, of each case."""
+        """States of the system solved, of each case."""
 
     def _too_hot_already(self) -> list[ErrorDetail]:
         cold = self.balance.temperatures(np.zeros(len(self.balance.sources)))
-        found, limit = float(cold.max()), self.machine.thermal.limit_temperature
+        found, limit = float(cold.max()), self.system.thermal.limit_temperature
         if found < limit:
             return []
         cause = f"Without any friction {self.balance.free[int(cold.argmax())]} is at {found:.6g} K"
@@ -53,23 +53,23 @@ class Heated:
         return [ErrorDetail("thermal.limit_temperature", problem, limit, TEMPERATURE, cause=cause)]
 
     def at(self, temperatures: NDArray, factor: Any = 1.0) -> tuple[Any, NDArray]:
-        """The machine's solution and the powers of its sources; NaN where it has no equilibrium.
+        """The system's solution and the powers of its sources; NaN where it has no equilibrium.
 
         Args:
             temperatures: of the free nodes; shape (free node, *states, *cases).
             factor: on the speeds; shape (*states, *cases).
         """
         shape = temperatures.shape[1:]
-        ahead = shape[: len(shape) - len(self.machine.shape)]
+        ahead = shape[: len(shape) - len(self.system.shape)]
         is_first = not self.solved
         self.solved += int(np.prod(ahead))
         try:
-            solution = self.machine.solve(self.balance.named(temperatures), np.asarray(factor, float))
+            solution = self.system.solve(self.balance.named(temperatures), np.asarray(factor, float))
         except SceneError:
             if is_first:
                 raise
             return None, np.full((len(self.balance.sources), *shape), np.nan)
-        found = [powers(row, self.machine.thermal.friction) for row in self.machine.rows(solution)]
+        found = [powers(row, self.system.thermal.friction) for row in self.system.rows(solution)]
         return solution, np.concatenate([np.broadcast_to(each, (len(each), *shape)) for each in found])
 
     def friction(self, x: NDArray, factor: Any = 1.0) -> NDArray:
@@ -86,7 +86,7 @@ class Heated:
         """As much of these powers as heats no node beyond the limit."""
         cold = self.balance.temperatures(np.zeros_like(x))
         hot = self.balance.temperatures(x)
-        limit = self.machine.thermal.limit_temperature
+        limit = self.system.thermal.limit_temperature
         with np.errstate(divide="ignore", invalid="ignore"):
             part = np.where(hot > limit, np.maximum(limit - cold, 0.0) / (hot - cold), 1.0)
         return np.asarray(x * part.min(axis=0))
@@ -101,7 +101,7 @@ class Steady:
     found: NDArray
     """Whether they balance; shape (*cases)."""
     solution: Any
-    """Of the machine there."""
+    """Of the system there."""
     powers: NDArray
     """What friction makes there [W]."""
     slopes: NDArray
@@ -109,8 +109,8 @@ class Steady:
 
 
 def find_steady(heated: Heated, start: NDArray | None = None) -> Steady:
-    """The steady state of every case, from powers near it or from the cold machine."""
-    shape = heated.machine.shape
+    """The steady state of every case, from powers near it or from the cold system."""
+    shape = heated.system.shape
     cold = np.zeros((len(heated.balance.sources), *shape))
     x = heated.capped(heated.friction(cold)) if start is None else start
     x = np.nan_to_num(x)

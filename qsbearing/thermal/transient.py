@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.thermal.capacities import heat_capacities
-from qsbearing.thermal.hot import Machine
+from qsbearing.thermal.hot import HotSystem
 from qsbearing.thermal.network import COLDEST, HOTTEST
 from qsbearing.thermal.state import Course
 from qsbearing.thermal.steady import Heated
@@ -27,7 +27,7 @@ POINTS = 200
 
 
 def heat_up(
-    machine: Machine,
+    system: HotSystem,
     duration: float,
     *,
     start: float | None = None,
@@ -36,7 +36,7 @@ def heat_up(
     """The course of a single case from a uniform temperature.
 
     Args:
-        machine: at full speed from the first instant.
+        system: at full speed from the first instant.
         duration: [s].
         start: of all free nodes at first [K]; None: the lowest of the given temperatures.
         progress: is told the part of the duration that is done.
@@ -49,13 +49,13 @@ def heat_up(
     errors = [] if duration > 0.0 else [ErrorDetail("duration", "is not positive", duration)]
     if start is not None:
         errors += within("start", start, TEMPERATURE, COLDEST, HOTTEST)
-    if machine.shape:
-        errors.append(ErrorDetail("operation", f"has cases {machine.shape}: one at a time heats up"))
+    if system.shape:
+        errors.append(ErrorDetail("operation", f"has cases {system.shape}: one at a time heats up"))
     if errors:
         raise SceneError(errors)
-    heated = Heated(machine)
-    balance, limit = heated.balance, machine.thermal.limit_temperature
-    capacity = np.array(heat_capacities(balance, machine.scenes))[:, None]
+    heated = Heated(system)
+    balance, limit = heated.balance, system.thermal.limit_temperature
+    capacity = np.array(heat_capacities(balance, system.scenes))[:, None]
     first = min(balance.fixed.values()) if start is None else start
 
     def rate(time: float, T: NDArray) -> NDArray:
@@ -81,4 +81,4 @@ def heat_up(
         raise SceneError([ErrorDetail("thermal", "nothing heats up: the cold bearing has no equilibrium")])
     end = "no_equilibrium" if count < POINTS else "limit" if found.status == 1 else "time"
     named = {name: value[:count] for name, value in balance.named(T).items()}
-    return Course(time[:count], named, powers.T[:count], machine.preloads(solution).T[:count], end)
+    return Course(time[:count], named, powers.T[:count], system.preloads(solution).T[:count], end)

@@ -84,7 +84,7 @@ def test_a_dragged_slider_shows_what_run_prints(page: Browser, address: str, tmp
     found = ran(tables, tmp_path)
     pressure = max(ball["inner"]["max_pressure_MPa"] for ball in found["balls"])
     wait(page, f"{KEY}.includes('inner {pressure:.0f} MPa')")
-    assert f"axial {found['effective_stiffness']['axial_N_per_um']:.4g} N/um" in page.value(KEY)
+    assert f"axial {found['effective_stiffness']['axial_N_per_um']:.4g} N/µm" in page.value(KEY)
     assert page.value(f"{drawing}.outerHTML") != first
     page.click(UNDO)
     wait(page, f"{KEY} === {before!r}")

@@ -207,6 +207,19 @@ def campaigns() -> str:
     return markdown([*headings, "iterations: median / 99 % / most", "largest imbalance"], rows)
 
 
+def recomputed() -> str:
+    """Every recorded campaign of cases recomputed from what their solutions say."""
+    rows = []
+    for record in map(read, sorted((CAMPAIGNS / "recomputed").glob("*.json"))):
+        ended = record["ended"]
+        refused = sum(number for how, number in ended.items() if how.startswith("no_equilibrium"))
+        counts = record["count"], ended["converged"], refused, ended.get("not_converged", 0), len(record["wrong"])
+        worst = ", ".join(f"{name} {value:.0e}" for name, value in record["largest"].items())
+        rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *map("{:,}".format, counts), worst])
+    headings = ["cases", "seed", "number", "converged", "no equilibrium", "not converged", "wrong", "largest"]
+    return markdown(headings, rows)
+
+
 def hard_cases() -> str:
     """How the named hard cases ended."""
     cases = read(HARD_CASES)["cases"]
@@ -249,7 +262,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "finite elements": finite_elements,
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
-    "hard_cases.md": {"campaigns": campaigns, "hard cases": hard_cases},
+    "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},
 }
 """Pages of the guide, and the tables of each."""
 

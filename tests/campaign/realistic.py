@@ -64,14 +64,14 @@ PATTERNS = (
 )
 
 
-def draw_group(rng: np.random.Generator, number: int) -> Group:
+def draw_group(rng: np.random.Generator, number: int, size: int = GROUP) -> Group:
     """A group; its number says nothing here."""
     effects = one_of(rng, (BOTH, BOTH[:1], ()), [0.8, 0.1, 0.1])
     control = one_of(rng, (qs.RacewayControl.OUTER, qs.RacewayControl.PER_BALL)) if effects else None
     shares = one_of(rng, list(qs.MomentShares)) if "gyroscopic_moment" in effects else None
     held, acting = PATTERNS[int(rng.choice(len(PATTERNS), p=[share for *_, share in PATTERNS]))][:2]
     angle = one_of(rng, (qs.HertzAngle.FREE, qs.HertzAngle.ACTUAL), [0.7, 0.3])
-    bearing, materials = draw_bearing(rng)
+    bearing, materials = draw_bearing(rng, size)
     operation = draw_operation(rng, held, acting, bearing, materials)
     return Group(
         qs.BearingKind.ANGULAR_CONTACT, effects, control, shares, angle, qs.HertzForm.EXACT,
@@ -79,9 +79,8 @@ def draw_group(rng: np.random.Generator, number: int) -> Group:
     )  # fmt: skip
 
 
-def draw_bearing(rng: np.random.Generator) -> tuple[dict[str, NDArray], dict[str, dict[str, NDArray]]]:
+def draw_bearing(rng: np.random.Generator, n: int = GROUP) -> tuple[dict[str, NDArray], dict[str, dict[str, NDArray]]]:
     """Bearings, and materials of balls and rings."""
-    n = GROUP
     diameter = 10.0 ** rng.uniform(np.log10(3.0), np.log10(40.0), n)
     count = rng.integers(8, 26, n)
     pitch = diameter / (np.sin(np.pi / count) * rng.uniform(0.65, 0.97, n))
@@ -112,8 +111,7 @@ def draw_operation(
     materials: dict[str, dict[str, NDArray]],
 ) -> dict[str, NDArray]:
     """Speeds, and each channel's load or displacement."""
-    n = GROUP
-    has_radial, has_moment = acting
+    n, (has_radial, has_moment) = bearing["ball_diameter_mm"].size, acting
     diameter, pitch, count = (bearing[key] for key in ("ball_diameter_mm", "pitch_diameter_mm", "ball_count"))
     angle = np.radians(bearing["free_contact_angle_deg"])
     speed, outer_speed = draw_speeds(rng, pitch)

@@ -31,12 +31,12 @@ STATICS = 1e-9
 """Of the largest force: what the shaft's equilibrium and the rows' own leave, each 1e-10 at most, summed over rows."""
 
 
-def draw_sets(rng: np.random.Generator) -> qs.BearingSet:
-    """Sets that one call can solve, of one arrangement and bearings with as many balls."""
-    group = of_one_ball_count(realistic.draw_group(rng, 0))
+def draw_sets(rng: np.random.Generator, n: int = GROUP) -> qs.BearingSet:
+    """Sets that one call can solve, so many of one arrangement and bearings with as many balls."""
+    group = of_one_ball_count(realistic.draw_group(rng, 0, n))
     group = replace(group, materials=with_expansion(rng, group.materials))
     scene = replace(group, operation={"speed_rpm": group.operation["speed_rpm"]}).scene()
-    bearing, n = replace(scene.bearing, ball_count=int(group.bearing["ball_count"][0])), GROUP
+    bearing = replace(scene.bearing, ball_count=int(group.bearing["ball_count"][0]))
     pitch, angle = (np.asarray(value, float) for value in (bearing.pitch_diameter, bearing.free_contact_angle))
     rating = realistic.AXIAL_RATING * 1e6 * bearing.ball_count * np.asarray(bearing.ball_diameter) ** 2 * np.sin(angle)
     directions = one_of(rng, ARRANGEMENTS)

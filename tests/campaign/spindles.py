@@ -1,5 +1,7 @@
 """Spindles: the random sets of `sets` on elastic shafts in elastic housings, recomputed from what the solution says.
 
+    python -m tests.campaign.spindles COUNT [SEED] [--record]
+
 The shaft's line is put into finite elements of the tests' own: what they say holds it there must be what rows, loads
 and supports do. Every row must stand where line and housing have it; a sleeve that floats carries its spring's force.
 
@@ -15,6 +17,7 @@ and supports do. Every row must stand where line and housing have it; a sleeve t
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from typing import Any
 
@@ -22,19 +25,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from tests.campaign.batches import Batch, run
+from tests.campaign.group import GROUP
 from tests.campaign.sets import draw_sets
 from tests.sets import timoshenko
 
+BATCH = 100
 BALANCE = 1e-7
 """Of the largest force: elements between places a millimetre apart lose that much of displacements of 16 digits."""
 PLANES = ((1, 4, 1.0), (2, 3, -1.0))
 """Of each plane: channels of deflection and slope, and the slope's sign."""
 
 
-def draw_spindles(rng: np.random.Generator) -> qs.BearingSet:
-    """Spindles that one call can solve."""
-    of = draw_sets(rng)
-    n = np.size(of.rows[0].position) if np.ndim(of.rows[0].position) else np.size(of.rows[-1].position)
+def draw_spindles(rng: np.random.Generator, n: int = GROUP) -> qs.BearingSet:
+    """Spindles that one call can solve, so many on shafts of one drawing."""
+    of = draw_sets(rng, n)
     bearing = of.rows[0].bearing
     last = float(np.max(of.rows[-1].position))
     seat = float(np.min(np.asarray(bearing.pitch_diameter) - bearing.ball_diameter))
@@ -77,7 +82,7 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
     shaft = of.shaft
     assert shaft is not None
     failed = {name: np.zeros(solution.shape, bool) for name in ("line bent by its forces", "rings in place", "sleeve")}
-    grown = 1.0 + np.asarray(shaft.strains())[:, 0]
+    grown = 1.0 + np.asarray(shaft.strains)[:, 0]
     for k in np.flatnonzero(solution.converged):
         scale = max(np.abs(row.load[k, :3]).max() for row in solution.rows)
         at, forces = _forces(solution, k)
@@ -114,7 +119,7 @@ def _forces(solution: qs.SetSolution, k: int) -> tuple[Any, list[tuple[float, ND
     """(where a drawn place is once warm, forces and moments on the shaft with their places)."""
     of, shaft = solution.set, solution.set.shaft
     assert shaft is not None
-    grown = np.atleast_1d(1.0 + np.asarray(shaft.strains())[:, 0])
+    grown = np.atleast_1d(1.0 + np.asarray(shaft.strains)[:, 0])
     s = float(grown[k] if grown.size > 1 else grown[0])
     reference = float(np.broadcast_to(of.reference, solution.shape)[k])
 
@@ -172,3 +177,19 @@ def _misplaced(solution: qs.SetSolution, k: int) -> bool:
         if max(np.abs(away[:2]).max(), np.abs(away[2:]).max() * abs(arm)) > size:
             return True
     return False
+
+
+def batch(rng: np.random.Generator) -> Batch:
+    """How one call's spindles ended."""
+    solution = qs.solve_set(draw_spindles(rng, BATCH))
+    ended = zip(solution.status, solution.reason, strict=True)
+    found = Batch(Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in ended))
+    for name, bad in wrong_of(solution).items():
+        found.wrong |= {int(k): name for k in np.flatnonzero(bad)}
+    found.not_converged = [int(k) for k in np.flatnonzero(solution.status == "not_converged")]
+    found.largest["residual"] = float(np.max(solution.residual, where=solution.converged, initial=0.0))
+    return found
+
+
+if __name__ == "__main__":
+    run("spindles", batch, BATCH, __doc__)

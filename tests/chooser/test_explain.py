@@ -183,7 +183,7 @@ def test_a_plain_run_warns_of_what_is_missing(trap: Path) -> None:
     assert "the centrifugal force" in said
     assert "stiffness ≈ 400 %" in said
     assert 'ball = ["centrifugal_force", "gyroscopic_moment"]' in said
-    assert "Missing here" in call("run", trap).stdout
+    assert "Not simulated: " in call("run", trap).stdout
 
 
 def test_what_is_there_or_does_not_matter_is_no_warning() -> None:
@@ -195,8 +195,8 @@ def test_what_is_there_or_does_not_matter_is_no_warning() -> None:
 def test_of_many_cases_those_that_lack_it_are_counted() -> None:
     scene = qs.Scene(resting().bearing, qs.Operation(speed=[0.0, 100.0, 1500.0], axial_load=17_800.0))
     said, rings = qs.warnings(solved(scene))
-    assert said.startswith("1 of 3 cases, the first 2: Missing here")
-    assert rings.startswith("1 of 3 cases, the first 2: Missing for want of numbers")
+    assert said.startswith("1 of 3 cases, the first 2: Not simulated: ")
+    assert rings.startswith("1 of 3 cases, the first 2: Not simulated, because input data are missing")
     assert qs.warnings(solved(scene), 1) == []
 
 
@@ -206,7 +206,7 @@ FAST_SPINDLE = qs.load_scene("7210c")
 def test_what_needs_numbers_of_the_scene_is_warned_of_and_the_estimate_is_right_to_a_factor_of_two() -> None:
     without = solved(FAST_SPINDLE)
     (said,) = [line for line in qs.warnings(without) if "the expansion of the rings" in line]
-    assert "give [effects.ring_expansion] with bore, outside diameter" in said
+    assert "which needs [effects.ring_expansion] with bore, outside diameter" in said
     row = next(row for row in explain(FAST_SPINDLE, 0.01)[1] if row.effect == "ring_expansion")
     assert (row.in_scene, row.verdict) == (False, "likely needed, data missing")
     assert row.predicted is not None
@@ -257,8 +257,8 @@ def test_a_file_may_leave_its_effects_to_be_chosen(tmp_path: Path) -> None:
     assert found["effects"] == found["accuracy"]["added"] == ["centrifugal_force"]
     assert found["balls"][0]["gyroscopic_moment_Nmm"] is None
     text = call("run", path).stdout
-    assert "Tolerance 0.01: left out, with the error expected: the gyroscopic moment" in text
-    assert "Needed, though the scene does not name it: the centrifugal force" in text
+    assert "Tolerance 0.01: left out, with the expected error: the gyroscopic moment" in text
+    assert "Needed, although the scene does not name it: the centrifugal force" in text
 
 
 def test_accuracy_judges_the_operating_point_and_not_what_the_file_names(trap: Path) -> None:

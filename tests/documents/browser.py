@@ -18,6 +18,29 @@ QUIET = (
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
 )  # fmt: skip
 PATIENCE = 60.0
+OVERFLOWS = """
+[...document.querySelectorAll('main *, header *, nav *')].filter(e => {
+  const box = e.getBoundingClientRect();
+  if (!box.width || e.closest('svg') && e.tagName !== 'svg') return false;
+  for (let p = e.parentElement; p; p = p.parentElement) {
+    if (getComputedStyle(p).overflowX !== 'visible') return false;  // scrolls on its own
+    const own = p.getBoundingClientRect();
+    if (p.tagName === 'BODY') return box.right > document.documentElement.clientWidth + 1;
+    if (own.width && (box.right > own.right + 1 || box.left < own.left - 1)
+        && !e.closest('math, .skip') && getComputedStyle(e).display !== 'inline') return true;
+  }
+  return false;
+}).map(e => e.outerHTML.slice(0, 200))
+"""
+"""Elements wider than what holds them, unless that scrolls."""
+DEAD = (
+    "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => a.getAttribute('href').slice(1))"
+    ".filter(name => !document.getElementById(name))"
+)
+"""Links within the page that lead nowhere."""
+WIDE = "document.documentElement.scrollWidth"
+WIDTHS = 390, 768, 1280
+"""A phone, a tablet, a desktop [px]."""
 
 
 def installed() -> str | None:
@@ -138,3 +161,15 @@ class Browser:
         ):
             self.complaints.append(f"asks the network for {told['request']['url']}")
         return said
+
+
+def layout_faults(browser: Browser, page: Path) -> list[str]:
+    """What is wrong with a page at the three widths: wider than its window or than what holds it, links that lead
+    nowhere, complaints of the browser."""
+    faults = []
+    for width in WIDTHS:
+        browser.open(page, width=width)
+        if browser.value(WIDE) > width:
+            faults.append(f"{width} px: the page is wider than its window")
+        faults += [f"{width} px: {each}" for each in browser.value(OVERFLOWS)]
+    return faults + [f"#{name} leads nowhere" for name in browser.value(DEAD)] + browser.complaints

@@ -16,7 +16,7 @@ BLOCKS: list[Block] = [
     Remark("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
     Table(
         ("name", "load\nN", ""),
-        [("[7] 7210C", "1234.5", Badge("pass")), ("a name that is long enough to be folded", "-0.25", Badge("fail"))],
+        [("7210C [red]", "1234.5", Badge("pass")), ("a name that is long enough to be folded", "-0.25", Badge("fail"))],
         "lrl", "Loads [of rows]", notes=[("*", "inferred")],
     ),
     Paragraph("Below it", is_apart=True),

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing import pictures
 from qsbearing.cli import cli
-from qsbearing.effects.elastic_rings import gives_at_balls, grooves_of
+from qsbearing.effects.elastic_rings import deflections_at_balls, grooves_of
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.solution.ring_shape import AROUND, groove_shape, radial_loads
@@ -122,6 +122,32 @@ def in_housing(interference: Any, rings: qs.ElasticRings = PRESSED_RINGS, **load
     return qs.solve(qs.Scene(B218, qs.Operation(**THRUST | loads), ring_effects=(fit, rings)))
 
 
+ALUMINIUM = qs.Material(70e9, 0.33, 2700.0)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "said"),
+    [
+        ({}, ALUMINIUM, "housing_elastic_modulus = 2.08e+11 Pa: is that of the rings, for it is left out, but the"),
+        ({"housing_elastic_modulus": 70e9}, None, "is given here, but the housing of ring_expansion has 208 GPa"),
+        ({"housing_elastic_modulus": 70e9}, ALUMINIUM, "housing_poisson_ratio"),
+        ({"housing_elastic_modulus": 70e9, "housing_poisson_ratio": 0.33}, ALUMINIUM, ""),
+    ],
+)
+def test_a_housing_is_of_one_material(here: dict[str, float], there: qs.Material | None, said: str) -> None:
+    """Described for elastic rings and for the fit; left out, it is of the rings' in either."""
+    fit = qs.RingExpansion(
+        **PRESSED, housing_interference=60e-6, housing_outside_diameter=220 * qs.mm, housing_material=there
+    )
+    effects = (fit, replace(PRESSED_RINGS, **here))
+    if not said:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+        return
+    with pytest.raises(qs.SceneError, match="One body has one material") as error:
+        qs.Scene(B218, qs.Operation(**THRUST), ring_effects=effects)
+    assert said in str(error.value)
+
+
 def test_a_clearance_closes() -> None:
     """The ring grows as a free one until the clearance is used up; then the housing carries, and nothing jumps.
 
@@ -166,7 +192,7 @@ def test_a_ring_that_touches_its_housing_somewhere_is_told() -> None:
     """Under radial load, in either state; not where the clearance is wide."""
     said = {um: qs.warnings(in_housing(-um * qs.um, radial_load_y=10000.0)) for um in (1.0, 18.0, 100.0)}
     assert any("lift off the housing" in each for each in said[1.0])
-    assert any("as to touch it somewhere" in each for each in said[18.0])
+    assert any("so far that it touches it" in each for each in said[18.0])
     assert not any("housing" in each for each in said[100.0])
 
 
@@ -187,7 +213,7 @@ def test_a_seat_is_looked_at_only_where_fit_and_balls_both_move_it(monkeypatch: 
 def test_clearances_in_sets_are_refused() -> None:
     fit = qs.RingExpansion(**PRESSED, housing_interference=-5 * qs.um, housing_outside_diameter=220 * qs.mm)
     rows = tuple(qs.Row(B218, position=x * qs.mm, carries=c) for x, c in ((0.0, "+x"), (50.0, "-x")))
-    with pytest.raises(qs.SceneError, match="off its ring in operation"):
+    with pytest.raises(qs.SceneError, match="of clearance to its ring in operation"):
         qs.BearingSet(rows, qs.Operation(axial_load=1000.0), ring_effects=(fit, PRESSED_RINGS))
 
 
@@ -202,7 +228,7 @@ def test_a_seat_that_parts_is_said(tmp_path: Path) -> None:
 def test_seat_carries_the_load(tmp_path: Path) -> None:
     """The mean pressure is what the balls press outward less what the ring holds by its hoop; n = 1 goes through."""
     solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["housing"])))
-    give = solution.scene.elastic_rings.gives(grooves_of(B218))[1]  # type: ignore[union-attr]
+    give = solution.scene.elastic_rings.compliances(grooves_of(B218))[1]  # type: ignore[union-attr]
     assert give is not None and give.seat is not None
     radial = radial_loads(solution)[1]
     azimuth = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
@@ -227,7 +253,7 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
             ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.08)),
         )
     )  # fmt: skip
-    give = gives_at_balls(rings.gives(grooves_of(B218)), s.azimuth, *radial_loads(s))
+    give = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, *radial_loads(s))
     np.testing.assert_allclose(s.groove_deflection, give, rtol=1e-9)
     both = groove_shape(s, "inner", s.azimuth) + groove_shape(s, "outer", s.azimuth)
     np.testing.assert_allclose(s.groove_deflection, both, rtol=1e-9)
@@ -240,7 +266,7 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
 def test_the_command_prints_it(tmp_path: Path) -> None:
     path = written(tmp_path, OUTER["free"], INNER["solid"])
     found = CliRunner().invoke(cli, ["run", str(path)])
-    assert "Rings giving way under their balls" in found.output
+    assert "Rings deflected by their balls" in found.output
     record = json.loads(CliRunner().invoke(cli, ["run", str(path), "--json"]).output)
     elastic = record["elastic_rings"]
     assert 0.1 < elastic["share_of_axial_displacement"] < 0.3

@@ -140,7 +140,7 @@ def test_results_say_which_temperatures_were_taken(tmp_path: Path) -> None:
     shown = [line.split() for line in CliRunner().invoke(cli, ["run", str(file)]).stdout.splitlines()]
     assert ["shaft", "70", "as", "the", "inner", "ring"] in shown
     lines = effect_lines(qs.load_scene(file).ring_effects)
-    assert ("ring_expansion.shaft_temperature_C", "70", "C", "left out: as the inner ring") in lines
+    assert ("ring_expansion.shaft_temperature_C", "70", "°C", "left out: as the inner ring") in lines
     assert json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).stdout)["temperatures"] is None
     of_set = tmp_path / "set.toml"
     ring = GOOD.partition("[effects.ball")[0].replace("90", "50").replace("160", "90")

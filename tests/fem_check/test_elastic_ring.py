@@ -71,9 +71,9 @@ def test_one_pitch_in_three_dimensions_sees_the_shoulders(monkeypatch):
     """In bending; with the rectangle that the groove's bottom leaves, the model would deflect four times as far."""
     assert failing(elastic_ring.pitch_rows(Level.QUICK)) == set()
     monkeypatch.setattr(elastic_rings, "bending_height", lambda thickness, *shape: np.asarray(thickness))
-    elastic_rings._known_gives.cache_clear()
+    elastic_rings._known_compliances.cache_clear()
     rows = elastic_ring.pitch_rows(Level.QUICK)
-    elastic_rings._known_gives.cache_clear()
+    elastic_rings._known_compliances.cache_clear()
     assert {row.case for row in rows if row.verdict == "fail"} == {row.case for row in rows if row.case[-1] == "3"}
     assert min(row.reference / row.found for row in rows if row.case[-1] == "3") > 3.0
 
@@ -107,8 +107,8 @@ def test_an_error_between_ring_and_balls_is_seen(wrong, monkeypatch):
     by_load, of_section = wrong(elastic_rings.by_load, elastic_rings.of_section)
     monkeypatch.setattr(elastic_rings, "by_load", by_load)
     monkeypatch.setattr(elastic_rings, "of_section", of_section)
-    elastic_rings._known_gives.cache_clear()
+    elastic_rings._known_compliances.cache_clear()
     try:
         assert failing(elastic_ring.load_rows(Level.QUICK))
     finally:
-        elastic_rings._known_gives.cache_clear()
+        elastic_rings._known_compliances.cache_clear()

@@ -347,8 +347,8 @@ PLANTED |= {
     ),
     "a shaft that pulls its ring in": (
         "qsbearing/effects/ring_compliance.py",
-        "return Give(-(own.outside_by_outside + own.outside_by_bore * seat), seat)",
-        "return Give(-(own.outside_by_outside - own.outside_by_bore * seat), seat)",
+        "return PressureCompliance(-(own.outside_by_outside + own.outside_by_bore * seat), seat)",
+        "return PressureCompliance(-(own.outside_by_outside - own.outside_by_bore * seat), seat)",
         RING,
     ),
     "a ring 5 % wider": (
@@ -357,7 +357,7 @@ PLANTED |= {
         "(2.1 * np.pi * np.asarray(radius, float) * np.asarray(width, float))",
         RING,
     ),
-    "a half-plane's part left in the give": (
+    "a half-plane's part left in the compliance": (
         "qsbearing/effects/ring_compliance.py",
         "local = 2.0 * np.asarray(radius, float)",
         "local = 0.0 * np.asarray(radius, float)",

@@ -89,10 +89,11 @@ def test_pictures_have_a_text(page: Path) -> None:
         assert len(text.split()) >= 3
 
 
-def test_every_picture_of_the_gallery_is_made_by_a_command_above_it() -> None:
+def test_every_picture_of_the_gallery_is_made_by_a_command_of_its_section() -> None:
     text = (GUIDE / "gallery.md").read_text(encoding="utf-8")
-    for found in re.finditer(r"\]\(gallery/([\w.]+)\)", text):
-        assert re.search(rf"--(plot|out) {re.escape(found[1])}\n", text[: found.start()]), found[1]
+    for section in re.split(r"^(?=## )", text, flags=re.MULTILINE):
+        for name in re.findall(r"\]\(gallery/([\w.]+)\)", section):
+            assert re.search(rf"--(plot|out) {re.escape(name)}\n", section), name
     shipped = {path.name for path in (GUIDE / "gallery").iterdir()}
     assert shipped == set(re.findall(r"\]\(gallery/([\w.]+)\)", text))
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.effects.elastic_rings import gives_at_balls, grooves_of
+from qsbearing.effects.elastic_rings import deflections_at_balls, grooves_of
 from qsbearing.effects.ring_section import bending_height
 
 B218 = qs.load_scene("b218").bearing
@@ -106,15 +106,15 @@ def test_shoulders_stiffen_bending_and_leave_growth() -> None:
     """The seat is where it was; of several cases each has its own; a deep groove's open side is as its other one."""
     high = np.array([140.0, 132.4]) * qs.mm
     for rings in (FREE, COMPOUND):
-        plain = rings.gives(grooves_of(B218))[1]
-        with_shoulder = replace(rings, outer_shoulder_diameter=high).gives(grooves_of(B218))[1]
+        plain = rings.compliances(grooves_of(B218))[1]
+        with_shoulder = replace(rings, outer_shoulder_diameter=high).compliances(grooves_of(B218))[1]
         assert plain is not None and with_shoulder is not None
         np.testing.assert_allclose(with_shoulder.by_load[0], plain.by_load[0])
         ratio = with_shoulder.by_load[2:9] / plain.by_load[2:9, None]
         assert (ratio < (0.9 if rings is FREE else 0.99)).all() and (ratio[:, 1] < ratio[:, 0]).all()
     thin = replace(FREE, outer_shoulder_diameter=132.4 * qs.mm, outer_open_diameter=146.3 * qs.mm)
-    found = thin.gives(grooves_of(B218))[1]
-    free = FREE.gives(grooves_of(B218))[1]
+    found = thin.compliances(grooves_of(B218))[1]
+    free = FREE.compliances(grooves_of(B218))[1]
     assert found is not None and free is not None
     expected = second_moment((0.0, 0.0)) / second_moment((7.665, 0.715))
     # Of n = 2 as a thin ring, good to 1 % here; the rectangle's middle lies 2 % nearer the axis.
@@ -122,7 +122,7 @@ def test_shoulders_stiffen_bending_and_leave_growth() -> None:
     deep = replace(B218, kind=qs.BearingKind.DEEP_GROOVE)
     one = replace(FREE, outer_shoulder_diameter=140 * qs.mm)
     both = replace(one, outer_open_diameter=140 * qs.mm)
-    assert one.gives(grooves_of(deep))[1].by_load[2] == both.gives(grooves_of(B218))[1].by_load[2]  # type: ignore[union-attr]
+    assert one.compliances(grooves_of(deep))[1].by_load[2] == both.compliances(grooves_of(B218))[1].by_load[2]  # type: ignore[union-attr]
     scene = qs.Scene(deep, qs.Operation(**COMBINED), ring_effects=(one,))
     other = qs.Scene(B218, qs.Operation(**COMBINED), ring_effects=(both,))
     np.testing.assert_allclose(qs.solve(scene).inner.load, qs.solve(other).inner.load, rtol=1e-9)
@@ -132,7 +132,7 @@ def test_shoulders_stiffen_bending_and_leave_growth() -> None:
 @pytest.mark.parametrize("loads", [COMBINED, GENERAL], ids=["combined", "general"])
 def test_stiff_rings_are_rigid(loads: dict[str, float], effects: dict[str, Any]) -> None:
     """Rings a million million times as stiff give way by as much less."""
-    table = tuple(1e-12 * np.asarray(give.by_load) for give in BOTH.gives(grooves_of(B218)) if give is not None)
+    table = tuple(1e-12 * np.asarray(give.by_load) for give in BOTH.compliances(grooves_of(B218)) if give is not None)
     stiff = qs.ElasticRings(inner_compliance=tuple(table[0]), outer_compliance=tuple(table[1]))
     speed = 8000 * qs.rpm if effects else 0.0
     one, other = solved(None, loads, speed, **effects), solved(stiff, loads, speed, **effects)
@@ -167,7 +167,7 @@ def test_gives_follow_from_the_loads(rings: qs.ElasticRings, loads: dict[str, fl
         outer = s.outer.load * s.outer.cosine + (0.0 if shares is None else shares[1] * across * s.outer.sine)
         inner = s.inner.load * s.inner.cosine
         slack = 1e-8
-    give = gives_at_balls(rings.gives(grooves_of(B218)), s.azimuth, inner, outer)
+    give = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, inner, outer)
     np.testing.assert_allclose(rigid - found, give, atol=slack * np.abs(give).max())
 
 
@@ -208,7 +208,9 @@ def test_work_of_the_load_is_the_energy_of_contacts_and_rings() -> None:
     work = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(moved, axis=0))
     contacts = 0.4 * sum((side.load[-1] * side.approach[-1]).sum() for side in (s.inner, s.outer))
     radial = s.inner.load[-1] * s.inner.cosine[-1]
-    rings = 0.5 * (radial * gives_at_balls(BOTH.gives(grooves_of(B218)), s.azimuth[-1], radial, radial)).sum()
+    rings = (
+        0.5 * (radial * deflections_at_balls(BOTH.compliances(grooves_of(B218)), s.azimuth[-1], radial, radial)).sum()
+    )
     assert rings > 0.1 * contacts
     assert work == pytest.approx(contacts + rings, rel=1e-4)  # of the trapezoidal rule
 
@@ -244,7 +246,7 @@ def test_ball_counts_and_cases_together() -> None:
         alone = qs.solve(qs.Scene(bearing, qs.Operation(**loads), ring_effects=(rings,)))
         np.testing.assert_allclose(together.inner.load[k, :count], alone.inner.load, rtol=1e-9)
         radial = np.nan_to_num(alone.inner.load * alone.inner.cosine)
-        give = gives_at_balls(rings.gives(grooves_of(bearing)), alone.azimuth, radial, radial)
+        give = deflections_at_balls(rings.compliances(grooves_of(bearing)), alone.azimuth, radial, radial)
         line = 2 * (11.6281 - 22.225 / 2) * qs.mm + alone.inner.approach + alone.outer.approach
         rigid = B218.groove_centre_distance * np.cos(40 * qs.deg) + alone.displacement[1] * np.cos(alone.azimuth)
         beyond = 5e-3 if count > 25 else 1e-8  # waves shorter than twelve round the ring are left out

@@ -61,7 +61,8 @@ def assert_same(found: Found, expected: Found, which: Any = ...) -> None:
 
 
 def mixed(count: int) -> qs.Scene:
-    """Cases of other kinds among usual ones: without radial load, at rest, pulled, other ball counts."""
+    """Cases of other kinds among usual ones: without radial load, at rest, pulled, other ball counts; and some that end
+    with contacts on the open side, which no equilibrium has."""
     rng = np.random.default_rng(5)
     scene = scenes.random_points(count)
     axial, radial = np.array(scene.operation.axial_load), np.array(scene.operation.radial_load_y)
@@ -69,6 +70,7 @@ def mixed(count: int) -> qs.Scene:
     radial[rng.random(count) < 0.2] = 0.0
     speed[rng.random(count) < 0.1] = 0.0
     axial[rng.random(count) < 0.1] *= -1.0
+    radial[::20] = 2.5 * np.abs(axial[::20])
     bearing = replace(scene.bearing, ball_count=rng.choice([16, 16, 15], count))
     operation = qs.Operation(speed=speed, axial_load=axial, radial_load_y=radial, moment_z=0.0)
     return qs.Scene(bearing, operation, scenes.BOTH, qs.RacewayControl.OUTER)

@@ -80,7 +80,7 @@ def test_the_table_of_a_thrust_bearing_shows_the_ring_one_ball_and_the_warning()
     # 17 800 N, 10 000 rpm, Hertz at the free contact angle.
     for number in ("14.7578", "17800", "49.9414", "31.3366", "1453.51", "1921.56", "all 16"):
         assert number in result.stdout
-    assert "Good to know: The gyroscopic moment demands friction" in result.stdout
+    assert "Good to know: The gyroscopic moment requires a friction coefficient" in result.stdout
     assert "\x1b" not in result.stdout, "no colours where no terminal is"
     assert max(len(line) for line in result.stdout.splitlines()) <= 100
     assert not any(line.endswith(" ") for line in result.stdout.splitlines())

@@ -208,7 +208,7 @@ def test_a_bearing_warns_of_a_preload_that_has_grown_or_fallen() -> None:
     assert found.preload_state == "maintained"
     before = solved(preloaded(rigid)).stiffness[0, 0] / 1e6
     assert f"{found.load[0]:.4g} N, {100 * found.preload_share:.2g} % of the 300 N before fitting" in fallen
-    assert f"fell from {before:.4g} N/um mounted to {found.stiffness[0, 0] / 1e6:.4g} N/um" in fallen
+    assert f"fell from {before:.4g} N/µm mounted to {found.stiffness[0, 0] / 1e6:.4g} N/µm" in fallen
     several = solved(preloaded(qs.Preload(rigid=np.array([300.0, 5000.0])), fit))
     assert list(several.preload_state) == ["excessive", "maintained"]
     assert qs.warnings(several)[0].startswith("1 of 2 cases, the first 0: Preload excessive")

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.sets.axial_growth import growth_along
 from qsbearing.sets.preload_limits import preload_summary
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
@@ -163,7 +162,7 @@ def test_a_row_that_gives_way_at_speed() -> None:
 def test_a_load_that_no_row_carries() -> None:
     found = qs.solve_set(pair("DT", axial_load=-200.0))
     assert found.status == "no_equilibrium"
-    assert "The axial load acts in -x, in which no row carries." in found.message()
+    assert "The axial load acts in -x, which no row carries." in found.message()
     assert qs.message(found) == found.message()
     assert qs.warnings(found) == found.warnings()
 
@@ -286,7 +285,7 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
     assert f"{found.preload_mounted[0]:.4g} N mounted and {found.preload_in_operation[0]:.4g} N in operation" in first
     assert not any("at speed" in each for each in [*found.warnings(), *preload_summary(found)])
     assert any(
-        each.startswith("Fitting changes what presses the rows from 300 N to") for each in preload_summary(found)
+        each.startswith("Fitting changes the preload of the rows from 300 N to") for each in preload_summary(found)
     )
     (excessive, _) = qs.preload_speeds(found.set, 1_000 * qs.rpm)
     assert excessive.sentence.endswith("more than 3 times what is given, already at rest, under these loads.")
@@ -303,7 +302,7 @@ def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
     assert said.startswith(f"Preload reduced: row 2 (S 6210 C, carries -x) carries {found.axial_loads[1]:.4g} N")
     before, now = (each.rows[1].stiffness[0, 0] / 1e6 for each in (found.mounted, found))
     assert f"{100 * share:.2g} % of the 720 N before fitting; its axial stiffness fell from {before:.4g}" in said
-    assert f"to {now:.4g} N/um" in said
+    assert f"to {now:.4g} N/µm" in said
     many = solved(pair("DB", 720.0, axial_load=np.array([0.0, 1300.0])))
     assert "1 of 2 cases: row 2 (S 6210 C, carries -x) carries less than half of its preload." in many.warnings()
 
@@ -376,12 +375,12 @@ def test_a_shaft_that_is_not_as_warm_at_every_row_grows_between_them_by_the_mean
         for place, effect in zip(places, effects, strict=True)
     )
     of = qs.BearingSet(found, qs.Operation(axial_load=1e3), reference_position=0.04)
-    moved = [float(growth_along(of, of.rows[number].position, 0)) for number in range(3)]
+    moved = [float(of.growth[0](of.rows[number].position)) for number in range(3)]
     expected = 12e-6 * np.array([-10.0 * 0.04, 10.0 * 0.01, 10.0 * 0.01 + 40.0 * 0.1])
     np.testing.assert_allclose(moved, expected, rtol=1e-9)
     both = warm_fits(shaft=np.array([20.0, 80.0]) + qs.zero_celsius)
     spanning = replace(of, rows=(*of.rows[:2], replace(of.rows[2], ring_effects=both)))
     np.testing.assert_allclose(
-        growth_along(spanning, spanning.rows[2].position, 0), [12e-6 * (0.1 + 10.0 * 0.1), expected[2]], rtol=1e-9
+        spanning.growth[0](spanning.rows[2].position), [12e-6 * (0.1 + 10.0 * 0.1), expected[2]], rtol=1e-9
     )
     assert solved(spanning).axial_loads.shape == (2, 3)

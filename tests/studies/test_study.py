@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tracemalloc
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -29,9 +30,14 @@ def test_distributions_have_their_moments(text: str) -> None:
     each = variable_of("speed_rpm", text)
     assert isinstance(each, Distribution)
     values = each.at(np.random.default_rng(1).random(100_000))
-    mean = {"normal": 5.0, "uniform": 5.0}.get(each.kind, sum(each.parameters) / 3.0)
-    assert values.std() == pytest.approx(each.standard_deviation, rel=5 / 450)
-    assert values.mean() == pytest.approx(mean, abs=5 / 300 * each.standard_deviation)
+    a, *_, c = each.parameters
+    if each.kind == "triangular":
+        mean = sum(each.parameters) / 3.0
+        deviation = np.sqrt(sum((p - q) ** 2 for p, q in combinations(each.parameters, 2)) / 36.0)
+    else:
+        mean, deviation = 5.0, 0.1 if each.kind == "normal" else (c - a) / np.sqrt(12.0)
+    assert values.std() == pytest.approx(deviation, rel=5 / 450)
+    assert values.mean() == pytest.approx(mean, abs=5 / 300 * deviation)
     if each.kind != "normal":
         assert each.parameters[0] <= values.min() < values.max() <= each.parameters[-1]
 

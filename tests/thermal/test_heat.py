@@ -18,6 +18,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
+from qsbearing.studies.variables import VariableError, variable_of
 from qsbearing.thermal.state import ThermalState
 from tests.thermal.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
 
@@ -246,6 +247,14 @@ def test_errors_help(changed: dict[str, Any], said: str) -> None:
     with pytest.raises(qs.SceneFileError) as raised:
         scene(thermal=thermal)
     assert said in str(raised.value)
+
+
+def test_a_number_for_each_case_is_refused() -> None:
+    thermal = scene().thermal
+    with pytest.raises(qs.SceneError, match=r"thermal\.fixed\.ambient: is an array\. One network stands for all cases"):
+        replace(thermal, fixed={"ambient": np.array([300.0, 310.0])})
+    with pytest.raises(VariableError, match="make one network for all points"):
+        variable_of("flow_cm3_min", "10:20:3")
 
 
 def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:

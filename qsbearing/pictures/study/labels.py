@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.result_keys import printed_unit
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -65,7 +67,7 @@ def words(name: str) -> str:
 
 def with_unit(text: str, unit: str) -> str:
     """A heading with its unit, where it has one."""
-    return text if unit in ("", "1", "balls") else f"{text}, {_printed(unit)}"
+    return text if unit in ("", "1", "balls") else f"{text}, {printed_unit(unit)}"
 
 
 def key_words(values: DataArray) -> str:
@@ -90,11 +92,7 @@ def key_heading(values: DataArray) -> str:
 def value_label(values: DataArray, number: float) -> str:
     """One value of a key, with its unit."""
     unit = str(values.attrs.get("units", ""))
-    return f"{number:.6g}" if unit in ("", "1", "balls") else f"{number:.6g} {_printed(unit)}"
-
-
-def _printed(unit: str) -> str:
-    return "°C" if unit == "C" else unit.replace("um", "µm")
+    return f"{number:.6g}" if unit in ("", "1", "balls") else f"{number:.6g} {printed_unit(unit)}"
 
 
 LETTERS_PER_INCH = 13.0

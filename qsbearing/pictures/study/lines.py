@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 import warnings
 from typing import TYPE_CHECKING, Any
 
@@ -211,17 +212,11 @@ def _say_unsolved(axes: Axes, chosen: Selection) -> None:
         axes.axvspan(edges[start], edges[stop + 1], color="0.93", zorder=0)
         why = meanings[int(first[start])].rpartition(":")[2].replace("_", " ").strip()
         middle = 0.5 * (edges[start] + edges[stop + 1])
-        said = "\n".join(_wrapped("not converged" if why == "none" else why, 22))
+        said = textwrap.fill("not converged" if why == "none" else why, 22)
         axes.text(
             middle, 0.5, said, rotation=90, transform=axes.get_xaxis_transform(), fontsize=7, ha="center", va="center",
             color=GREY,
         )  # fmt: skip
-
-
-def _wrapped(text: str, width: int) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(text, width)
 
 
 def curves_of(chosen: Selection) -> str:
