@@ -186,13 +186,13 @@ def nearest(solution: qsbearing.Solution) -> qsbearing.Solution:
     return qsbearing.solve(dataclasses.replace(scene, hertz_angle=qsbearing.HertzAngle.ACTUAL, orbit_radius=orbit))
 
 
-def expected(bearing: SectorBearing, solution: qsbearing.Solution, room: float = ROOM[OuterSupport.RIGID]) -> Expected:
-    """Where the model puts the bodies; the finite elements mesh them there, the contacts with `room` about them."""
+def expected(bearing: SectorBearing, solution: qsbearing.Solution) -> Expected:
+    """Where the model puts the bodies; the finite elements mesh them there."""
     angle = float(solution.outer.angle[0])
     reach = bearing.groove_radius(inner=False) - bearing.ball_radius + float(solution.outer.approach[0])
     centre = bearing.groove_centre(inner=False) + reach * np.array([np.sin(angle), np.cos(angle)])
     contacts = (solution.inner, solution.outer)
-    return _rounded(float(solution.displacement[0]), centre, contacts, room)
+    return _rounded(float(solution.displacement[0]), centre, contacts, ROOM[OuterSupport.RIGID])
 
 
 def _rounded(axial_displacement: float, ball_centre: Array, contacts: Iterable[Any], room: float) -> Expected:
@@ -207,24 +207,18 @@ def _rounded(axial_displacement: float, ball_centre: Array, contacts: Iterable[A
 
 
 def place(
-    scene_name: str,
-    point: OperatingPoint,
-    support: OuterSupport,
-    *,
-    gyroscopic_moment: bool = False,
-    room: float | None = None,
+    scene_name: str, point: OperatingPoint, support: OuterSupport, *, gyroscopic_moment: bool = False
 ) -> Expected:
     """Where the bodies are meshed: the model's position; with a support that it knows nothing of, where a coarse mesh
-    there finds them. The contacts' room is that of `ROOM` unless given."""
-    bearing, room = sector_bearing(scene_name), room or ROOM[support]
-    solution = model(scene_name, point, gyroscopic_moment=gyroscopic_moment)
+    there finds them."""
+    bearing = sector_bearing(scene_name)
+    near = expected(bearing, model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
     if support is OuterSupport.RIGID:
-        return expected(bearing, solution, room)
-    near = expected(bearing, solution)
+        return near
     found = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
         SectorLoad(point.axial_load, point.speed)
     )
-    return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), room)
+    return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), ROOM[support])
 
 
 def compare(
@@ -234,10 +228,9 @@ def compare(
     *,
     gyroscopic_moment: bool = False,
     positions: int = POSITIONS,
-    room: float | None = None,
 ) -> Compared:
-    """Compare one operating point on one mesh, made for it with that room about the contacts (as in `place`)."""
-    cell = (room or ROOM[sector.support]) * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
+    """Compare one operating point on one mesh, made for it."""
+    cell = ROOM[sector.support] * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
     factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
     deviations: dict[str, list[Array]] = {"default": [], "as read": []}
     worst = 0.0

@@ -20,13 +20,11 @@ from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorL
 from fem_check.solids.sector_geometry import SectorGeometry
 
 ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 6)}
-"""Per semi-minor axis; six take 3 GB and 100 s. At the release level each mesh is well apart from the next (five and
-six are not), so that every one tells of the finest's uncertainty."""
+"""Per semi-minor axis; six take 3 GB and 100 s. Each mesh is well apart from the next, as five and six are not, so that
+every one tells of the finest's uncertainty."""
 ORDER = 2.0
 """By which the errors of all else fall at least; on half-spaces those of the ellipse fall by 2.4 (`convergence_order`).
 """
-MORE_ROOM = 1.15
-"""About the contacts, where the coarsest mesh has too little: 1.15 times as much, and as much larger elements."""
 POINTS = {
     Level.QUICK: (OperatingPoint(17800.0, 10000.0 * qsbearing.rpm),),
     Level.RELEASE: tuple(
@@ -128,18 +126,18 @@ def study(
     meshes: list[Compared] = []
     sizes: list[float] = []
     try:
+        where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
         for elements in ELEMENTS[level]:
-            room = sector_comparison.ROOM[support]
             try:
-                sector, compared = _on_mesh(scene, point, support, elements, room, moment=gyroscopic_moment)
+                geometry = SectorGeometry(sector_comparison.sector_bearing(scene), where, elements)
+                sector = BearingSector(geometry, support, friction=gyroscopic_moment)
+                meshes.append(sector_comparison.compare(scene, point, sector, gyroscopic_moment=gyroscopic_moment))
             except ContactError:
-                # The loads about the point are farthest from it on the coarsest mesh, and may need more room there.
-                if elements != ELEMENTS[level][0]:
+                # The coarsest mesh may lack room for the loads about the point; three are enough.
+                if elements != ELEMENTS[level][0] or len(ELEMENTS[level]) < 4:
                     raise
-                room *= MORE_ROOM
-                sector, compared = _on_mesh(scene, point, support, elements, room, moment=gyroscopic_moment)
-            meshes.append(compared)
-            sizes.append(room * contact_block.PATCH / contact_block.cells(elements))
+                continue
+            sizes.append(contact_block.PATCH / contact_block.cells(elements))
     except ContactError as problem:
         raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
     last = meshes[-1]
@@ -154,17 +152,6 @@ def study(
         uncertainty[name] = of_mesh + last.position_uncertainty[name]
     as_read = _finest(sizes, [mesh.as_read for mesh in meshes])
     return Studied(point, replace(last, found=found), uncertainty, sector, as_read, gyroscopic_moment)
-
-
-def _on_mesh(
-    scene: str, point: OperatingPoint, support: OuterSupport, elements: int, room: float, *, moment: bool
-) -> tuple[BearingSector, Compared]:
-    """The sector on a mesh of so many elements in a semi-minor axis, and what it finds."""
-    where = sector_comparison.place(scene, point, support, gyroscopic_moment=moment, room=room)
-    sector = BearingSector(
-        SectorGeometry(sector_comparison.sector_bearing(scene), where, elements), support, friction=moment
-    )
-    return sector, sector_comparison.compare(scene, point, sector, gyroscopic_moment=moment, room=room)
 
 
 def _finest(sizes: list[float], meshes: list[Values]) -> Values:

@@ -185,8 +185,9 @@ class BearingSet(InNotebooks):
         for number, row in enumerate(self.rows):
             effects = self.ring_effects if row.ring_effects is None else row.ring_effects
             effects = effects if isinstance(effects, tuple) else (effects,)
-            has_seat = self.shaft is not None and any(isinstance(each, RingExpansion) for each in effects)
-            seat = self.shaft.section_number(row.position) if has_seat else 0
+            seat = 0
+            if self.shaft is not None and any(isinstance(each, RingExpansion) for each in effects):
+                seat = self.shaft.section_number(row.position)
             own = row.bearing, row.readings, *effects
             found.append(known.setdefault((seat, *map(id, own)), number))
         return tuple(found)
