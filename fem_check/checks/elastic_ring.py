@@ -84,8 +84,8 @@ PITCH_TOLERANCE = 10.0
 """[%]"""
 MODEL_PITCH = "qsbearing.effects.elastic_rings: uniform growth and n = Z, 2 Z, ..."
 WHY_PITCH = (
-    "bending of a section as a whole, without its rolling and without shear across its width; without shoulders the "
-    "model would deflect four times as far"
+    "set after the first run, so it tells of changes and not how right the model is: bending of a section as a whole, "
+    "without its rolling and without shear across its width; without shoulders it would deflect four times as far"
 )
 
 
