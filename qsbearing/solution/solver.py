@@ -22,8 +22,9 @@ from qsbearing.solution.solved_cases import KEPT
 from qsbearing.threads import in_threads, thread_count
 
 TOLERANCE = 1e-12
-LEAST_BATCH = 64
-"""So many cases are solved in lanes, as far as lanes know them: their kernel is compiled with the first such batch."""
+LEAST_BATCH = 1000
+"""So many cases are solved in lanes, as far as lanes know them. Lanes are faster from 64 on, but their kernel is
+compiled with the first such batch: some ten seconds, once, which fewer cases would spend to save a few milliseconds."""
 
 
 def solve(
