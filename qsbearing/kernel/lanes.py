@@ -270,13 +270,12 @@ def copy_ball(lane_ball: recarray, lane: int, ball: recarray) -> None:
     lane_ball.outer_approach[lane], lane_ball.inner_approach[lane] = ball.outer_approach, ball.inner_approach
 
 
-def lanes_know(case: recarray) -> bool:
-    """Whether lanes know all that a case, and so its scene, names."""
-    return bool(
-        case.centrifugal and case.gyroscopic and case.control == OUTER and case.friction_coefficient == NO_BOUND
-        and not (case.displaced_orbit or case.actual_angle or case.unequal_balls or case.elastic_rings)
-        and not case.displacement_given[0]
-    )  # fmt: skip
+def lanes_know(cases: NDArray) -> NDArray:
+    """Of each case, whether lanes know all that it names: balls may be equal in some cases only."""
+    named = [~cases[name] for name in ("displaced_orbit", "actual_angle", "unequal_balls", "elastic_rings")]
+    known = cases["centrifugal"] & cases["gyroscopic"] & (cases["control"] == OUTER)
+    known &= (cases["friction_coefficient"] == NO_BOUND) & (cases["displacement_given"][:, 0] == 0)
+    return np.logical_and.reduce([known, *named])
 
 
 @kernel
@@ -414,11 +413,13 @@ def solve_in_lanes(
     cases: ndarray, workspaces: ndarray, balls: ndarray, own: ndarray, rings: ndarray, lane_balls: ndarray,
     tolerance: float, results: ndarray, positions: ndarray, controls: ndarray,
 ) -> None:  # fmt: skip
-    """Solve what lanes can; the rest is left UNFINISHED. Arguments as for `solve_cases`, and the lanes' memory."""
+    """Solve what lanes can of the WAITING cases; the rest is left UNFINISHED. Arguments as for `solve_cases`, and the
+    lanes' memory."""
     for lane in range(LANES):
         rings[0].case[lane] = NONE
     for k in range(cases.size):
-        results[k].status = WAITING if is_moving(cases[k]) and is_thrust_like(cases[k]) else UNFINISHED
+        if results[k].status == WAITING and not (is_moving(cases[k]) and is_thrust_like(cases[k])):
+            results[k].status = UNFINISHED
     few = 0
     for k in range(cases.size):
         if results[k].status == WAITING and few < MOST_FEW:
@@ -436,6 +437,7 @@ def solve_batch(
 ) -> int:  # fmt: skip
     """As `solve_cases`, from no start; in lanes what they can."""
     memory = lane_memory(balls.size)
+    results["status"] = np.where(lanes_know(cases), WAITING, UNFINISHED)
     solve_in_lanes(cases, workspaces, balls, own, *memory, tolerance, results, positions, controls)
     left = np.flatnonzero(results["status"] == UNFINISHED)
     if left.size == 0:

@@ -77,7 +77,7 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         if COMPILED and count >= LEAST_BATCH and start is None:
             from qsbearing.kernel.lanes import lanes_know, solve_batch
 
-            solve_all = solve_batch if lanes_know(records[0]) else solve_cases
+            solve_all = solve_batch if lanes_know(records).any() else solve_cases
         if solve_all(*given):
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 

@@ -152,7 +152,7 @@ def test_the_result_says_which_balls_slip() -> None:
     assert list(table["slips"]) == list(solution.slips)
     assert (table["friction_coefficient"] == 0.05).all()
     (sentence,) = [text for text in qs.warnings(solution) if "slip" in text]
-    assert f"{solution.slips.sum()} balls" in sentence and "contacts carry 0.05" in sentence
+    assert f"{solution.slips.sum()} balls" in sentence and "the contacts have 0.05" in sentence
     assert classical.slips is None
     assert record(classical, {})["balls"][0]["slips"] is None
     assert "slips" not in classical.to_dataframe().columns

@@ -540,7 +540,8 @@ def test_readings_that_a_scene_asks_for_are_results() -> None:
     life = qs.readings.life(alone).basic_reference_rating_life / 1e6
     assert float(results[kept[0]].sel(speed_rpm=9000)) == pytest.approx(float(life), rel=1e-9)
     attrs = {"units": "Mrev", "column": "life_basic_reference_rating_life_Mrev"}
-    assert results[kept[0]].attrs == attrs | {"long_name": "basic reference rating life"}
+    of_life = {"symbol": "L_{10r}", "source": "ISO/TS 16281, ISO 281, Lundberg & Palmgren"}
+    assert results[kept[0]].attrs == attrs | {"long_name": "basic reference rating life"} | of_life
     spin = qs.readings.kinematics(alone).outer.spin_to_roll
     np.testing.assert_allclose(results[kept[1]].sel(speed_rpm=9000), spin, rtol=1e-9)
     assert float(results[kept[2]].sel(speed_rpm=9000)) == pytest.approx(spin.max(), rel=1e-9)
