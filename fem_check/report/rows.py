@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import inf
 from typing import Any
 
 from fem_check import row_text
@@ -44,6 +45,8 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
 
 HEADINGS = ("quantity", "reference", "found", "deviation, %", "tolerance", "verdict")
 ALIGN = "lrrrrl"
+MOST_ROWS = 35
+"""Of one table's rows that are shown one by one."""
 NOTES = "notes"
 
 
@@ -73,7 +76,9 @@ def _difference_headed(row: Row) -> str:
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     """The rows as tables, the source and the reason of each as its footnotes.
 
-    Cases that have the same quantities side by side share one table, with deviations in its cells.
+    Cases that have the same quantities side by side share one table, with deviations in its cells. Of more than
+    `MOST_ROWS` rows such cases show for each quantity what is nearest to its tolerance, and no findings, which are
+    drawn: all rows are in the appendix.
     """
     cases: dict[str, list[Row]] = {}
     for row in rows:
@@ -83,12 +88,27 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
         shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
     found, lines, notes = [], [], _Notes()
     for heads, names in shapes.items():
-        if len(names) >= 3 and len(heads) >= 2:
+        every = [row for name in names for row in cases[name]]
+        if len(names) >= 3 and len(rows) > MOST_ROWS:
+            for row in _nearest_to_tolerance([row for row in every if row["tolerance_percent"]]):
+                lines.append([f"nearest of {len(names)}: {row['case']}", *cells(row), notes.of([row])])
+        elif len(names) >= 3 and len(heads) >= 2:
             found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
         else:
             lines += [[name, *cells(row), notes.of([row])] for name in names for row in cases[name]]
     table = Table(("case", *HEADINGS, NOTES), lines, f"l{ALIGN}l", caption, stack=True, notes=notes.listed)
     return ([table] if lines else []) + found
+
+
+def _nearest_to_tolerance(rows: Sequence[Row]) -> list[Row]:
+    """Of each quantity the row that uses most of its tolerance, or fails."""
+
+    def used(row: Row) -> float:
+        reach = abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)
+        return float(reach / row["tolerance_percent"]) if row["verdict"] != "fail" else inf
+
+    quantities = dict.fromkeys(row["quantity"] for row in rows)
+    return [max((row for row in rows if row["quantity"] == name), key=used) for name in quantities]
 
 
 def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
