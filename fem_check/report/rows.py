@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import inf
 from typing import Any
 
 from fem_check import row_text
@@ -45,7 +44,7 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
 
 HEADINGS = ("quantity", "reference", "found", "deviation, %", "tolerance", "verdict")
 ALIGN = "lrrrrl"
-MOST_ROWS = 35
+MOST_ROWS = 100
 """Of one table's rows that are shown one by one."""
 NOTES = "notes"
 
@@ -76,10 +75,12 @@ def _difference_headed(row: Row) -> str:
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     """The rows as tables, the source and the reason of each as its footnotes.
 
-    Cases that have the same quantities side by side share one table, with deviations in its cells. Of more than
-    `MOST_ROWS` rows such cases show for each quantity what is nearest to its tolerance, and no findings, which are
-    drawn: all rows are in the appendix.
+    Cases that have the same quantities side by side share one table, with deviations in its cells. More than
+    `MOST_ROWS` rows are condensed, and the caption says so.
     """
+    if len(rows) > MOST_ROWS:
+        caption = f"{caption} (of {len(rows)} rows; all are in the CSV file)"
+        rows = _condensed(rows)
     cases: dict[str, list[Row]] = {}
     for row in rows:
         cases.setdefault(row["case"], []).append(row)
@@ -88,11 +89,7 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
         shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
     found, lines, notes = [], [], _Notes()
     for heads, names in shapes.items():
-        every = [row for name in names for row in cases[name]]
-        if len(names) >= 3 and len(rows) > MOST_ROWS:
-            for row in _nearest_to_tolerance([row for row in every if row["tolerance_percent"]]):
-                lines.append([f"nearest of {len(names)}: {row['case']}", *cells(row), notes.of([row])])
-        elif len(names) >= 3 and len(heads) >= 2:
+        if len(names) >= 3 and len(heads) >= 2:
             found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
         else:
             lines += [[name, *cells(row), notes.of([row])] for name in names for row in cases[name]]
@@ -100,15 +97,27 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     return ([table] if lines else []) + found
 
 
-def _nearest_to_tolerance(rows: Sequence[Row]) -> list[Row]:
-    """Of each quantity the row that uses most of its tolerance, or fails."""
+def _condensed(rows: Sequence[Row]) -> list[Row]:
+    """Of three rows or more that are judged alike those that do not pass, or else the one that uses most of its
+    tolerance; of as many findings none."""
 
     def used(row: Row) -> float:
-        reach = abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)
-        return float(reach / row["tolerance_percent"]) if row["verdict"] != "fail" else inf
+        return float((abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)) / row["tolerance_percent"])
 
-    quantities = dict.fromkeys(row["quantity"] for row in rows)
-    return [max((row for row in rows if row["quantity"] == name), key=used) for name in quantities]
+    alike: dict[tuple[Any, ...], list[Row]] = {}
+    for row in rows:
+        alike.setdefault((row["quantity"], row["unit"], row["why_tolerance"]), []).append(row)
+    found = []
+    for same in alike.values():
+        failing = [row for row in same if row["verdict"] in ("fail", "refused")]
+        if len(same) < 3:
+            found += same
+        elif failing:
+            found += failing
+        elif same[0]["tolerance_percent"] is not None:
+            nearest = max(same, key=used)
+            found.append(nearest | {"case": f"nearest of {len(same)}: {nearest['case']}"})
+    return found
 
 
 def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:

@@ -181,6 +181,27 @@ def test_footnotes_are_the_rows_own() -> None:
     ]
 
 
+def test_of_a_long_table_the_rows_nearest_to_their_tolerance_are_shown() -> None:
+    """Or all that fail; and that they are not all is said."""
+    rows = [
+        Row(f"case {n}", quantity, "1", 1.0, "a reference", 1.0 + 1e-4 * n, 0.01, tolerance, "a reason").as_dict()
+        for n in range(25)
+        for quantity, tolerance in (("a", 0.5), ("b", 0.22 if n < 23 else 0.1), ("c", None), ("d", 5.0))
+    ]
+    assert len(agreement(rows)[0].rows) == 25
+    rows.append(Row("alone", "limit", "1", 1.0, "a reference", 1.0, 0.0, 1.0, "another reason").as_dict())
+    (table,) = agreement(rows, "Agreement")
+    assert table.caption == "Agreement (of 101 rows; all are in the CSV file)"
+    assert [(line[1], line[0]) for line in table.rows] == [
+        ("a", "nearest of 25: case 24"),
+        ("d", "nearest of 25: case 24"),
+        ("b", "case 22"),
+        ("b", "case 23"),
+        ("b", "case 24"),
+        ("limit", "alone"),
+    ]
+
+
 def test_the_same_records_are_the_same_report(records: Path) -> None:
     first, second = (html(validation.document(without_the_rest(evidence.read(records)))) for _ in range(2))
     assert first == second
