@@ -358,8 +358,7 @@ def judge(
         work.residual, work.iterations = residual, ring.iterations[lane]
         return True
     if (
-        not residual < inf
-        or ring.iterations[lane] >= OPEN_ITERATIONS
+        ring.iterations[lane] >= OPEN_ITERATIONS
         or ring.largest_approach[lane] <= 0.0
         or not solve_in_place(work.matrix, work.right_side, work.channel_count)
     ):
@@ -435,9 +434,12 @@ def solve_batch(
     cases: NDArray, workspaces: NDArray, balls: NDArray, own: NDArray, tolerance: float, is_warm: bool,
     results: NDArray, positions: NDArray, controls: NDArray,
 ) -> int:  # fmt: skip
-    """As `solve_cases`, from no start; in lanes what they can."""
+    """As `solve_cases`, from no start; in lanes what they can, whose kernel is compiled only where they know a case."""
+    known = lanes_know(cases)
+    if not known.any():
+        return int(solve_cases(cases, workspaces, balls, own, tolerance, is_warm, results, positions, controls))
     memory = lane_memory(balls.size)
-    results["status"] = np.where(lanes_know(cases), WAITING, UNFINISHED)
+    results["status"] = np.where(known, WAITING, UNFINISHED)
     solve_in_lanes(cases, workspaces, balls, own, *memory, tolerance, results, positions, controls)
     left = np.flatnonzero(results["status"] == UNFINISHED)
     if left.size == 0:

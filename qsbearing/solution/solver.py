@@ -75,9 +75,9 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
         solve_all = solve_cases
         if COMPILED and count >= LEAST_BATCH and start is None:
-            from qsbearing.kernel.lanes import lanes_know, solve_batch
+            from qsbearing.kernel.lanes import solve_batch
 
-            solve_all = solve_batch if lanes_know(records).any() else solve_cases
+            solve_all = solve_batch
         if solve_all(*given):
             from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 

@@ -148,6 +148,13 @@ def test_lanes_know_what_they_do_not_know(change: dict[str, Any]) -> None:
     assert not lanes.lanes_know(made(replace(scene, **change))[1]).any()
 
 
+def test_lanes_are_left_out_where_they_know_no_case(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their kernel would be compiled for nothing."""
+    monkeypatch.setattr(lanes, "solve_in_lanes", None)
+    maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.PER_BALL))
+    assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
+
+
 PACKED = {
     "x86_64": r"\bv?mulpd\b",
     "aarch64": r"\bfmul\s+v\d+\.2d",
