@@ -115,6 +115,7 @@ def test_an_element_that_is_too_wide_is_found(browser: Browser, page: Path) -> N
     page.write_text(page.read_text().replace("</main>", '<a href="#nowhere">x</a></main>'))
     faults = layout_faults(browser, page)
     assert any("wide" in each for each in faults)
+    assert any("wider than its window" in each for each in faults)
     assert any("nowhere" in each for each in faults)
 
 

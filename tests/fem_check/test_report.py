@@ -27,9 +27,8 @@ from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
-from tests.documents.browser import Browser, installed
+from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
-from tests.documents.test_browser import DEAD, OVERFLOWS
 from tests.documents.test_pdf import fonts
 
 PAGES = 45
@@ -334,12 +333,7 @@ def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) ->
         cells = browser.value(f"{shown}.map(r => r.cells[5].textContent)")
         deviations = [float(text.split()[0]) for text in cells if text]
         assert deviations == sorted(deviations)
-        for width in (390, 768, 1280):
-            browser.open(path, width=width)
-            assert browser.value("document.documentElement.scrollWidth") <= width
-            assert browser.value(OVERFLOWS) == []
-        assert browser.value(DEAD) == []
-        assert browser.complaints == []
+        assert layout_faults(browser, path) == []
 
 
 def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
