@@ -22,7 +22,7 @@ FINEST = {Level.QUICK: 6, Level.RELEASE: 8}
 DOFS = {Level.QUICK: 60_000, Level.RELEASE: 110_000}
 """About so many unknowns has the larger of the two bodies, which are solved one after the other."""
 LOADS = {
-    Level.QUICK: (("inner", 2000.0, (2000.0, 2500.0)),),
+    Level.QUICK: (("inner", 2000.0, (2000.0,)),),
     Level.RELEASE: tuple((race, load, (load,)) for race in RACES for load in (500.0, 2000.0, 5000.0)),
 }
 """Of the example: raceway, load that the meshes are made for, loads solved [N]."""
@@ -55,7 +55,7 @@ class Solved:
     dofs: int
     solver: str
     alike: tuple[Solved, ...] = ()
-    """All contacts of the run, over which the scatter of the gap's part of the approach is pooled; none: this alone."""
+    """All contacts of the run, over which scatter is pooled; none: this alone."""
 
     @property
     def case(self) -> str:
@@ -81,6 +81,15 @@ class Solved:
         own = self.between_approaches(above, below)[-1]
         doubt = convergence.scatter([each.between_approaches(above, below) for each in self.alike or (self,)])
         return 1.0 + own, abs(own) * doubt
+
+    def bulge(self) -> tuple[float, float]:
+        """The ball's equator over an elastic sphere's, each mesh's pressure on both; with its uncertainty.
+
+        One ball under all loads, and far from all contacts: what its meshes do there is the same scatter at every load.
+        """
+        every = [[found / sphere for found, sphere in each.bulges] for each in self.alike or (self,)]
+        found, sphere = self.bulges[-1]
+        return found / sphere, convergence.scatter(every)
 
     def between_approaches(self, above: str, below: str) -> list[float]:
         """Difference of the approaches of two results over Hertz's, on each mesh."""
@@ -143,8 +152,8 @@ def gap_rows(solved: Solved) -> list[Row]:
                 GAP_REASON,
             )
         )
-    # Each mesh's pressure presses the exact sphere too.
-    ratio, uncertainty = solved.estimate([finite_elements / sphere for finite_elements, sphere in solved.bulges])
+    # The bodies' shared normals lean 2 % less than the sphere's radial forces: 0.02 % at 5 kN.
+    ratio, uncertainty = solved.bulge()
     exact = solved.bulges[-1][1]
     rows.append(
         Row(
@@ -240,8 +249,8 @@ NOTES = [
     "deformed bodies share; that changes every quantity about as much as the gap's shape does, and no half-space "
     "reference knows it.",
     "Largest pressure: read from the pressure. Ratios are of results on the same mesh; each row's uncertainty "
-    "is the largest change from the coarser meshes to the finest; of the gap's part of the approach it is the meshes' "
-    "scatter, pooled over all loads (GUM 4.2.4).",
+    "is the largest change from the coarser meshes to the finest; of the gap's part of the approach and of the ball's "
+    "equator it is the meshes' scatter, pooled over all loads (GUM 4.2.4).",
 ]
 
 
