@@ -29,8 +29,8 @@ from qsbearing.io.scene_file import document_of, scene_of
 from qsbearing.io.scene_tables import input_tables
 from qsbearing.io.set_file import is_set
 from qsbearing.io.tables import remarks
-from qsbearing.judgement import WORDS
 from qsbearing.scene.scene import Scene
+from qsbearing.solution.judgement import WORDS
 from qsbearing.solution.solution import Solution
 
 Tables = dict[str, Any]

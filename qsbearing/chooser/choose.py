@@ -26,9 +26,9 @@ from numpy.typing import NDArray
 
 from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS, Entry
-from qsbearing.judgement import judge
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import solver
+from qsbearing.solution.judgement import judge
 from qsbearing.solution.solution import Choice, LeftOut, Solution
 
 DEFAULT_TOLERANCE = 0.01

@@ -11,8 +11,8 @@ import numpy as np
 from qsbearing.chooser import choose
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, Entry
-from qsbearing.judgement import estimated, judge, lines_to_add
 from qsbearing.scene.scene import Scene
+from qsbearing.solution.judgement import estimated, judge, lines_to_add
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.solver import solve
 

@@ -9,10 +9,10 @@ import numpy as np
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.chooser.explain import Row, as_floats, verdict
 from qsbearing.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.judgement import Judgement, judge, lines_to_add
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
+from qsbearing.solution.judgement import Judgement, judge, lines_to_add
 
 
 def explain_set(of: BearingSet, tolerance: float) -> tuple[SetSolution, list[Row]]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from qsbearing.cli.document_files import check_installed, folder, write
+from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import load_one, solve, solving
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
 
+NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
 MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 
@@ -39,7 +40,7 @@ def report(scene: str, out: str) -> None:
     """
     from pathlib import Path
 
-    check_installed("report")
+    check_installed("report needs", NEEDED, "report")
     asked = load_one(scene)
     from qsbearing.io.scene_file import is_file, text_of
 
@@ -54,7 +55,7 @@ def report(scene: str, out: str) -> None:
     folder(out)
     forms = {page: lambda found: html(found).encode(), page.with_suffix(".pdf"): pdf}
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
-    write(forms, lambda: replace(make(), made_from=made_from))
+    fill(forms, lambda: replace(make(), made_from=made_from))
     print_wrote(forms)
 
 

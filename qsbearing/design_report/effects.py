@@ -11,11 +11,11 @@ from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph
 from qsbearing.effects import QUANTITIES
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.raceway_control import RacewayControl
-from qsbearing.judgement import WORDS
 from qsbearing.messages.bearing import chosen
 from qsbearing.messages.bearing_set import capital
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.set_solution import SetSolution
+from qsbearing.solution.judgement import WORDS
 from qsbearing.solution.solution import Solution
 
 DEFAULT_TOLERANCE = 0.01

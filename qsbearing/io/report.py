@@ -11,10 +11,10 @@ from qsbearing.documents.model import Block, Paragraph, Remark, Table
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.tables import remarks
-from qsbearing.judgement import percent
 from qsbearing.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution.flatten import case_arrays
+from qsbearing.solution.judgement import percent
 from qsbearing.solution.solution import Solution
 from qsbearing.units import deg, mm, mrad, rpm, um
 

@@ -26,9 +26,9 @@ from qsbearing.io.report import (
 from qsbearing.io.set_record import set_record
 from qsbearing.io.shaft_report import shaft_tables
 from qsbearing.io.tables import remarks
-from qsbearing.judgement import percent
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
+from qsbearing.solution.judgement import percent
 from qsbearing.units import rpm
 
 

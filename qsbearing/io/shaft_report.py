@@ -10,9 +10,9 @@ from qsbearing.documents.model import Table
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.report import digits
 from qsbearing.io.tables import digits_of
-from qsbearing.judgement import percent
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
+from qsbearing.solution.judgement import percent
 from qsbearing.units import mm
 
 CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from qsbearing.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.effects import EFFECTS
 from qsbearing.effects.raceway_control import INNER
-from qsbearing.judgement import estimated, lines_to_add
 from qsbearing.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
@@ -29,6 +28,7 @@ from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.case_index import Index
+from qsbearing.solution.judgement import estimated, lines_to_add
 from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.solution.solution import Solution
 from qsbearing.units import GPa, MPa, mrad, um

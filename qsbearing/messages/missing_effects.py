@@ -5,9 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.judgement import WORDS, WORTH_A_WARNING, Judgement, estimated, lacking_data, lines_to_add, missing
 from qsbearing.messages.balls import Warnings
 from qsbearing.ranked_warning import wrong_model
+from qsbearing.solution.judgement import (
+    WORDS,
+    WORTH_A_WARNING,
+    Judgement,
+    estimated,
+    lacking_data,
+    lines_to_add,
+    missing,
+)
 from qsbearing.solution.solution import Solution
 
 EXPLAINED = "accuracy"

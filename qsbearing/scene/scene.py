@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.contact.hertz import HertzForm
+from qsbearing.documents.in_notebooks import InNotebooks
 from qsbearing.effects import (
     BallDiameterDeviations,
     BallEffect,
@@ -28,7 +29,6 @@ from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
-from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.scene.elastic_seats import seat_errors

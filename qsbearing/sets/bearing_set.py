@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.contact.hertz import HertzForm
+from qsbearing.documents.in_notebooks import InNotebooks
 from qsbearing.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.orbit_radius import OrbitRadius
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.effects.tilt_lever import TiltLever
-from qsbearing.in_notebooks import InNotebooks
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.elastic_seats import clearance_errors
 from qsbearing.scene.operation import Operation

@@ -124,7 +124,8 @@ class Problem:
         s = Stretch(
             rows, self._load[part], self._held[part], self._begin(cases, part), self.ground.elasticity[part],
             self.ground.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
-            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
+            np.zeros_like(o.q[part]), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)

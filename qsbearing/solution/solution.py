@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.columns import columns, dataset
+from qsbearing.documents.in_notebooks import Plotted
 from qsbearing.effects import OperatingPoint, RingState
 from qsbearing.effects.raceway_control import RacewayControl
-from qsbearing.in_notebooks import Plotted
 from qsbearing.kernel import results
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
 from qsbearing.result_keys import DISPLACEMENT, LOAD

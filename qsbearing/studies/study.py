@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from qsbearing import __version__, quantities
-from qsbearing.in_notebooks import Plotted
+from qsbearing.documents.in_notebooks import Plotted
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import document_of

@@ -18,7 +18,7 @@ from qsbearing.chooser.explain import explain
 from qsbearing.cli import cli
 from qsbearing.effects import EFFECTS, QUANTITIES
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
-from qsbearing.judgement import estimated, judge
+from qsbearing.solution.judgement import estimated, judge
 from tests.qsbearing.scenes import resting, solved, turning
 
 TRAP = """[bearing]

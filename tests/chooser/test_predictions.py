@@ -11,7 +11,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, OperatingPoint
-from qsbearing.judgement import judge
+from qsbearing.solution.judgement import judge
 from tests.qsbearing.scenes import B218, solved, turning, unequal_balls
 
 ENTRY = {entry.name: entry for entry in EFFECTS}

@@ -13,7 +13,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.design_report import set_curves
-from qsbearing.judgement import percent
+from qsbearing.solution.judgement import percent
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
 from tests.sets.arrangements import PAIR_FILE

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.judgement import percent
+from qsbearing.solution.judgement import percent
 from tests.qsbearing.scenes import B218, BOTH, DEEP_GROOVE, OUTER, SPINDLE, resting, solved
 from tests.qsbearing.similarity import GROWN, cold_fits, grown, warm_fits
 

@@ -12,7 +12,7 @@ class InNotebooks:
 
     def _repr_html_(self) -> str | None:
         """For notebooks; None, so that they show the text, where jinja2 is not installed."""
-        found: str | None = import_module("qsbearing.notebook").html_of(self)
+        found: str | None = import_module("qsbearing.app.notebook").html_of(self)
         return found
 
 
@@ -28,4 +28,4 @@ class Plotted(InNotebooks):
         Raises:
             ValueError: there is no such picture.
         """
-        return import_module("qsbearing.notebook").plot(self, *chosen, **named)
+        return import_module("qsbearing.app.notebook").plot(self, *chosen, **named)
