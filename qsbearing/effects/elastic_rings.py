@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
-from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.entry import Entry, Errors, effect, error_in
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_compliance import (
     MOST_HARMONICS,
@@ -321,15 +321,11 @@ def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, GeometryChange(-_largest_give(point), 0.0))
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_errors(point)["contact_angle"])
-
-
 ENTRY = Entry(
     "elastic_rings",
     "the deflection of the rings",
     effect("ring_effects", ElasticRings),
-    indicator=_indicator,
+    indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.elastic_rings] with the rings' widths and diameters and what holds them",
     without_parameters="for a free outer ring of usual section; a stiff housing leaves less than half",
