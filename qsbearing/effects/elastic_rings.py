@@ -270,19 +270,19 @@ def _tabled(compliance: tuple[float, ...]) -> RingCompliance:
     return RingCompliance(by_harmonic, None)
 
 
-def folded(by_harmonic: NDArray, ball_count: NDArray, waves: int) -> NDArray:
+def aliased(by_harmonic: NDArray, ball_count: NDArray, wave_numbers: int) -> NDArray:
     """c as balls at equal distances feel it, (case, wave): the sum over all n that are a wave but for multiples of Z.
 
     Args:
         by_harmonic: (harmonic, case); ball_count: (case).
-        waves: how many are kept, from 0 on; of balls more than twice as many, the shorter ones are left out.
+        wave_numbers: how many are kept, from 0 on; of balls more than twice as many, the shorter ones are left out.
     """
-    out = np.zeros((ball_count.size, waves))
+    out = np.zeros((ball_count.size, wave_numbers))
     case = np.arange(ball_count.size)
     for n, c in enumerate(by_harmonic):
         rest = n % ball_count
         wave = np.minimum(rest, ball_count - rest)
-        kept = wave < waves
+        kept = wave < wave_numbers
         out[case[kept], wave[kept]] += c[kept]
     return out
 
