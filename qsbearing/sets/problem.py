@@ -85,11 +85,9 @@ class Problem:
             self._load[:, SLIDE] = self._flat(spring)
         given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
-        skew = self._has_unequal_balls | self.structure.bends_askew
-        out_of_xy, out_of_xz = (
-            out_of_xy | skew | self.structure.bends_in(2),
-            out_of_xz | skew | self.structure.bends_in(1),
-        )
+        around = self.structure
+        skew = self._has_unequal_balls | around.bends_askew
+        out_of_xy, out_of_xz = out_of_xy | skew | around.bends_in(2), out_of_xz | skew | around.bends_in(1)
         is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
         for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
@@ -127,7 +125,8 @@ class Problem:
         s = Stretch(
             rows, self._load[part], self._held[part], self._begin(cases, part), self.structure.elasticity[part],
             self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
-            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
+            np.zeros_like(o.q[part]), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)

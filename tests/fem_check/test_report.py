@@ -42,8 +42,8 @@ def shipped() -> Document:
 
 
 @pytest.fixture(scope="module")
-def paper() -> Document:
-    return validation.document(evidence.read(), with_rows=False)
+def paper(shipped: Document) -> Document:
+    return validation.for_paper(shipped)
 
 
 @pytest.fixture(scope="module")
