@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import inlined
-from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
+from qsbearing.effects.entry import Entry, Errors, effect, largest, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 
@@ -47,10 +47,6 @@ def _over_load(point: OperatingPoint) -> NDArray:
     return point.over_load(force)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_over_load(point).max(axis=-1))
-
-
 def _errors(point: OperatingPoint) -> Errors:
     """The contacts part as Qi, Qo and Fc close their triangle; the outer contact carries the force besides."""
     x, angle = _over_load(point), np.where(point.is_heavy, np.abs(point.solution.inner.angle), 0.0)
@@ -77,6 +73,6 @@ ENTRY = Entry(
     "centrifugal_force",
     "the centrifugal force of the balls",
     effect("ball_effects", CentrifugalForce, CentrifugalForce),
-    indicator=_indicator,
+    indicator=largest(_over_load),
     errors=_errors,
 )
