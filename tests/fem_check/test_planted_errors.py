@@ -311,6 +311,12 @@ PLANTED = {
         "return 0.0 * max(abs(value - values[-1]) for value in values[:-1])",
         "true_geometry",
     ),
+    "pooled scatter returns 0": (
+        "fem_check/convergence.py",
+        "return float(stdtrit(freedom, 0.975) * pooled)",
+        "return 0.0 * pooled",
+        "true_geometry",
+    ),
     "curved edges straight": (
         "fem_check/solids/tetrahedral_body.py",
         "positions[:, _edge_nodes(straight, *mesh.curved_edges)] = mesh.curved_nodes",
