@@ -58,6 +58,9 @@ WITH_RINGS = ", elastic rings in the model"
 GROWN = 0.8 + 2.0 * BOUNDS["axial_displacement"]
 """Of the rigid model's axial displacement, allowed between model and elements in what a free ring adds, difference and
 uncertainty together [%]."""
+GROWN_SEEN = 20.0
+"""Where more than this part of what the free ring adds would be allowed, a wrong ring would pass: there it is a finding
+[%]. Under light loads at speed the displacement is 160 to 200 µm back, and 1.2 % of it as much as the ring's 3 µm."""
 WHY_GROWN = (
     "a difference of 0.8, for 0.7 was left when uniform growth was first put into the model by hand, and the largest "
     "uncertainty allowed to either support; uniform growth 5 % smaller does 1.2 to 1.7 at the two largest loads"
@@ -222,14 +225,16 @@ def rows_of(case: str, studied: Studied) -> list[Row]:
 def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
     """What a free outside diameter adds to the axial displacement: elements against the model with elastic rings."""
     name = "axial_displacement"
-    size = abs(rigid.compared.model[name])
-    reference = (with_rings.compared.model[name] - rigid.compared.model[name]) / size
-    found = (free.compared.found[name] - rigid.compared.found[name]) / size
-    uncertainty = (free.uncertainty[name] + rigid.uncertainty[name]) / size
+    reference = with_rings.compared.model[name] - rigid.compared.model[name]
+    found = free.compared.found[name] - rigid.compared.found[name]
+    uncertainty = free.uncertainty[name] + rigid.uncertainty[name]
+    tolerance = GROWN * abs(rigid.compared.model[name] / reference)
+    seen = tolerance <= GROWN_SEEN
     return Row(
-        f"{rigid.point.label}, outside diameter free instead of rigid", "change of axial displacement", "1",
+        f"{rigid.point.label}, outside diameter free instead of rigid", "change of axial displacement", "m",
         reference, "qsbearing.solve with elastic_rings", found, 100.0 * uncertainty / abs(reference),
-        GROWN / abs(reference), WHY_GROWN,
+        tolerance if seen else None,
+        WHY_GROWN if seen else "a finding: what the whole displacement allows is about as much as the ring adds",
     )  # fmt: skip
 
 

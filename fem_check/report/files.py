@@ -27,11 +27,11 @@ def write(evidence: Evidence, before: Evidence | None, out: Path) -> list[Path]:
         OSError: the folder cannot be written.
     """
     out.mkdir(parents=True, exist_ok=True)
-    whole, on_paper = (validation.document(evidence, before, with_rows=each) for each in (True, False))
+    whole = validation.document(evidence, before)
     found = as_data(evidence)
     forms = {
         "html": html(whole).encode(),
-        "pdf": pdf(on_paper),
+        "pdf": pdf(validation.for_paper(whole)),
         "csv": csv_of(found["rows"]),
         "json": (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode(),
     }

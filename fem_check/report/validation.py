@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import counts
@@ -23,13 +25,12 @@ from fem_check.report.sections.reproducing import NOT_RECORDED, listed
 from qsbearing.documents.model import Badge, Cell, Document, Facts, Md, Remark
 
 
-def document(evidence: Evidence, before: Evidence | None = None, with_rows: bool = True) -> Document:
+def document(evidence: Evidence, before: Evidence | None = None) -> Document:
     """The whole report.
 
     Args:
         evidence: all that is on record.
         before: of an earlier release, to be compared with.
-        with_rows: whether it ends with every row of agreement, too many for paper.
     """
     return Document(
         "qsbearing and fem_check",
@@ -47,7 +48,7 @@ def document(evidence: Evidence, before: Evidence | None = None, with_rows: bool
             limits.section(evidence),
             *([release.section(evidence.gate)] if evidence.gate else []),
             *([previous.section(evidence, before)] if before else []),
-            *([every_row.section(evidence)] if with_rows else []),
+            every_row.section(evidence),
         ],
         Md(
             "How far the quasi-static model of angular-contact ball bearings can be trusted, and the evidence for it. "
@@ -57,6 +58,11 @@ def document(evidence: Evidence, before: Evidence | None = None, with_rows: bool
         [verdict(evidence), Facts(_facts(evidence))],
         is_numbered=True,
     )
+
+
+def for_paper(whole: Document) -> Document:
+    """The report without its table of every row, which is too long for paper; pictures are not drawn again."""
+    return replace(whole, sections=whole.sections[:-1])
 
 
 def verdict(evidence: Evidence) -> Remark:

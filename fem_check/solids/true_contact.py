@@ -129,7 +129,8 @@ class TrueContact:
     def mesh_file(self, body: str) -> str:
         """Name of the file of a body's mesh, with a digest of all that it is made from."""
         patch = self.frame.patch
-        recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements)]
+        far = bodies.FAR if body == "ring" else bodies.far_in_half_ball(self.elements)
+        recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements, far)]
         recipe += [f"{self.groove.ball_radius:.9g}"]
         if body == "ring":
             section = self.section
@@ -224,9 +225,9 @@ class TrueContact:
         return fixed, sp.csr_matrix(turn)
 
 
-def _mesh_choices(elements: int) -> list[float]:
+def _mesh_choices(elements: int, far: float) -> list[float]:
     """What `contact_block` and `bodies` settle: a mesh made under another choice is another file."""
-    lengths = [contact_block.PATCH, contact_block.WIDTH, contact_block.DEPTH, contact_block.FIRST_LAYER, bodies.FAR]
+    lengths = [contact_block.PATCH, contact_block.WIDTH, contact_block.DEPTH, contact_block.FIRST_LAYER, far]
     growth = [contact_block.depth_growth(elements), contact_block.side_growth(elements)]
     return [elements, contact_block.REVISION, *lengths, *growth, *contact_block.free_size(elements)]
 

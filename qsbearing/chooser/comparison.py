@@ -42,8 +42,6 @@ GROUPS = {
     "stiffness": STIFFNESS,
 }
 """The results behind each of `qsbearing.effects.QUANTITIES`; semi-axes go with pressures."""
-NAMES = tuple(name for names in GROUPS.values() for name in names)
-"""Every result judged."""
 
 Results = dict[str, NDArray]
 """Arrays (*cases, balls or channels) by name, SI."""

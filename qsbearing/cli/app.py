@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from qsbearing.cli.document_files import check_installed
+from qsbearing.cli.files import check_installed
 from qsbearing.cli.output import note, refuse
 
 
@@ -24,7 +24,7 @@ def app(scene: str, port: int, host: str, is_opened: bool) -> None:
 
     Exit codes: 0 ended, 2 bad input.
     """
-    check_installed("app", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
+    check_installed("app needs", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
     from qsbearing.app.server import serve
     from qsbearing.validation import SceneError
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import shlex
 import sys
-from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from qsbearing import provenance
-from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
+from qsbearing.cli.files import check_installed, fill, folder
+from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import load, solve
 
 if TYPE_CHECKING:
@@ -31,35 +31,39 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
 
     Exit codes: 0 measured, 1 the scene has no solution, 2 bad input.
     """
-    with ExitStack() as stack:
-        fill = None
-        if out is not None:
-            from qsbearing.studies.cost.output_folder import output_folder
+    if out is not None:
+        check_installed("--out needs", ("matplotlib",), "plot")
+    solution = solve(load(scene))
+    if not solution.converged:
+        from qsbearing.messages import message
 
-            try:
-                fill = stack.enter_context(output_folder(out))
-            except (OSError, ValueError) as error:
-                refuse(f"--out {out}: {error}")
-        solution = solve(load(scene))
-        if not solution.converged:
-            from qsbearing.messages import message
+        note(message(solution))
+        sys.exit(UNSOLVED)
 
-            note(message(solution))
-            sys.exit(UNSOLVED)
+    def measured() -> dict[str, Any]:
         found = _measure(solution.scene, quick)
         command = ["qsbearing", "cost", scene, *(["--quick"] if quick else [])]
         found["provenance"] = provenance.of_run(shlex.join(command))
         if as_json:
-            print_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
+            print_text(_json(found))
         else:
             from qsbearing.studies.cost import tables
 
             print_table(tables.report(found))
-        if fill is not None:
-            try:
-                fill(found)
-            except OSError as error:  # a disk that filled up meanwhile
-                refuse(f"cannot write: {error}")
+        return found
+
+    if out is None:
+        measured()
+        return
+    from qsbearing.studies.cost.figures import PICTURES, png
+
+    place = folder(out)
+    pictures = {place / f"{name}.png": lambda found, draw=draw: png(draw(found)) for name, draw in PICTURES.items()}
+    fill({place / "cost.json": lambda found: _json(found).encode()} | pictures, measured)
+
+
+def _json(found: dict[str, Any]) -> str:
+    return json.dumps(found, indent=1, allow_nan=False) + "\n"
 
 
 def _measure(scene: Scene, quick: bool) -> dict[str, Any]:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import importlib.util
 import os
-from typing import TYPE_CHECKING, Any
+from contextlib import ExitStack
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import refuse, refuse_all
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
-    from contextlib import ExitStack
+    from pathlib import Path
 
     import xarray
     from matplotlib.figure import Figure
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
     from qsbearing.io.output_file import Writer
 
 PICTURES = (".png", ".svg", ".pdf")
+T = TypeVar("T")
+K = TypeVar("K")
 
 
 def ending(name: str) -> str:
@@ -75,7 +79,7 @@ def claimed(
     return writers
 
 
-def write_files(writers: Mapping[str, Writer], make: Mapping[str, Callable[[], bytes]]) -> None:
+def write_files(writers: Mapping[K, Writer], make: Mapping[K, Callable[[], bytes]]) -> None:
     """Write the files that were claimed, once all of them are made."""
     contents = {option: make[option]() for option in writers}
     try:
@@ -83,6 +87,33 @@ def write_files(writers: Mapping[str, Writer], make: Mapping[str, Callable[[], b
             write(contents[option])
     except OSError as error:  # a disk that filled up meanwhile
         refuse(f"cannot write: {error}")
+
+
+def folder(target: str) -> Path:
+    """The folder of that name, made if it is not there; ends with exit code 2 where there cannot be one."""
+    from pathlib import Path  # not above: it costs --help its time
+
+    path = Path(target)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        refuse(f"{target}: cannot be a folder: {getattr(error, 'strerror', None) or error}")
+    return path
+
+
+def fill(makers: Mapping[Path, Callable[[T], bytes]], make: Callable[[], T]) -> None:
+    """Claim every file of a folder, then make what they show and write it in each form: all of them, or none."""
+    from qsbearing.io.output_file import output_file
+
+    with ExitStack() as stack:
+        writers = {}
+        for path in makers:
+            try:
+                writers[path] = stack.enter_context(output_file(str(path)))
+            except OSError as error:
+                refuse(f"{path}: {error}")
+        found = make()
+        write_files(writers, {path: partial(maker, found) for path, maker in makers.items()})
 
 
 def picture_bytes(picture: Figure, target: str) -> bytes:

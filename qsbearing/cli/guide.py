@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.document_files import check_installed, folder, write
+from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import print_table, print_text, print_wrote, refuse
 
 if TYPE_CHECKING:
@@ -85,13 +85,14 @@ def _list(pages: dict[str, Page]) -> None:
 
 
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
-    check_installed("--html" if target is not None else "--open", ("jinja2", "markdown_it", "mdit_py_plugins"))
+    what = "--html needs" if target is not None else "--open needs"
+    check_installed(what, ("jinja2", "markdown_it", "mdit_py_plugins"), "report")
     from qsbearing import __version__
     from qsbearing.documents.guide import document
     from qsbearing.documents.html import html
 
     path = (folder(target) if target is not None else _own_folder()) / "guide.html"
-    write({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))
+    fill({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))
     print_wrote([path])
     if is_opened:
         click.launch(path.resolve().as_uri() + (f"#{topic}" if topic else ""))

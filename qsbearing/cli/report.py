@@ -7,13 +7,13 @@ import re
 import shlex
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.document_files import check_installed, folder, write
+from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
-from qsbearing.cli.scene import load_one, solve, solving
+from qsbearing.cli.scene import load_one, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
 
+NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
 MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 
@@ -39,7 +40,7 @@ def report(scene: str, out: str) -> None:
     """
     from pathlib import Path
 
-    check_installed("report")
+    check_installed("report needs", NEEDED, "report")
     asked = load_one(scene)
     from qsbearing.io.scene_file import is_file, text_of
 
@@ -54,7 +55,7 @@ def report(scene: str, out: str) -> None:
     folder(out)
     forms = {page: lambda found: html(found).encode(), page.with_suffix(".pdf"): pdf}
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
-    write(forms, lambda: replace(make(), made_from=made_from))
+    fill(forms, lambda: replace(make(), made_from=made_from))
     print_wrote(forms)
 
 
@@ -89,24 +90,14 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
     from qsbearing.messages import message
     from qsbearing.scene.scene import Scene
 
-    if not isinstance(asked, Scene):
-        from qsbearing.sets.solve import solve_set
-
-        with solving(asked):
-            solved = solve_set(asked)
-        if not solved.converged:
-            _end(message(solved))
-        from qsbearing.design_report import set_document
-
-        return lambda: set_document.document(solved, source, command)
     solution = solve(asked)
     if not solution.converged:
-        _end(message(solution))
-    from qsbearing.design_report.document import document
+        note(message(solution))
+        sys.exit(UNSOLVED)
+    if isinstance(asked, Scene):
+        from qsbearing.design_report.document import document
 
-    return lambda: document(solution, asked, source, command)
+        return lambda: document(solution, asked, source, command)
+    from qsbearing.design_report import set_document
 
-
-def _end(message: str) -> NoReturn:
-    note(message)
-    sys.exit(UNSOLVED)
+    return lambda: set_document.document(solution, source, command)

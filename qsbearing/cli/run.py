@@ -11,7 +11,7 @@ import click
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.scene import load_scene_or_set, solve, solving
+from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -83,14 +83,11 @@ def run(
     with ExitStack() as stack:
         writers = claimed(stack, targets, picture_problems(plot_target), scene)
         loaded = load_scene_or_set(scene)
+        if plot_target is not None and "spectrum" in loaded.readings:
+            refuse(NO_PICTURE)
         from qsbearing.scene.scene import Scene
 
-        if not isinstance(loaded, Scene):
-            found = _of_set(loaded, accuracy, plot_target)
-        elif "spectrum" in loaded.readings:
-            found = _of_spectrum(loaded, accuracy, plot_target)
-        else:
-            found = _of_scene(loaded, accuracy)
+        found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
         if as_json:
             print_result(found.input, found.record())
         else:
@@ -108,7 +105,6 @@ def run(
         write_files(writers, make)
 
 
-NO_SOLUTION, SOME_UNSOLVED = "there is no solution to write", "not all points are solved"
 NO_PICTURE = "--plot: pictures are of single operating points; --csv writes every ball of every point"
 
 
@@ -121,8 +117,13 @@ class Found(NamedTuple):
     record: Callable[[], dict[str, Any]]
     blocks: Callable[[], list[Block]]
     columns: Callable[[], dict[str, NDArray]]
-    lacks: str
-    """What files would lack; empty where all is solved."""
+
+    @property
+    def lacks(self) -> str:
+        """What files would lack; empty where all is solved."""
+        if self.solution.converged.all():
+            return ""
+        return "not all points are solved" if self.solution.shape else "there is no solution to write"
 
 
 def _of_scene(scene: Scene, accuracy: float | None) -> Found:
@@ -144,64 +145,42 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
-    return Found(
-        *(solution, asked, lambda: record(solution, readings), blocks),
-        *(lambda: all_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
-    )
+    if "spectrum" in scene.readings:
+        from qsbearing.io import spectrum_report
+
+        show = (
+            lambda: spectrum_report.spectrum_record(solution, readings),
+            lambda: spectrum_report.spectrum_result(solution, readings),
+        )
+    else:
+        show = (lambda: record(solution, readings), blocks)
+    return Found(solution, asked, *show, lambda: all_columns(solution, readings))
 
 
-def _of_spectrum(scene: Scene, accuracy: float | None, picture: str | None) -> Found:
-    from qsbearing.io.readings_record import all_columns, taken
-    from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
-
-    if picture is not None:
-        refuse(NO_PICTURE)
-    solution = _solved(scene, accuracy)
-    readings = taken(solution)
-    return Found(
-        solution,
-        scene if accuracy is None else solution.scene,
-        lambda: spectrum_record(solution, readings),
-        lambda: spectrum_result(solution, readings),
-        lambda: all_columns(solution, readings),
-        "" if solution.converged.all() else SOME_UNSOLVED,
-    )
-
-
-def _of_set(of: BearingSet, accuracy: float | None, picture: str | None) -> Found:
+def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     from qsbearing.io.readings_record import taken
     from qsbearing.io.set_record import set_columns, set_record
-    from qsbearing.sets.solve import solve_set
-
-    if "spectrum" in of.readings and picture is not None:
-        refuse(NO_PICTURE)
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
-    with solving(of):
-        solution = solve_set(of)
+    solution: SetSolution = solve(of)
     readings = [taken(row) for row in solution.rows]
-    if "spectrum" in of.readings:
-        from qsbearing.io.set_spectrum_report import set_spectrum_record, set_spectrum_result
-
-        return Found(
-            solution,
-            of,
-            lambda: set_spectrum_record(solution, readings),
-            lambda: set_spectrum_result(solution, readings),
-            lambda: set_columns(solution, readings),
-            "" if solution.converged.all() else SOME_UNSOLVED,
-        )
 
     def blocks() -> list[Block]:
         from qsbearing.io.set_report import set_result
 
         return set_result(solution, readings)
 
-    return Found(
-        *(solution, of, lambda: set_record(solution, readings), blocks),
-        *(lambda: set_columns(solution, readings), "" if solution.converged else NO_SOLUTION),
-    )
+    if "spectrum" in of.readings:
+        from qsbearing.io import set_spectrum_report
+
+        show = (
+            lambda: set_spectrum_report.set_spectrum_record(solution, readings),
+            lambda: set_spectrum_report.set_spectrum_result(solution, readings),
+        )
+    else:
+        show = (lambda: set_record(solution, readings), blocks)
+    return Found(solution, of, *show, lambda: set_columns(solution, readings))
 
 
 def _solved(scene: Scene, accuracy: float | None) -> Solution:

@@ -15,6 +15,7 @@ from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size,
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import FORCES, Preload
 from qsbearing.scene.scene import Scene
+from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.solver import solve
 from qsbearing.units import MPa, deg, rpm, um
@@ -28,6 +29,8 @@ FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
 """What the axial channel answers with, where it is free to move and where it is held."""
 SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 """Parts of the scene's own speed and loads."""
+
+CURVES = "contact angles, greatest pressures, the axial answer, axial and radial stiffness"
 
 
 def section(solution: Solution) -> Section:
@@ -48,7 +51,7 @@ def _speed(solution: Solution) -> list[Block]:
     parts = np.linspace(*SPEED_RANGE, POINTS)
     swept = solve(replace(scene, operation=replace(operation, speed=own * parts)))
     figure = _figure(swept, own * parts / rpm, own / rpm, "inner ring, rpm")
-    return _shown(swept, figure, "the speed of the inner ring")
+    return shown(swept, figure, "the speed of the inner ring", CURVES)
 
 
 def _load(solution: Solution) -> list[Block]:
@@ -58,7 +61,8 @@ def _load(solution: Solution) -> list[Block]:
     if varied is None:
         return [Remark("No curve over the load: the scene prescribes displacements only.")]
     swept = solve(varied)
-    return _shown(swept, _figure(swept, parts, 1.0, "loads over those of the scene"), "all loads in proportion")
+    figure = _figure(swept, parts, 1.0, "loads over those of the scene")
+    return shown(swept, figure, "all loads in proportion", CURVES)
 
 
 def _loaded(scene: Scene, parts: NDArray) -> Scene | None:
@@ -78,13 +82,13 @@ def _loaded(scene: Scene, parts: NDArray) -> Scene | None:
     return replace(scene, operation=operation, preload=preload) if loads else None
 
 
-def _shown(swept: Solution, figure: Figure, along: str) -> list[Block]:
-    lost = int((~swept.converged).sum())
-    alt = (
-        f"Curves over {along}: contact angles, greatest pressures, the axial answer, axial and radial stiffness; "
-        "the operating point is marked."
-    )
-    blocks: list[Block] = [picture(figure, alt, f"Over {along}")]
+def shown(
+    swept: Solution | SetSolution, figure: Figure, along: str, what: str, said: Sequence[str] = ()
+) -> list[Block]:
+    """The picture of what is swept, sentences, and how many points are left out."""
+    lost = int((~np.asarray(swept.converged)).sum())
+    alt = f"Curves over {along}: {what}; the operating point is marked."
+    blocks: list[Block] = [picture(figure, alt, f"Over {along}"), *map(Paragraph, said)]
     return [*blocks, Remark(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
 
 

@@ -44,10 +44,10 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
                 for one, which in of_rows(differences)
             ]
             rows.append([Md(f"{each.says} `{each.command}`"), found, *judged(reasons)])
-    for statement in OF_SETS:
-        if of is not None and statement.applies(of):
-            said = Md(f"{statement.says} `{statement.command}`")
-            rows.append([said, statement.found, *judged(statement.differences(of))])
+    for of_set in OF_SETS:
+        if of is not None and of_set.applies(of):
+            said = Md(f"{of_set.says} `{of_set.command}`")
+            rows.append([said, of_set.found(of), *judged(of_set.differences(of))])
     what = "scene" if of is None else "set"
     blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
     headings = ("what was checked, and how to do it again", "result", f"this {what}", "why")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -41,23 +41,28 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
         source: the text of the scene file; empty for an example of the catalogue.
         heat: [thermal] as given; the scene has the temperatures that were found.
     """
-    rows: list[Line | Group] = []
-    for title, lines in (
+    rows = grouped(
         ("Bearing", bearing_lines(scene.bearing, "scene")),
         ("Operation", numbers(OPERATION, scene.operation)),
         ("Preload", numbers(PRELOAD, scene.preload)),
         ("Effects and choices", [*effect_lines((*scene.ring_effects, *scene.ball_effects)), *choice_lines(scene)]),
         ("Readings", reading_lines(scene.readings)),
         *thermal_groups(heat),
-    ):
-        if lines:
-            rows += [Group(title), *lines]
+    )
     words = (
         "Every number that the solution depends on, in the units and by the keys of a scene file. A channel of the "
         "ring that is not named carries no load and is free to move."
     )
     blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
     return Section("Input", blocks + as_read(source))
+
+
+def grouped(*parts: tuple[str, Sequence[Line]]) -> list[Line | Group]:
+    """The lines of each part below its title; of a part without lines nothing."""
+    rows: list[Line | Group] = []
+    for title, lines in parts:
+        rows += [Group(title), *lines] if lines else []
+    return rows
 
 
 LINES, COLUMNS = 400, 200

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness
-from qsbearing.documents.drawing import picture
+from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend
 from qsbearing.scene.operation import CHANNELS
@@ -38,6 +37,8 @@ BEYOND = 1.15
 Mark = tuple[float, str]
 """Where a row no longer keeps its preload, along the curve, and what happens there."""
 
+CURVES = "axial load and greatest pressure of each row, displacement and stiffness of the shaft"
+
 
 def section(of: BearingSet, limits: Limits) -> Section:
     """The sweeps that there are; what cannot be varied is said.
@@ -62,7 +63,7 @@ def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
     marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
     figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
-    return _shown(swept, figure, "the speed of the shaft", [speed_sentence(of, each) for each in changes])
+    return shown(swept, figure, "the speed of the shaft", CURVES, [speed_sentence(of, each) for each in changes])
 
 
 def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
@@ -74,7 +75,7 @@ def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     swept = solve_set(loaded(of, factors))
     figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
     said = [load_sentence(of, each) for each in changes]
-    return _shown(swept, figure, "all loads in proportion, the preload as it is", said)
+    return shown(swept, figure, "all loads in proportion, the preload as it is", CURVES, said)
 
 
 def _preload(of: BearingSet) -> list[Block]:
@@ -89,7 +90,8 @@ def _preload(of: BearingSet) -> list[Block]:
         name, size = "preload before fitting, µm", um
     values = own * np.linspace(*LOAD_RANGE, POINTS)
     swept = solve_set(replace(of, preload=replace(of.preload, **{kind: values}), readings={}))
-    return _shown(swept, _figure(swept, values / size, own / size, name, []), "the preload, the loads as they are", [])
+    figure = _figure(swept, values / size, own / size, name, [])
+    return shown(swept, figure, "the preload, the loads as they are", CURVES)
 
 
 def _what(change: Change) -> str:
@@ -101,16 +103,6 @@ def _what(change: Change) -> str:
         "no_equilibrium": "no equilibrium",
     }
     return f"{name}: {ends.get(change.after, 'not solved')}"
-
-
-def _shown(swept: SetSolution, figure: Figure, along: str, said: Sequence[str]) -> list[Block]:
-    lost = int((~swept.converged).sum())
-    alt = (
-        f"Curves over {along}: axial load and greatest pressure of each row, displacement and stiffness of the shaft; "
-        "the operating point is marked."
-    )
-    blocks: list[Block] = [picture(figure, alt, f"Over {along}"), *map(Paragraph, said)]
-    return [*blocks, Remark(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:

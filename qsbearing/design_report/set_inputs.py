@@ -13,11 +13,12 @@ from qsbearing.design_report.inputs import (
     bearing_lines,
     choice_lines,
     effect_lines,
+    grouped,
     numbers,
     reading_lines,
     thermal_groups,
 )
-from qsbearing.documents.model import Block, Cell, Group, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
 from qsbearing.scene.keys import (
     FLOATING,
     HEATED,
@@ -47,8 +48,7 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
     reference = "midway between the first and the last row" if of.reference_position is None else "as given"
     shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
     named = [*effect_lines((*of.ring_effects, *of.ball_effects)), *choice_lines(of)]
-    rows: list[Line | Group] = []
-    for title, lines in (
+    rows = grouped(
         ("Shaft", [shaft, *numbers(SHAFT, of.shaft)]),
         *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
@@ -59,9 +59,7 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
         *((f"Readings of row {n} alone", reading_lines(row.readings or {})) for n, row in enumerate(of.rows, 1)),
         *thermal_groups(heat),
         *_bearings(of),
-    ):
-        if lines:
-            rows += [Group(title), *lines]
+    )
     words = (
         "Every number that the solution rests on, in the units and by the keys of the file. A channel of the shaft "
         "that is not named carries no load and is free to move."

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 import numpy as np
 
 from qsbearing.design_report.conditions import Difference
+from qsbearing.design_report.statements import Statement
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.units import deg
 
@@ -16,19 +14,6 @@ ROWS = 4
 PRINTED = "S 6210"
 PRINTED_ANGLES = 15.0, 25.0
 """Free contact angles of the bearings whose pairs are printed [deg]."""
-
-
-@dataclass(frozen=True)
-class SetStatement:
-    """What was checked, and how a set compares with it."""
-
-    says: str
-    found: str
-    """The result."""
-    command: str
-    differences: Callable[[BearingSet], list[Difference]]
-    """In what a set differs from what was checked; nothing: it lies within."""
-    applies: Callable[[BearingSet], bool] = lambda of: True
 
 
 def _too_many(of: BearingSet) -> list[Difference]:
@@ -54,24 +39,24 @@ def _not_printed(of: BearingSet) -> list[Difference]:
     return found
 
 
-OF_SETS = (
-    SetStatement(
+OF_SETS: tuple[Statement[BearingSet], ...] = (
+    Statement(
         "Statics of sets at rest: the balls of two to four rows as springs between points in three dimensions, under "
         "every load at once.",
-        "loads and displacements agree to 1e-8",
+        lambda of: "loads and displacements agree to 1e-8",
         "pytest tests/sets/test_equilibrium.py",
         lambda of: _too_many(of) + _with_effects(of),
     ),
-    SetStatement(
+    Statement(
         "Relations of sets at rest and at speed: rows add up to the load, mirror images, stiffness against "
         "differences.",
-        "hold to rounding, stiffness to the differences' own error",
+        lambda of: "hold to rounding, stiffness to the differences' own error",
         "pytest tests/sets/test_equilibrium.py",
         _too_many,
     ),
-    SetStatement(
+    Statement(
         "Axial rigidities of rigidly preloaded pairs at rest, as a maker prints them (GMN S 6210, 15 and 25 degrees).",
-        "met to the printed digit",
+        lambda of: "met to the printed digit",
         "pytest tests/sets/test_preload.py",
         _not_printed,
         lambda of: len(of.rows) == 2 and of.is_opposed,

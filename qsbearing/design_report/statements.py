@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -38,21 +38,21 @@ B218_DIAMETER, B218_ANGLE = 22.225, 40.0
 """Of the check of grooves [mm, deg]."""
 ANGLE_MARGIN = 10.0
 """From that contact angle [deg]: it changes the curvature along B218's inner groove by less than 3 %."""
-Differences = Callable[[Facts], list[Difference]]
+Of = TypeVar("Of")
 
 
 @dataclass(frozen=True)
-class Statement:
-    """What was checked, and how a scene compares with it."""
+class Statement(Generic[Of]):
+    """What was checked, and how a scene, by its facts, or a set compares with it."""
 
     says: str
-    found: Callable[[Facts], str]
+    found: Callable[[Of], str]
     """The result, in numbers of the record."""
     command: str
-    differences: Differences
-    """In what a scene differs from what was checked; nothing: it lies within."""
-    applies: Callable[[Facts], bool] = lambda facts: True
-    """Whether a scene has what is checked at all."""
+    differences: Callable[[Of], list[Difference]]
+    """In what it differs from what was checked; nothing: it lies within."""
+    applies: Callable[[Of], bool] = lambda of: True
+    """Whether it has what is checked at all."""
 
 
 def _asks(*names: str) -> Callable[[Facts], bool]:
@@ -174,7 +174,7 @@ _reference, _hertz, _points = NUMBERS["reference"], NUMBERS["hertz_formula"], NU
 _gaps, _bodies, _rigs = NUMBERS["conformity"], NUMBERS["true_geometry"]["percent"], NUMBERS["motor_bearings"]
 _pairs, _lives, _tests = NUMBERS["gmn_rigidities"], NUMBERS["iso_16281_seven_balls"], NUMBERS["endurance_1956"]
 
-STATEMENTS = (
+STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         f"The solution of the equations: {_reference['scenes']} scenes solved to fifty digits.",
         lambda facts: f"Loads, angles, displacements and stiffness within {_reference['largest']:.0e}",

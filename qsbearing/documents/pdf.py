@@ -31,21 +31,14 @@ def pdf(document: Document, strict: bool = False) -> bytes:
 
     with tempfile.TemporaryDirectory(prefix="qsbearing-document-") as folder:
         try:
-            return bytes(_compiled(document, Path(folder), "pdf", standards=["ua-1"]))
+            return _compiled(document, Path(folder), ["ua-1"])
         except typst.TypstError as error:
             if strict or "could not be displayed" not in str(error):
                 raise
-            return bytes(_compiled(document, Path(folder), "pdf"))
+            return _compiled(document, Path(folder))
 
 
-def pages(document: Document, ppi: float = 72.0) -> list[bytes]:
-    """The pages as PNG pictures, to be looked at."""
-    with tempfile.TemporaryDirectory(prefix="qsbearing-document-") as folder:
-        found = _compiled(document, Path(folder), "png", ppi)
-    return found if isinstance(found, list) else [found]
-
-
-def _compiled(document: Document, folder: Path, form: Any, ppi: float | None = None, standards: Any = None) -> Any:
+def _compiled(document: Document, folder: Path, standards: Any = None) -> bytes:
     import typst
 
     found = data(document)
@@ -54,9 +47,9 @@ def _compiled(document: Document, folder: Path, form: Any, ppi: float | None = N
     (folder / "document.json").write_text(json.dumps(found), encoding="utf-8")
     shutil.copyfile(TEMPLATE, folder / "main.typ")
     compiled, said = typst.compile_with_warnings(
-        folder / "main.typ", root=folder, format=form, ppi=ppi, ignore_system_fonts=True, timestamp=EPOCH,
+        folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=True, timestamp=EPOCH,
         pdf_standards=standards or [],
     )  # fmt: skip
     for each in said:
         warnings.warn(f"typst: {each}", stacklevel=3)
-    return compiled
+    return bytes(compiled)

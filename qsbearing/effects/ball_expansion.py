@@ -16,10 +16,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from qsbearing.effects.changed_geometry import change_by, geometry_errors
-from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.entry import Entry, Errors, effect, error_in
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import temperature_errors
 from qsbearing.units import zero_celsius
@@ -63,10 +63,6 @@ class BallExpansion:
         return bearing.with_changed_lengths(ball_diameter=strain * np.asarray(bearing.ball_diameter, float))
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return _errors(point)["contact_angle"]
-
-
 def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, change_by(ENTRY, point))
 
@@ -75,7 +71,7 @@ ENTRY = Entry(
     "ball_expansion",
     "the expansion of the balls",
     effect("ring_effects", BallExpansion),
-    indicator=_indicator,
+    indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.ball_expansion] with the balls' temperature",
 )

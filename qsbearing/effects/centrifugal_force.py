@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import inlined
-from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
+from qsbearing.effects.entry import Entry, Errors, effect, largest, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 
@@ -47,10 +47,6 @@ def _over_load(point: OperatingPoint) -> NDArray:
     return point.over_load(force)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_over_load(point).max(axis=-1))
-
-
 def _errors(point: OperatingPoint) -> Errors:
     """The contacts part as Qi, Qo and Fc close their triangle; the outer contact carries the force besides."""
     x, angle = _over_load(point), np.where(point.is_heavy, np.abs(point.solution.inner.angle), 0.0)
@@ -61,7 +57,8 @@ def _errors(point: OperatingPoint) -> Errors:
         with np.errstate(divide="ignore", invalid="ignore"):
             own = np.where(angle > 0.0, _parted(risen, x * np.sin(risen) / np.sin(angle)), 0.0)
     found = parting_errors(point, own, is_in)
-    outer = np.sqrt(1.0 + x * np.cos(angle) + x * x).max(axis=-1)  # of Qo/Qi, by half in Qo and by half in Qi
+    half = 0.5 * np.cos(angle)  # the root of 1 + x cos + x^2, with no square of a large x
+    outer = np.hypot(x + half, np.sqrt(1.0 - half * half)).max(axis=-1)  # of Qo/Qi, by half in Qo and by half in Qi
     found["load"] = np.maximum(found["load"], 1.0 - 1.0 / outer)
     found["pressure"] = np.maximum(found["pressure"], 1.0 - 1.0 / np.cbrt(outer))
     return found
@@ -76,6 +73,6 @@ ENTRY = Entry(
     "centrifugal_force",
     "the centrifugal force of the balls",
     effect("ball_effects", CentrifugalForce, CentrifugalForce),
-    indicator=_indicator,
+    indicator=largest(_over_load),
     errors=_errors,
 )

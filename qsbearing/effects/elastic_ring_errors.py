@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from qsbearing.effects.ring_compliance import MOST_HARMONICS
 from qsbearing.validation import LENGTH, MODULUS, RATIO, ErrorDetail, on_side, within
@@ -27,17 +26,6 @@ class Grooves(NamedTuple):
     poisson_ratio: Any
 
 
-class ElasticRings(Protocol):
-    """What is read by name of a `qsbearing.effects.ElasticRings`, which lies above: it asks for its errors."""
-
-    name: ClassVar[str]
-
-    @property
-    def outside_diameter(self) -> ArrayLike | None: ...
-    @property
-    def bore_diameter(self) -> ArrayLike | None: ...
-
-
 SIDES = {
     "outer": ("outside_diameter", "housing", "housing_outside_diameter", ("rigid", "free")),
     "inner": ("bore_diameter", "shaft", "shaft_bore_diameter", ("rigid", "free", "solid")),
@@ -48,8 +36,8 @@ SOFTEST = 1e-3
 """[m/N]: a newton moves no ring that is one by a millimetre; it catches mistakes of unit."""
 
 
-def parameter_errors(effect: ElasticRings) -> list[ErrorDetail]:
-    """Every error of the parameters by themselves."""
+def parameter_errors(effect: Any) -> list[ErrorDetail]:
+    """Every error of the parameters of `ElasticRings` by themselves."""
     errors = [error for side in SIDES for error in _side_errors(effect, side)]
     if not errors and all(value is None for value in vars(effect).values()):
         cause = "Describe the outer ring, the inner one or both; or leave the effect out"
@@ -57,7 +45,7 @@ def parameter_errors(effect: ElasticRings) -> list[ErrorDetail]:
     return errors
 
 
-def _side_errors(effect: ElasticRings, side: str) -> list[ErrorDetail]:
+def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
     diameter, seat, seat_diameter, words = SIDES[side]
     path, width = effect.name, f"{side}_width"
     lengths = {name: getattr(effect, name) for name in (diameter, width, *SHOULDERS[side], seat_diameter)}
@@ -115,7 +103,7 @@ def _table_errors(field: str, table: Any) -> list[ErrorDetail]:
     return [error for value in table for error in within(field, value, RATIO, 0.0, SOFTEST)][:1]
 
 
-def section_errors(effect: ElasticRings, grooves: Grooves) -> list[ErrorDetail]:
+def section_errors(effect: Any, grooves: Grooves) -> list[ErrorDetail]:
     """Diameters that are no rings around these grooves, no shoulders, no housing around the ring, no shaft within."""
     pairs = [
         ("outside_diameter", "around the bottom of the outer groove", 2.0 * grooves.outer_bottom, 1.0),

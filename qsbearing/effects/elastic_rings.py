@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
-from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.entry import Entry, Errors, effect, error_in
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_compliance import (
     MOST_HARMONICS,
@@ -270,19 +270,19 @@ def _tabled(compliance: tuple[float, ...]) -> RingCompliance:
     return RingCompliance(by_harmonic, None)
 
 
-def folded(by_harmonic: NDArray, ball_count: NDArray, waves: int) -> NDArray:
+def aliased(by_harmonic: NDArray, ball_count: NDArray, wave_numbers: int) -> NDArray:
     """c as balls at equal distances feel it, (case, wave): the sum over all n that are a wave but for multiples of Z.
 
     Args:
         by_harmonic: (harmonic, case); ball_count: (case).
-        waves: how many are kept, from 0 on; of balls more than twice as many, the shorter ones are left out.
+        wave_numbers: how many are kept, from 0 on; of balls more than twice as many, the shorter ones are left out.
     """
-    out = np.zeros((ball_count.size, waves))
+    out = np.zeros((ball_count.size, wave_numbers))
     case = np.arange(ball_count.size)
     for n, c in enumerate(by_harmonic):
         rest = n % ball_count
         wave = np.minimum(rest, ball_count - rest)
-        kept = wave < waves
+        kept = wave < wave_numbers
         out[case[kept], wave[kept]] += c[kept]
     return out
 
@@ -321,15 +321,11 @@ def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, GeometryChange(-_largest_give(point), 0.0))
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_errors(point)["contact_angle"])
-
-
 ENTRY = Entry(
     "elastic_rings",
     "the deflection of the rings",
     effect("ring_effects", ElasticRings),
-    indicator=_indicator,
+    indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.elastic_rings] with the rings' widths and diameters and what holds them",
     without_parameters="for a free outer ring of usual section; a stiff housing leaves less than half",

@@ -18,6 +18,7 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.effects.operating_point import OperatingPoint
@@ -162,6 +163,18 @@ def with_found(effect: Any, values: dict[str, Any]) -> Any:
     found = copy(effect)
     vars(found).update(values)
     return found
+
+
+def largest(of_balls: Callable[[OperatingPoint], NDArray], times: float = 1.0) -> Callable[[OperatingPoint], NDArray]:
+    """The indicator that is the largest of a number of each ball (*cases, ball)."""
+    return lambda point: np.asarray(times * of_balls(point).max(axis=-1))
+
+
+def error_in(
+    quantity: str, errors: Callable[[OperatingPoint], Errors], times: float = 1.0
+) -> Callable[[OperatingPoint], NDArray]:
+    """The indicator that is the error of a quantity itself, or a multiple of it."""
+    return lambda point: np.asarray(times * errors(point)[quantity])
 
 
 def uncompiled(function: Any) -> Any:

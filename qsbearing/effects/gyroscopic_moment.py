@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import inlined
-from qsbearing.effects.entry import Entry, Errors, effect, uncompiled
+from qsbearing.effects.entry import Entry, Errors, effect, largest, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 from qsbearing.validation import RATIO, choose, raise_if_any, within
@@ -111,10 +111,6 @@ def gyroscopic_moment(
     )
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_over_load(point).max(axis=-1))
-
-
 def _over_load(point: OperatingPoint) -> NDArray:
     bearing, (rotation, attitude) = point.bearing, point.rotation
     axis = (np.sin(attitude), np.cos(attitude), 0.0, 0.0, 0.0, 0.0)
@@ -132,6 +128,6 @@ ENTRY = Entry(
     "gyroscopic_moment",
     "the gyroscopic moment of the balls",
     effect("ball_effects", GyroscopicMoment, GyroscopicMoment),
-    indicator=_indicator,
+    indicator=largest(_over_load),
     errors=_errors,
 )

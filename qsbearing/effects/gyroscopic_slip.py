@@ -14,9 +14,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.entry import Entry, Errors, part_of_effect
+from qsbearing.effects.entry import Entry, largest, part_of_effect
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.parting import friction_errors
+from qsbearing.effects.parting import by_friction
 
 TYPICAL = 0.1
 """Most of what lubricated steel contacts offer: where no coefficient is given, it stands for it."""
@@ -33,20 +33,12 @@ def _excess(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy, np.maximum(np.max(needed, axis=0) - bound, 0.0), 0.0)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_excess(point).max(axis=-1))
-
-
-def _errors(point: OperatingPoint) -> Errors:
-    return friction_errors(point, _excess(point))
-
-
 ENTRY = Entry(
     "gyroscopic_slip",
     "the slip of contacts that cannot carry the gyroscopic moment",
     part_of_effect("ball_effects", "friction_coefficient", None),
-    indicator=_indicator,
-    errors=_errors,
+    indicator=largest(_excess),
+    errors=by_friction(_excess),
     needs="friction_coefficient, beside the gyroscopic moment",
     without_parameters="for a coefficient of 0.1",
     saves_time=False,

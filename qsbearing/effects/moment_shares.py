@@ -14,9 +14,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects.entry import Entry, Errors, part_of_effect
+from qsbearing.effects.entry import Entry, largest, part_of_effect
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.parting import friction_errors
+from qsbearing.effects.parting import by_friction
 
 
 def _moving_friction(point: OperatingPoint) -> NDArray:
@@ -27,20 +27,12 @@ def _moving_friction(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy & (control == "inner"), 0.5 * np.nan_to_num(inner), 0.0)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(2.0 * _moving_friction(point).max(axis=-1))
-
-
-def _errors(point: OperatingPoint) -> Errors:
-    return friction_errors(point, _moving_friction(point))
-
-
 ENTRY = Entry(
     "moment_shares",
     "the gyroscopic moment shared as Harris has it (all on the controlling raceway instead)",
     part_of_effect("ball_effects", "moment_shares", "controlling", "harris"),
-    indicator=_indicator,
-    errors=_errors,
+    indicator=largest(_moving_friction, 2.0),
+    errors=by_friction(_moving_friction),
     hypothesis="how the raceways share the moment rests on a hypothesis; the model has nothing to decide it by",
     saves_time=False,
 )

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import kernel
-from qsbearing.effects.entry import Entry, Errors, choice, uncompiled
+from qsbearing.effects.entry import Entry, Errors, choice, largest, uncompiled
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 
@@ -54,10 +54,6 @@ def _relative_change(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy, np.abs(radius / (0.5 * pitch) - 1.0), 0.0)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_relative_change(point).max(axis=-1))
-
-
 def _errors(point: OperatingPoint) -> Errors:
     """Zero at rest, where the contacts of a ball lie in one line."""
     parted = np.where(point.is_heavy, np.abs(point.solution.inner.angle - point.solution.outer.angle), 0.0)
@@ -68,6 +64,6 @@ ENTRY = Entry(
     "orbit_radius",
     "the balls' own orbits (the pitch circle instead)",
     choice("orbit_radius", OrbitRadius.PITCH_CIRCLE, OrbitRadius.DISPLACED, of_balls=True),
-    indicator=_indicator,
+    indicator=largest(_relative_change),
     errors=_errors,
 )

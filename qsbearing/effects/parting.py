@@ -17,6 +17,8 @@ gyroscopic moment within a factor of two.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -62,13 +64,18 @@ def _bounded(change: NDArray) -> NDArray:
     return np.asarray(change / (1.0 + change))
 
 
-def friction_errors(point: OperatingPoint, friction: NDArray) -> Errors:
+def by_friction(friction: Callable[[OperatingPoint], NDArray]) -> Callable[[OperatingPoint], Errors]:
     """Errors of friction over the load (*cases, ball) that the other raceway carries, or none.
 
     It parts the contact angles, beside all that parts them already; the linear factors are medians of 2,000 random
     scenes in which Jones's criterion changes the raceway.
     """
-    angle, most = np.maximum(np.abs(point.angle), SMALLEST_ANGLE), friction.max(axis=-1)
-    factors = {"contact_angle": 1.0 / angle, "load": 0.25, "pressure": 0.125, "displacement": 0.2, "stiffness": 0.5}
-    parted = parting_errors(point, friction, is_in=False)
-    return {name: np.maximum(factor * most, parted[name]) for name, factor in factors.items()}
+
+    def errors(point: OperatingPoint) -> Errors:
+        asked = friction(point)
+        angle, most = np.maximum(np.abs(point.angle), SMALLEST_ANGLE), asked.max(axis=-1)
+        factors = {"contact_angle": 1.0 / angle, "load": 0.25, "pressure": 0.125, "displacement": 0.2, "stiffness": 0.5}
+        parted = parting_errors(point, asked, is_in=False)
+        return {name: np.maximum(factor * most, parted[name]) for name, factor in factors.items()}
+
+    return errors

@@ -36,9 +36,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import inlined, kernel
-from qsbearing.effects.entry import Entry, Errors, choice
+from qsbearing.effects.entry import Entry, choice, largest
 from qsbearing.effects.operating_point import OperatingPoint
-from qsbearing.effects.parting import friction_errors
+from qsbearing.effects.parting import by_friction
 
 
 class RacewayControl(StrEnum):
@@ -148,14 +148,6 @@ def _undecided_friction(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy & (favours < CLEARLY_OUTER), friction, 0.0)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return np.asarray(_undecided_friction(point).max(axis=-1))
-
-
-def _errors(point: OperatingPoint) -> Errors:
-    return friction_errors(point, _undecided_friction(point))
-
-
 ENTRY = Entry(
     "raceway_control",
     "raceway control by each ball (the outer raceway for all instead)",
@@ -165,8 +157,8 @@ ENTRY = Entry(
         RacewayControl.PER_BALL,
         kept=(RacewayControl.INNER, RacewayControl.MINIMUM_DISSIPATION),
     ),
-    indicator=_indicator,
-    errors=_errors,
+    indicator=largest(_undecided_friction),
+    errors=by_friction(_undecided_friction),
     hypothesis="which raceway a ball follows rests on a hypothesis; the model has nothing to decide it by",
     saves_time=False,
 )

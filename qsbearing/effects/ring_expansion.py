@@ -33,7 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
-from qsbearing.effects.entry import Entry, Errors, effect
+from qsbearing.effects.entry import Entry, Errors, effect, error_in
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
@@ -313,10 +313,6 @@ def _change(point: OperatingPoint) -> GeometryChange:
     return GeometryChange(growth, 0.0)
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return _errors(point)["contact_angle"]
-
-
 def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, _change(point))
 
@@ -325,7 +321,7 @@ ENTRY = Entry(
     "ring_expansion",
     "the expansion of the rings",
     effect("ring_effects", RingExpansion),
-    indicator=_indicator,
+    indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
     without_parameters="from rotation of the inner ring alone, to a factor of about two, of stiffness three",

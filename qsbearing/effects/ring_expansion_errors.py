@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,27 +13,6 @@ from qsbearing.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, num
 
 if TYPE_CHECKING:
     from qsbearing.scene.bearing import BallBearing
-
-
-class RingExpansion(Protocol):
-    """What is read by name of a `qsbearing.effects.RingExpansion`, which lies above: it asks for its errors."""
-
-    name: ClassVar[str]
-
-    @property
-    def bore_diameter(self) -> ArrayLike: ...
-    @property
-    def outside_diameter(self) -> ArrayLike: ...
-    @property
-    def shaft_bore_diameter(self) -> ArrayLike | None: ...
-    @property
-    def housing_interference(self) -> ArrayLike | None: ...
-    @property
-    def housing_outside_diameter(self) -> ArrayLike | None: ...
-    @property
-    def reference_temperature(self) -> ArrayLike: ...
-    @property
-    def yield_strength(self) -> float: ...
 
 
 LARGEST_FIT = 0.01
@@ -59,8 +38,8 @@ def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
     ]
 
 
-def expansion_errors(effect: RingExpansion) -> list[ErrorDetail]:
-    """Every error of the parameters by themselves."""
+def expansion_errors(effect: Any) -> list[ErrorDetail]:
+    """Every error of the parameters of a `RingExpansion` by themselves."""
     path = effect.name
     errors = within(f"{path}.bore_diameter", effect.bore_diameter, LENGTH, 1e-4, 20.0)
     errors += within(f"{path}.outside_diameter", effect.outside_diameter, LENGTH, 1e-4, 20.0)
@@ -103,7 +82,7 @@ def _interference_errors(field: str, interference: ArrayLike, diameter: ArrayLik
     return within(field, interference, LENGTH, -limit, limit, f"is more than {LARGEST_FIT:.0%} of the seat's diameter")
 
 
-def section_errors(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
+def section_errors(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
     """Diameters that are no rings around this bearing's grooves, and missing coefficients of expansion."""
     bottom_inner = 2.0 * (bearing.inner_groove_centre_radius - np.asarray(bearing.inner_groove_radius))
     bottom_outer = 2.0 * (bearing.outer_groove_centre_radius + np.asarray(bearing.outer_groove_radius))
@@ -119,7 +98,7 @@ def section_errors(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDet
     return errors + _expansion_missing(effect, bearing)
 
 
-def _expansion_missing(effect: RingExpansion, bearing: BallBearing) -> list[ErrorDetail]:
+def _expansion_missing(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
     asked: dict[str, tuple[Material, bool]] = {
         "bearing.ring_material": (
             bearing.ring_material,

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import kernel
-from qsbearing.effects.entry import QUANTITIES, Entry, Errors, effect
+from qsbearing.effects.entry import QUANTITIES, Entry, Errors, effect, error_in
 from qsbearing.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 from qsbearing.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any, unit_mistake
 
@@ -168,15 +168,11 @@ def _by_ring(point: OperatingPoint) -> tuple[NDArray, NDArray]:
     return sine * axial + cosine * radial, cosine * axial - sine * radial
 
 
-def _indicator(point: OperatingPoint) -> NDArray:
-    return 2.0 * _errors(point)["pressure"]
-
-
 ENTRY = Entry(
     "unequal_balls",
     "the unequal diameters of the balls",
     effect("ring_effects", BallDiameterDeviations),
-    indicator=_indicator,
+    indicator=error_in("pressure", _errors, 2.0),
     errors=_errors,
     needs="ball_diameter_deviations_um, a number for each ball",
 )

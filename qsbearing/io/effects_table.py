@@ -26,7 +26,7 @@ from qsbearing.io.table_checks import (
     checked,
     choice_fields,
     did_you_mean,
-    judged,
+    made,
     material,
     number_list,
     si,
@@ -43,7 +43,6 @@ from qsbearing.scene.keys import (
     SEATS,
 )
 from qsbearing.scene.scene import CHOICES, effect_errors
-from qsbearing.validation import SceneError
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
 AUTO = "auto"
@@ -118,11 +117,7 @@ def _tolerance(value: Any, errors: Errors) -> float | None:
 
 def _gyroscopic_moment(shares: MomentShares | None, friction: float | None, errors: Errors) -> GyroscopicMoment:
     shares = shares or MomentShares.CONTROLLING
-    try:
-        return GyroscopicMoment(shares, friction)
-    except SceneError as error:
-        errors += map(translate, error.errors)
-        return GyroscopicMoment(shares)
+    return made(lambda: GyroscopicMoment(shares, friction), errors) or GyroscopicMoment(shares)
 
 
 def _needed(name: str) -> list[str]:
@@ -149,11 +144,7 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     for key in known_materials:
         if key in table:
             numbers_si[key] = material(f"{path}.{key}", table[key], errors)
-    try:
-        effect: RingEffect = _RING_EFFECTS[name](**numbers_si)
-    except SceneError as error:
-        errors += map(translate, judged(error))
-        return None
+    effect: RingEffect | None = made(lambda: _RING_EFFECTS[name](**numbers_si), errors)
     return effect if len(errors) == before else None
 
 
@@ -167,11 +158,7 @@ def _elastic_rings(path: str, table: Any, errors: Errors) -> ElasticRings | None
     fields: dict[str, Any] = si(EFFECT_TABLES[ElasticRings.name], good)
     fields |= {field: good[name] for name, field in SEATS.items() if name in good}
     fields |= {key.field: tuple(key.si(np.asarray(good[key.name]))) for key in RING_COMPLIANCES if key.name in good}
-    try:
-        return ElasticRings(**fields)
-    except SceneError as error:
-        errors += map(translate, error.errors)
-        return None
+    return made(lambda: ElasticRings(**fields), errors)
 
 
 def flattened(table: dict[str, Any], before: str = "") -> dict[str, Any]:
@@ -186,11 +173,7 @@ def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None
     """The effect that a list of deviations within [effects] names, in the file's unit; None without one."""
     if given is None:
         return None
-    try:
-        return BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float)))
-    except SceneError as error:
-        errors += map(translate, error.errors)
-        return None
+    return made(lambda: BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float))), errors)
 
 
 def find_unused_expansion(document: dict[str, Any], errors: Errors) -> None:

@@ -62,8 +62,6 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
 def _span(values: NDArray, noise: float) -> tuple[str, str]:
     """The smallest and the largest; one where they are the same to the digits shown."""
     values = np.where(np.abs(values) < noise, 0.0, values)
-    if not np.isfinite(values).any():
-        return "-", ""
     low, high = digits_of(np.nanmin(values)), digits_of(np.nanmax(values))
     return (low, "") if low == high else (low, high)
 

@@ -19,7 +19,7 @@ from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import (
     Errors,
     checked,
-    judged,
+    made,
     si,
     table_model,
     unknown_key,
@@ -195,11 +195,7 @@ def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
     ):
         cause = "Give a load or a displacement, such as axial_load_N = 1000; if none is meant, axial_load_N = 0"
         errors.append(FileErrorDetail("operation", "neither a load nor a displacement is given", cause=cause))
-    try:
-        return Operation(**fields)
-    except SceneError as error:
-        errors += map(translate, judged(error))
-        return None
+    return made(lambda: Operation(**fields), errors)
 
 
 def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
@@ -211,8 +207,4 @@ def preload_of(document: dict[str, Any], operation: Operation | None, errors: Er
         errors += map(translate, beside_preload(operation))
     if not isinstance(document["preload"], dict):
         return None
-    try:
-        return Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good))
-    except SceneError as error:
-        errors += map(translate, judged(error))
-        return None
+    return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)

@@ -11,9 +11,8 @@ from qsbearing import __version__, messages
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.readings_record import Readings
-from qsbearing.io.spectrum_report import NAMES
+from qsbearing.io.spectrum_report import NAMES, of_points
 from qsbearing.io.tables import digits_of, remarks
-from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.sets.set_solution import SetSolution
@@ -94,15 +93,11 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
         for row_number, row in enumerate(found["rows"], 1)
     ]
     lives.append(("all", "", _digits(found["system_life_h"]), ""))
-    said: dict[RankedWarning, list[str]] = {}
-    for k, point in enumerate(found["points"]):
-        for sentence in point["warnings"]:
-            said.setdefault(sentence, []).append(f"{k + 1}")
     return [
         Paragraph(head, name),
         Table(heading, rows, caption="Load spectrum"),
         Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under all of them"),
-        *remarks([said_of(f"point {', '.join(points)}", each) for each, points in said.items()], is_apart=True),
+        *remarks(of_points(found["points"]), is_apart=True),
     ]
 
 

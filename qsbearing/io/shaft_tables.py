@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.io.file_errors import FileErrorDetail, translate
+from qsbearing.io.file_errors import FileErrorDetail
 from qsbearing.io.scene_file import preload_of
-from qsbearing.io.table_checks import Errors, checked, judged, material, si, table_model
+from qsbearing.io.table_checks import Errors, checked, made, material, si, table_model
 from qsbearing.material import Material
 from qsbearing.scene.keys import (
     FLOATING,
@@ -37,7 +37,6 @@ from qsbearing.sets.shaft import (
     ShaftSupport,
     Spacer,
 )
-from qsbearing.validation import SceneError
 
 WITHIN_SHAFT = ("sections", "loads", "supports", "points")
 _MATERIAL = {"material": (Any, None)}
@@ -160,7 +159,7 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
             errors.append(FileErrorDetail(f"shaft.points.{name}", "is no point", value, "mm", cause=cause))
         else:
             named[name.removesuffix("_mm")] = value * 1e-3
-    return _made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
+    return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
 
 
 def _housing(table: Any, errors: Errors) -> Housing | None:
@@ -168,7 +167,7 @@ def _housing(table: Any, errors: Errors) -> Housing | None:
     given: dict[str, Any] = si(HEATED, good)
     if "material" in good:
         given["material"] = material("housing.material", good["material"], errors)
-    return _made(partial(Housing, **given), errors)
+    return made(partial(Housing, **given), errors)
 
 
 def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness | None:
@@ -179,7 +178,7 @@ def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness
     given: dict[str, Any] = si(HOUSING_STIFFNESS, good)
     if "matrix_SI" in good:
         given["matrix"] = good["matrix_SI"]
-    return _made(partial(HousingStiffness, **given), errors)
+    return made(partial(HousingStiffness, **given), errors)
 
 
 def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: Errors) -> list[Any]:
@@ -211,14 +210,6 @@ def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: E
                 given["rows"] = tuple(rows)
         if "preload" in good:
             given["preload"] = preload_of({"preload": good["preload"]}, None, errors)
-        made = _made(partial(make, **given), errors) if len(errors) == before else None
-        found += [] if made is None else [made]
+        one = made(partial(make, **given), errors) if len(errors) == before else None
+        found += [] if one is None else [one]
     return found
-
-
-def _made(make: Callable[[], Any], errors: Errors) -> Any:
-    try:
-        return make()
-    except SceneError as error:
-        errors += map(translate, judged(error))
-        return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -76,10 +77,15 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     if found["duration_h"] is not None:
         together = f"Life under all of them: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
         parts.append(Paragraph(together, is_apart=True))
-    said: dict[RankedWarning, list[str]] = {}
-    for k in range(len(found["points"])):
-        for sentence in found["points"][k]["warnings"]:
-            said.setdefault(sentence, []).append(f"{k + 1}")
-    sentences = [said_of(f"point {', '.join(points)}", sentence) for sentence, points in said.items()]
+    sentences = of_points(found["points"])
     sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
     return [*parts, *remarks(sentences, is_apart=True)]
+
+
+def of_points(points: Sequence[dict[str, Any]]) -> list[RankedWarning]:
+    """The warnings of a record's points, each once with the points that have it."""
+    said: dict[RankedWarning, list[str]] = {}
+    for place, point in enumerate(points, 1):
+        for sentence in point["warnings"]:
+            said.setdefault(sentence, []).append(f"{place}")
+    return [said_of(f"point {', '.join(places)}", sentence) for sentence, places in said.items()]

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import StrEnum
 from math import isnan, nan
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator, create_model
 
 from qsbearing.effects import MomentShares
-from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail
+from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.io.file_keys import find
 from qsbearing.io.unknown_key import Suggestion, near, suggest
 from qsbearing.material import BY_NAME, Material
@@ -24,6 +24,7 @@ from qsbearing.validation import ErrorDetail, SceneError
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
 """The keys of a file whose words are those of a choice."""
 Errors = list[FileErrorDetail]
+Made = TypeVar("Made")
 
 
 def _or_array(value: Any, check: Any) -> Any:
@@ -126,6 +127,15 @@ def si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
 def judged(error: SceneError) -> list[ErrorDetail]:
     """The errors of Python's objects, but for the NaN that stands where the file has no usable number."""
     return [each for each in error.errors if not (isinstance(each.value, float) and isnan(each.value))]
+
+
+def made(make: Callable[[], Made], errors: Errors) -> Made | None:
+    """What a table's numbers make in Python; None where it refuses them, with its reasons among the errors."""
+    try:
+        return make()
+    except SceneError as error:
+        errors += map(translate, judged(error))
+        return None
 
 
 def material(path: str, value: Any, errors: Errors) -> Material:

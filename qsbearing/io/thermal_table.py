@@ -6,11 +6,10 @@ from collections.abc import Callable
 from math import nan
 from typing import Any
 
-from qsbearing.io.file_errors import FileErrorDetail, translate
-from qsbearing.io.table_checks import Errors, checked, judged, si, table_model
+from qsbearing.io.file_errors import FileErrorDetail
+from qsbearing.io.table_checks import Errors, checked, made, si, table_model
 from qsbearing.io.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
 from qsbearing.thermal.network import Conductance, OilFlow, Thermal
-from qsbearing.validation import SceneError
 
 _TABLE = table_model("thermal", THERMAL, dict.fromkeys(WORDS, (str | None, None)))
 _OIL = table_model("oil", OIL, {})
@@ -44,13 +43,7 @@ def thermal_of(document: dict[str, Any], errors: Errors) -> Thermal | None:
     if "oil" in table:
         fields["oil"] = _oil(table["oil"], errors)
     fields["conductances"] = _conductances(table.get(CONDUCTANCES), errors)
-    if len(errors) > before:
-        return None
-    try:
-        return Thermal(**fields)
-    except SceneError as error:
-        errors += map(translate, judged(error))
-        return None
+    return made(lambda: Thermal(**fields), errors) if len(errors) == before else None
 
 
 def with_found_temperatures(document: dict[str, Any], errors: Errors) -> dict[str, Any]:

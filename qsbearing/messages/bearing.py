@@ -54,7 +54,7 @@ def message(solution: Solution, index: Index = None) -> str:
     k = solution._flat_index(index)
     result = solution._results[k]
     code = result["status"]
-    if solution.thermal is not None and solution.thermal.withdrawn.flat[k]:
+    if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
         return solution.thermal.message(index)
     if code == CONVERGED:
         return (

@@ -64,7 +64,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
         counts = [f"{(codes == code).sum()} {word}" for code, word in STATUS_OF_CODE.items() if (codes == code).any()]
         return f"{codes.size} cases: {', '.join(counts)}."
     k = solution._flat_index(index)
-    if solution.thermal is not None and solution.thermal.withdrawn.flat[k]:
+    if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
         return solution.thermal.message(index)
     if outcome.status[k] == CONVERGED:
         return (

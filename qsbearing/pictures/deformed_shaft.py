@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.pictures.style import GREY
+from qsbearing.pictures.style import GREY, round_length
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.case_index import Place
 from qsbearing.units import mm, um
@@ -46,7 +46,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
     moved = solution.deflection(x)[place]
     widest = max(each.outer_diameter for each in shaft.sections)
     largest = float(np.abs(moved[:, channel]).max())
-    factor = _round(SHOWN * widest / largest) if largest > 0.0 else 1.0
+    factor = round_length(SHOWN * widest / largest) if largest > 0.0 else 1.0
     for number, section in enumerate(shaft.sections):
         some = slice(number * FINE, (number + 1) * FINE)
         for diameter, line in ((section.outer_diameter, "-"), (section.inner_diameter, "--")):
@@ -120,9 +120,3 @@ def _bearing(axes: Any, solution: SetSolution, place: Place, number: int, factor
         ends = np.array([-along, along])
         axes.plot((at + ends[:, 0]) / mm, (centre + ends[:, 1]) / mm, color="black", lw=0.9)
     axes.annotate(str(number), (at / mm, (y - 0.5 * pitch - 1.1 * ball) / mm), ha="center", va="center", fontsize=8)
-
-
-def _round(value: float) -> float:
-    """The next smaller of 1, 2, 5, 10, ..."""
-    size = 10.0 ** np.floor(np.log10(value))
-    return float(max(step for step in (1.0, 2.0, 5.0) if step * size <= value * (1.0 + 1e-12)) * size)

@@ -3,31 +3,15 @@
 from __future__ import annotations
 
 from math import pi
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.material import Material, material_errors
+from qsbearing.material import material_errors
 from qsbearing.scene.case_axes import clash_errors, shapes_of
 from qsbearing.units import mm
 from qsbearing.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
-
-
-class BallBearing(Protocol):
-    """What is looked at of a `qsbearing.scene.bearing.BallBearing`, which asks for its errors when it is made."""
-
-    @property
-    def ball_count(self) -> ArrayLike: ...
-    @property
-    def free_contact_angle(self) -> ArrayLike: ...
-    @property
-    def radial_interference(self) -> ArrayLike: ...
-    @property
-    def ball_material(self) -> Material: ...
-    @property
-    def ring_material(self) -> Material: ...
-
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)
@@ -62,8 +46,8 @@ def clearance_errors(diametral_clearance: ArrayLike, groove_centre_distance: NDA
     return [ErrorDetail(field, problem, found, LENGTH, (0.0, limit), unit_mistake(found, LENGTH, 0.0, limit), bad)]
 
 
-def bearing_errors(bearing: BallBearing) -> list[ErrorDetail]:
-    """Every error of a bearing: single fields first, then what the fields say together."""
+def bearing_errors(bearing: Any) -> list[ErrorDetail]:
+    """Every error of a `BallBearing`: single fields first, then what the fields say together."""
     clashes = clash_errors(shapes_of([("bearing", bearing)]))
     if clashes:
         return clashes
@@ -95,7 +79,7 @@ def bearing_errors(bearing: BallBearing) -> list[ErrorDetail]:
     return errors
 
 
-def _interference_errors(bearing: BallBearing, errors: list[ErrorDetail]) -> list[ErrorDetail]:
+def _interference_errors(bearing: Any, errors: list[ErrorDetail]) -> list[ErrorDetail]:
     field = "bearing.radial_interference"
     wrong = within(field, bearing.radial_interference, LENGTH, 0.0, 1e-2)
     if wrong or errors:

@@ -9,13 +9,13 @@ inner spacer is longer than the outer, the inner rings are further apart than th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.effects import RingEffect, RingExpansion
-from qsbearing.sets.shaft import REFERENCE_TEMPERATURE, Housing, Shaft, Spacer
+from qsbearing.effects import RingExpansion
+from qsbearing.sets.shaft import REFERENCE_TEMPERATURE, Spacer
 
 SHAFT, HOUSING = 0, 1
 """Bodies that bearings are on and in."""
@@ -23,26 +23,10 @@ SIDES = ("inner", "outer")
 BODIES = ("shaft", "housing")
 
 
-class BearingSet(Protocol):
-    """What is read here of a set, which lies above: it hands on what is found."""
-
-    @property
-    def rows(self) -> Sequence[Any]: ...
-    @property
-    def shaft(self) -> Shaft | None: ...
-    @property
-    def housing(self) -> Housing | None: ...
-    @property
-    def spacers(self) -> tuple[Spacer, ...]: ...
-    @property
-    def reference(self) -> NDArray: ...
-    def effects_of(self, row: Any) -> tuple[RingEffect, ...]: ...
-
-
 class Growth:
-    """By how much heat and spacers move places in +x on the shaft or in the housing of a set."""
+    """By how much heat and spacers move places in +x on the shaft or in the housing of a `BearingSet`."""
 
-    def __init__(self, of: BearingSet, body: int) -> None:
+    def __init__(self, of: Any, body: int) -> None:
         self._of, self._body, self._reference = of, body, of.reference
         expansions = [expansion(of, row) for row in of.rows]
         self._rings_grow = any(each is not None for each in expansions)
@@ -110,7 +94,7 @@ class Growth:
         return np.asarray((between * (np.clip(place, low, high) - np.clip(reference, low, high))).sum(axis=0))
 
 
-def seat_strains(of: BearingSet, row: Any) -> tuple[Any, Any]:
+def seat_strains(of: Any, row: Any) -> tuple[Any, Any]:
     """alpha dT of shaft and housing at a row."""
     rings = expansion(of, row)
     shaft, housing = (0.0, 0.0) if rings is None else rings.seat_strains(row.bearing)
@@ -121,6 +105,6 @@ def seat_strains(of: BearingSet, row: Any) -> tuple[Any, Any]:
     return shaft, housing
 
 
-def expansion(of: BearingSet, row: Any) -> RingExpansion | None:
+def expansion(of: Any, row: Any) -> RingExpansion | None:
     """The effect, where the row or the set names it."""
     return next((effect for effect in of.effects_of(row) if isinstance(effect, RingExpansion)), None)

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.sets.beam import rigid_motion
 from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.elastic_shaft import Ground, Places, to_row
+from qsbearing.sets.elastic_shaft import Places, Structure, to_row
 
 
 @dataclass(frozen=True)
@@ -50,14 +50,14 @@ class Deflection:
     """
 
     def __init__(
-        self, of: BearingSet, shape: tuple[int, ...], ground: Ground, q: NDArray, row_loads: NDArray,
+        self, of: BearingSet, shape: tuple[int, ...], structure: Structure, q: NDArray, row_loads: NDArray,
         reference_load: NDArray,
     ) -> None:  # fmt: skip
-        self.places, self.ground, self.q = Places(of, shape), ground, q
+        self.places, self.structure, self.q = Places(of, shape), structure, q
         self.turned = np.stack([to_row(of, number, self.places.count) for number in range(len(of.rows))])
         self.rows = -np.einsum("rkji,rkj->kri", self.turned, row_loads)
         """Forces of rows; shape (case, row, 5)."""
-        moved = np.einsum("skij,kj->ski", ground.supports, q)
+        moved = np.einsum("skij,kj->ski", structure.supports, q)
         self.supports = -np.einsum("sij,skj->ksi", self._springs, moved)
         """Forces of supports; shape (case, support, 5)."""
         at = (self.places.masters, self.places.loaded, np.zeros((1, 1)))
@@ -95,7 +95,7 @@ class Deflection:
             tangent: of the set over its unknowns, of which these are free.
             rows: stiffness of each; shape (row, case, 5, 5).
         """
-        places, ground = self.places, self.ground
+        places, structure = self.places, self.structure
         arm = places.arms([position])
         own = self._cases(places.flexibility(arm, arm)[:, 0, 0])
         to_masters = places.flexibility(places.masters, arm)[:, :, 0].swapaxes(0, 1)
@@ -105,13 +105,13 @@ class Deflection:
         springs = self._springs[:, None]
         side = np.zeros((places.count, tangent.shape[1], 5))
         side[:, :5] = rigid_motion(arm)[:, 0].swapaxes(1, 2)
-        side -= (ground.matrices.swapaxes(2, 3) @ rows @ straight).sum(axis=0)
-        side -= (ground.supports.swapaxes(2, 3) @ springs @ held).sum(axis=0)
+        side -= (structure.matrices.swapaxes(2, 3) @ rows @ straight).sum(axis=0)
+        side -= (structure.supports.swapaxes(2, 3) @ springs @ held).sum(axis=0)
         moved = np.zeros_like(side)
         moved[:, free] = solve_known(tangent[:, free][..., free], side[:, free])
-        pressed = ground.matrices @ moved + straight
+        pressed = structure.matrices @ moved + straight
         loads = rows @ pressed
-        sunk = ground.supports @ moved + held
+        sunk = structure.supports @ moved + held
         forces = np.concatenate([-self.turned.swapaxes(2, 3) @ loads, -springs @ sunk])
         back = places.flexibility(arm, places.masters)[:, 0].swapaxes(0, 1)
         total = rigid_motion(arm)[:, 0] @ moved[:, :5] + (back @ forces).sum(axis=0) + own

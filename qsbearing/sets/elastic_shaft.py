@@ -36,8 +36,8 @@ START_DEFLECTION = 1e-3
 
 
 @dataclass
-class Ground:
-    """What the rows of a set stand on, over its flattened cases; unknowns as in `Stretch`."""
+class Structure:
+    """Shaft, housings and supports around the rows of a set, over its flattened cases; unknowns as in `Stretch`."""
 
     matrices: NDArray
     """G of each row; shape (row, case, 5, unknown)."""
@@ -70,8 +70,8 @@ class Ground:
         return [i for own, unknowns in self.planes if own == plane for i in range(unknowns.start, unknowns.stop)]
 
 
-def ground_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Ground:
-    """The ground of a set's rows.
+def structure_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Structure:
+    """That of a set.
 
     Args:
         length: makes tilts lengths; shape (case,) [m].
@@ -82,10 +82,10 @@ def ground_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Ground
         springs[:, number] = np.broadcast_to(np.asarray(group.spring, float), shape).reshape(-1)
     if of.shaft is None and all(row.housing_stiffness is None for row in of.rows):
         none = np.zeros((0, rigid.shape[-1], rigid.shape[-1]))
-        return Ground(rigid, none, springs, (), rigid.shape[-1], rigid.shape[-1])
-    ground = _elastic(of, shape, rigid, length)
-    ground.load[:, : springs.shape[1]] += springs
-    return ground
+        return Structure(rigid, none, springs, (), rigid.shape[-1], rigid.shape[-1])
+    structure = _elastic(of, shape, rigid, length)
+    structure.load[:, : springs.shape[1]] += springs
+    return structure
 
 
 class Places:
@@ -151,7 +151,7 @@ def to_row(of: BearingSet, number: int, cases: int) -> NDArray:
     return out
 
 
-def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDArray) -> Ground:
+def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDArray) -> Structure:
     places = Places(of, shape)
     count, first = places.count, rigid.shape[-1]
     flexible = places.own_flexibility()
@@ -188,7 +188,7 @@ def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDA
     load = np.zeros((count, total))
     if places.loads:
         load[:, :5] = np.einsum("klji,klj->ki", rigid_motion(places.loaded), forces)
-    return Ground(matrices, elasticity, load, tuple(planes), rigid.shape[-1], first, supports)
+    return Structure(matrices, elasticity, load, tuple(planes), rigid.shape[-1], first, supports)
 
 
 def _couples(compliance: NDArray) -> bool:

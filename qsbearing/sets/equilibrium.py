@@ -62,7 +62,9 @@ class Stretch:
     speed_factor: NDArray
     load_factor: NDArray
     fault: NDArray
-    """The row that was refused by its own solve where the last step was; -1: none; shape (case,)."""
+    """The row that its own solve did not solve where the last step was; -1: none; shape (case,)."""
+    tried: NDArray
+    """Where that was; shape (case, unknown)."""
     solved: NDArray
     """Which cases are solved directly."""
     refused: dict[int, NDArray] = field(default_factory=dict)
@@ -108,15 +110,21 @@ class Stretch:
         total = np.asarray(sum(matrix.swapaxes(1, 2) @ own @ matrix for matrix, own in parts))
         return total + self.elasticity[which] if self.elasticity.size else total
 
-    def solve_rows(self, q: NDArray, which: NDArray) -> tuple[list[Found], NDArray]:
-        """All rows at this displacement: (what is found, where all are solved); none after one that is not."""
+    def solve_rows(self, q: NDArray, which: NDArray, is_trial: bool = False) -> tuple[list[Found], NDArray]:
+        """All rows at this displacement: (what is found, where all are solved); none after one that is not.
+
+        Args:
+            is_trial: give up a row that its first method does not solve: to find out why takes most of the time, and a
+                shorter step needs no reason.
+        """
         every, good = [], np.ones(which.size, bool)
         for number, row in enumerate(self.rows):
             found, left = row.found.part(which), np.flatnonzero(good)
-            new, solved = row.solve(q[left], which[left], self.tolerance, self.speed_factor[which[left]])
+            new, solved = row.solve(q[left], which[left], self.tolerance, self.speed_factor[which[left]], is_trial)
             found.put(left, new)
             for k in left[~solved]:
                 self.fault[which[k]], self.refused[int(which[k])] = number, found.results[k].copy()
+                self.tried[which[k]] = q[k]
             good[left[~solved]] = False
             every.append(found)
         return every, good
@@ -171,7 +179,7 @@ def _take(
 ) -> tuple[NDArray, NDArray, NDArray]:
     """Take each step, or the longest part of it, by halves, that lessens the imbalance; cases without one are left.
 
-    By quarters where some row has no equilibrium: to find that out takes longest.
+    By quarters where some row is not solved.
     """
     size, fraction = np.linalg.norm(imbalance, axis=1), np.ones(which.size)
     left = np.arange(which.size)
@@ -179,7 +187,7 @@ def _take(
     while left.size:
         cases = which[left]
         q = s.q[cases] + fraction[left, None] * step[left] / s.scale(cases)
-        found, good = s.solve_rows(q, cases)
+        found, good = s.solve_rows(q, cases, is_trial=True)
         new, relative = s.imbalance(cases, q, found)
         # The limit of rounding: an imbalance as small as any may stay as it is.
         better = good & ((np.linalg.norm(new, axis=1) < size[left]) | (relative <= STALLED))
@@ -216,9 +224,17 @@ def follow(s: Stretch, which: NDArray) -> tuple[NDArray, NDArray]:
             row.found.put(active[back], old.part(back))
         finished = reached[active] >= 1.0
         done.append(active[finished])
+        ended = active[~finished & (part[active] < LEAST_PART)]
+        _explain(s, ended[s.fault[ended] >= 0])
         active = active[~finished & (part[active] >= LEAST_PART)]
     s.load_factor[which] = s.speed_factor[which] = 1.0
     return np.sort(np.concatenate(done)), reached
+
+
+def _explain(s: Stretch, which: NDArray) -> None:
+    """Why the last row of these cases that was not solved is not: by all that a row's own solve can find out."""
+    s.fault[which] = -1
+    s.solve_rows(s.tried[which], which)
 
 
 def is_beyond_spring(s: Stretch, which: NDArray) -> NDArray:

@@ -14,7 +14,7 @@ from qsbearing.kernel.case import OWN_BALL
 from qsbearing.scene.operation import CHANNELS, TURNING, Operation
 from qsbearing.sets.bearing_set import BearingSet, Row
 from qsbearing.sets.direct import solve_directly
-from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, ground_of
+from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
 from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
@@ -47,8 +47,8 @@ class Problem:
         warm = (of.offset_in_operation(row, offset) for row, offset in zip(of.rows, offsets, strict=True))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self._lever = 0.5 * np.mean(self._of_rows(lambda row: row.bearing.pitch_diameter), axis=0)
-        self.ground = ground_of(of, self.shape, self._lever)
-        self.matrices = self.ground.matrices
+        self.structure = structure_of(of, self.shape, self._lever)
+        self.matrices = self.structure.matrices
         self.outcome = Outcome.of(self.count, *self.matrices.shape[::3])
         size = max(maker.position_size for maker in self.makers.values())
         balls = max(maker.ball_axis for maker in self.makers.values())
@@ -68,10 +68,10 @@ class Problem:
 
     def _set_unknowns(self, spring: Any) -> None:
         """Loads, and which unknowns have their values given or vanish by symmetry."""
-        self._load, self._place = self.ground.load.copy(), np.zeros_like(self.ground.load)
+        self._load, self._place = self.structure.load.copy(), np.zeros_like(self.structure.load)
         self._held = np.zeros(self._load.shape, bool)
-        self._held[:, self.ground.given :] = True
-        self._place[:, self.ground.given :] = 1.0
+        self._held[:, self.structure.given :] = True
+        self._place[:, self.structure.given :] = 1.0
         for i, channel in enumerate(CHANNELS):
             load = getattr(self.of.operation, channel.load)
             displacement = getattr(self.of.operation, channel.displacement)
@@ -85,12 +85,13 @@ class Problem:
             self._load[:, SLIDE] = self._flat(spring)
         given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
-        skew = self._has_unequal_balls | self.ground.bends_askew
-        out_of_xy, out_of_xz = out_of_xy | skew | self.ground.bends_in(2), out_of_xz | skew | self.ground.bends_in(1)
+        around = self.structure
+        skew = self._has_unequal_balls | around.bends_askew
+        out_of_xy, out_of_xz = out_of_xy | skew | around.bends_in(2), out_of_xz | skew | around.bends_in(1)
         is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
         for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
-            self._held[:, [*PLANES[plane], *self.ground.unknowns_in(plane)]] |= vanish[:, None]
+            self._held[:, [*PLANES[plane], *self.structure.unknowns_in(plane)]] |= vanish[:, None]
 
     @property
     def _has_unequal_balls(self) -> NDArray:
@@ -122,9 +123,10 @@ class Problem:
         ]
         o = self.outcome
         s = Stretch(
-            rows, self._load[part], self._held[part], self._begin(cases, part), self.ground.elasticity[part],
-            self.ground.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
-            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1), np.zeros(count, bool),
+            rows, self._load[part], self._held[part], self._begin(cases, part), self.structure.elasticity[part],
+            self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
+            np.zeros_like(o.q[part]), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)
@@ -156,9 +158,9 @@ class Problem:
         """Values of what is held, and a start of the rest: where loads of the shaft bend it, on rows as stiff as balls
         are at a small deflection, so that no row starts far from its equilibrium."""
         place = self._place[part].copy()
-        if self.ground.given == place.shape[1]:
+        if self.structure.given == place.shape[1]:
             return place
-        held, matrix = self._held[part], self.ground.elasticity[part].copy()
+        held, matrix = self._held[part], self.structure.elasticity[part].copy()
         for own, of_row in zip(self.matrices[:, part], cases, strict=True):
             contact = of_row["series_stiffness"] * of_row["force"] / of_row["length"]
             stiffness = 0.5 * of_row["ball_count"] * contact * START_DEFLECTION**0.5
@@ -168,7 +170,7 @@ class Problem:
             matrix += np.einsum("kia,ki,kib->kab", own, springs, own)
         force = self._load[part] - np.einsum("kij,kj->ki", matrix, np.where(held, place, 0.0))
         held = held.copy()
-        held[:, [0, *range(SLIDE, self.ground.rigid), *self.ground.unknowns_in(0)]] = True
+        held[:, [0, *range(SLIDE, self.structure.rigid), *self.structure.unknowns_in(0)]] = True
         matrix[held[:, :, None] | held[:, None, :]] = 0.0
         matrix[:, range(place.shape[1]), range(place.shape[1])] += np.where(held, 1.0, 0.0)
         return place + np.linalg.solve(matrix, np.where(held, 0.0, force)[..., None])[..., 0]

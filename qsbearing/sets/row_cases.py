@@ -75,7 +75,9 @@ class RowCases:
         moved[:, :3] /= length[:, None]
         self.cases["prescribed"][which] = moved
 
-    def solve(self, q: NDArray, which: NDArray, tolerance: float, speed_factor: NDArray) -> tuple[Found, NDArray]:
+    def solve(
+        self, q: NDArray, which: NDArray, tolerance: float, speed_factor: NDArray, is_trial: bool
+    ) -> tuple[Found, NDArray]:
         """These cases at this displacement of the shaft, from where they were: (what is found, which are solved)."""
         self.prescribe(q, which)
         cases, found = self.cases[which], self.found.part(which)
@@ -86,7 +88,7 @@ class RowCases:
             some = np.flatnonzero(known == is_warm)
             if some.size:
                 own = self.own[which][some]
-                found.put(some, _solved(cases[some], self.balls, own, tolerance, is_warm, found.part(some)))
+                found.put(some, _solved(cases[some], self.balls, own, tolerance, is_warm, found.part(some), is_trial))
         return found, found.results["status"] == CONVERGED
 
     def least_load(self, which: NDArray) -> NDArray:
@@ -110,11 +112,13 @@ class RowCases:
         return out
 
 
-def _solved(cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, found: Found) -> Found:
+def _solved(
+    cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, found: Found, is_trial: bool
+) -> Found:
     given = (cases, *working_memory(balls), own, tolerance, is_warm, *found)
     solve_cases(*given)
     unfinished = np.flatnonzero(found.results["status"] == UNFINISHED)
-    if unfinished.size:
+    if unfinished.size and not is_trial:
         from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
         solve_unfinished(unfinished, *given)

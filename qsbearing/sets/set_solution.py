@@ -19,7 +19,7 @@ from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.deflection import Deflection, ShaftPoint, solve_known
-from qsbearing.sets.elastic_shaft import Ground
+from qsbearing.sets.elastic_shaft import Structure
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
 from qsbearing.solution import preload_state
@@ -52,7 +52,7 @@ class SetSolution(Plotted):
         of: BearingSet,
         shape: tuple[int, ...],
         row_solution: Callable[[int], Solution],
-        ground: Ground,
+        structure: Structure,
         outcome: Outcome,
         sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
@@ -61,7 +61,7 @@ class SetSolution(Plotted):
         self.set = of
         self.shape = shape
         self._row_solution = row_solution
-        self._ground = ground
+        self._structure = structure
         self._outcome = outcome
         self._sides = sides
         self._unloaded = unloaded
@@ -70,11 +70,11 @@ class SetSolution(Plotted):
         self.thermal: ThermalState | None = None
         """As `Solution.thermal`."""
 
-    def withdraw(self, cases: NDArray, code: int) -> None:
-        """As `Solution.withdraw`."""
+    def mark_unsolved(self, cases: NDArray, code: int) -> None:
+        """As `Solution.mark_unsolved`."""
         self._outcome.status[np.reshape(cases, -1)] = code
         for row in self.rows:
-            row.withdraw(cases, code)
+            row.mark_unsolved(cases, code)
 
     @cached_property
     def rows(self) -> tuple[Solution, ...]:
@@ -194,7 +194,7 @@ class SetSolution(Plotted):
         shape (*cases, row, 5) [N, N m]."""
         parts = [
             np.einsum("kij,ki->kj", matrix, row.load.reshape(-1, 5))[:, :5]
-            for matrix, row in zip(self._ground.matrices, self.rows, strict=True)
+            for matrix, row in zip(self._structure.matrices, self.rows, strict=True)
         ]
         return np.asarray(self._shaped(self._known(np.stack(parts, axis=1)), len(parts), 5))
 
@@ -202,9 +202,9 @@ class SetSolution(Plotted):
     def load(self) -> NDArray:
         """On the shaft at the reference position: what was prescribed, or the reaction to a prescribed displacement;
         shape (*cases, 5). Loads of the shaft's own, elsewhere, are not in it."""
-        beside = -self._ground.load[:, :5]
-        if self._ground.elasticity.size:
-            beside = beside + np.einsum("kij,kj->ki", self._ground.elasticity[:, :5], self._outcome.q)
+        beside = -self._structure.load[:, :5]
+        if self._structure.elasticity.size:
+            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self._outcome.q)
         load = self.row_loads.sum(axis=-2) + self._shaped(beside, 5)
         for i, channel in enumerate(CHANNELS):
             given = getattr(self.set.operation, channel.load)
@@ -237,18 +237,18 @@ class SetSolution(Plotted):
         """Over all unknowns of the flattened cases."""
         parts = [
             matrix.swapaxes(1, 2) @ row.stiffness.reshape(-1, 5, 5) @ matrix
-            for matrix, row in zip(self._ground.matrices, self.rows, strict=True)
+            for matrix, row in zip(self._structure.matrices, self.rows, strict=True)
         ]
         total = np.asarray(sum(parts))
-        if self._ground.elasticity.size:
-            total = total + self._ground.elasticity
+        if self._structure.elasticity.size:
+            total = total + self._structure.elasticity
         total[~np.reshape(self.control_is_consistent, -1)] = np.nan
         return total
 
     @cached_property
     def _deflection(self) -> Deflection:
         loads = np.stack([row.load.reshape(-1, 5) for row in self.rows])
-        return Deflection(self.set, self.shape, self._ground, self._outcome.q, loads, self.load.reshape(-1, 5))
+        return Deflection(self.set, self.shape, self._structure, self._outcome.q, loads, self.load.reshape(-1, 5))
 
     def deflection(self, positions: ArrayLike) -> NDArray:
         """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
@@ -287,7 +287,7 @@ class SetSolution(Plotted):
     @property
     def _followers(self) -> list[int]:
         """Unknowns that go where their equations take them: the slide and what is elastic."""
-        return [*([] if self.slide is None else [SLIDE]), *range(UNKNOWNS, self._ground.given)]
+        return [*([] if self.slide is None else [SLIDE]), *range(UNKNOWNS, self._structure.given)]
 
     @property
     def locked_stiffness(self) -> NDArray:

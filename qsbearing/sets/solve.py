@@ -71,7 +71,7 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
 
     seconds = time.perf_counter() - began
     return SetSolution(
-        of, problem.shape, problem.row_solution, problem.ground, problem.outcome, sides, unloaded, seconds
+        of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.compiled import entry
 from qsbearing.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
 from qsbearing.effects.elastic_ring_errors import Grooves
-from qsbearing.effects.elastic_rings import ElasticRings, folded
+from qsbearing.effects.elastic_rings import ElasticRings, aliased
 from qsbearing.effects.entry import with_found
 from qsbearing.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.effects.hertz_angle import HertzAngle
@@ -307,7 +307,7 @@ class CaseMaker:
         return own
 
     def _fill_compliances(self, cases: NDArray, own: NDArray, rings: ElasticRings, v: dict[str, Any]) -> None:
-        """Compliances of elastic rings, by waves, where the records of as many balls stand."""
+        """Compliances of elastic rings, by wave number, where the records of as many balls stand."""
         inner = groove_centre_radius(
             v["pitch_diameter"], v["inner_groove_radius"], v["ball_diameter"], np.cos(v["free_contact_angle"]),
             v["radial_interference"],
@@ -319,12 +319,12 @@ class CaseMaker:
         is_symmetric = self.scene.bearing.kind is BearingKind.DEEP_GROOVE
         grooves = Grooves(*bottoms, *radii, is_symmetric, v["ring_elastic_modulus"], v["ring_poisson_ratio"])
         given = {name: v[f"{rings.name}.{name}"] for name in rings.numbers}
-        waves = min(MOST_WAVES + 1, self.ball_axis)
+        wave_numbers = min(MOST_WAVES + 1, self.ball_axis)
         for side, compliance in zip(("inner", "outer"), with_found(rings, given).compliances(grooves), strict=True):
             own[f"{side}_compliance"] = 0.0
             if compliance is not None:
                 by_harmonic = np.broadcast_to(
                     compliance.by_load.reshape(len(compliance.by_load), -1), (len(compliance.by_load), cases.size)
                 )
-                by_wave = folded(by_harmonic * cases["force"] / cases["length"], cases["ball_count"], waves)
-                own[f"{side}_compliance"][:, :waves] = by_wave
+                by_wave = aliased(by_harmonic * cases["force"] / cases["length"], cases["ball_count"], wave_numbers)
+                own[f"{side}_compliance"][:, :wave_numbers] = by_wave

@@ -55,13 +55,13 @@ def shape_of(solution: Solution, side: str) -> RingShape | None:
     number, compliance = _compliance(solution, side)
     if compliance is None:
         return None
-    waves = _waves(solution, radial_loads(solution)[number])
-    amplitude = _by_case(compliance.by_load, waves)
+    sums = _fourier_sums(solution, radial_loads(solution)[number])
+    amplitude = _by_case(compliance.by_load, sums)
     moved = _around(amplitude)
     solved = np.where(solution.converged, 1.0, np.nan)
     pressures: tuple[Any, Any, Any] = (None, None, None)
     if compliance.seat is not None:
-        harmonics = _by_case(compliance.seat, waves)
+        harmonics = _by_case(compliance.seat, sums)
         pressure = _around(harmonics)
         pressures = (
             harmonics[..., 0].real * solved,
@@ -86,7 +86,7 @@ def groove_shape(solution: Solution, side: str, azimuth: NDArray) -> NDArray:
     number, compliance = _compliance(solution, side)
     if compliance is None:
         return np.zeros((*solution.shape, azimuth.size))
-    return _around(_by_case(compliance.by_load, _waves(solution, radial_loads(solution)[number])), azimuth)
+    return _around(_by_case(compliance.by_load, _fourier_sums(solution, radial_loads(solution)[number])), azimuth)
 
 
 def _compliance(solution: Solution, side: str) -> tuple[int, RingCompliance | None]:
@@ -94,16 +94,16 @@ def _compliance(solution: Solution, side: str) -> tuple[int, RingCompliance | No
     return number, None if rings is None else rings.compliances(grooves_of(solution.scene.operating_bearing))[number]
 
 
-def _waves(solution: Solution, load: NDArray) -> NDArray:
+def _fourier_sums(solution: Solution, load: NDArray) -> NDArray:
     """Sum of F exp(i n psi) over the balls, (*cases, harmonic)."""
     n = np.arange(MOST_HARMONICS + 1)
     turned = np.exp(1j * n * np.nan_to_num(solution.azimuth)[..., None])
     return np.asarray((load[..., None] * turned).sum(axis=-2))
 
 
-def _by_case(by_harmonic: NDArray, waves: NDArray) -> NDArray:
+def _by_case(by_harmonic: NDArray, sums: NDArray) -> NDArray:
     """Amplitudes (*cases, harmonic) of a linear answer by harmonic, whose first axis is the harmonic."""
-    return np.moveaxis(by_harmonic, 0, -1) * waves
+    return np.moveaxis(by_harmonic, 0, -1) * sums
 
 
 def _around(amplitude: NDArray, azimuth: NDArray = AROUND) -> NDArray:

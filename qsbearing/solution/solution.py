@@ -105,7 +105,7 @@ class Solution(Plotted):
         self.thermal: ThermalState | None = None
         """Temperatures and heats, where the scene asks for its steady state."""
 
-    def withdraw(self, cases: NDArray, code: int) -> None:
+    def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
 
         Args:

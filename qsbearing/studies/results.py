@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing import quantities
 from qsbearing.readings.asked import READINGS, all_values, by_short_name, take_asked
+from qsbearing.readings.entry import Reading
 from qsbearing.result_keys import attributes, split
 from qsbearing.sets.set_quantities import SetQuantity, set_quantities
 from qsbearing.sets.set_solution import SetSolution
@@ -71,8 +73,13 @@ def reading_of(name: str) -> str | None:
 
 def _of_readings() -> dict[str, tuple[str, dict[str, str]]]:
     """Of each result that a reading gives, the reading and what datasets say of the result."""
+    return _of_entries(tuple(READINGS.items()))
+
+
+@lru_cache(maxsize=1)  # asked for each result of a dataset
+def _of_entries(entries: tuple[tuple[str, Reading], ...]) -> dict[str, tuple[str, dict[str, str]]]:
     found = {}
-    for reading, entry in READINGS.items():
+    for reading, entry in entries:
         for side, shown, _ in entry.shown() if entry.table is not None else ():  # a spectrum is asked for by its points
             name, unit = split(entry.column(side, shown))
             words = ", ".join(filter(None, (shown.plain_name, side)))
@@ -82,13 +89,17 @@ def _of_readings() -> dict[str, tuple[str, dict[str, str]]]:
 
 def attributes_of(result: Result) -> dict[str, str]:
     """What a dataset says of a result: unit, words, symbol and source."""
-    known = {name: each.attributes for name, each in quantities.ALL.items()}
-    known |= {name: each for name, (_, each) in _of_readings().items()}
+    of_readings = _of_readings()
     name, words = result.name, ""
     stem, _, ending = name.rpartition("_")
-    if name not in known and ending in OVER_BALLS:
+    if name not in quantities.ALL and name not in of_readings and ending in OVER_BALLS:
         name, words = stem, f", {'largest' if ending == 'max' else 'smallest'}"
-    found = known.get(name) or attributes(result.unit, name.replace("_", " "), "", "")
+    if name in of_readings:
+        found = of_readings[name][1]
+    elif name in quantities.ALL:
+        found = quantities.ALL[name].attributes
+    else:
+        found = attributes(result.unit, name.replace("_", " "), "", "")
     return found | {"long_name": found["long_name"] + words}
 
 

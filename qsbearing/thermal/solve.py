@@ -48,13 +48,13 @@ def at_steady_temperatures(system: HotSystem) -> Any:
             steady = find_steady(heated, curve.crossing.powers)
             good = _is_stable(steady)
         verdict = np.asarray(Verdict.STABLE if good else _verdict_of(curve))
-    solution, balance, withdrawn = steady.solution, heated.balance, ~good
+    solution, balance, without_steady_state = steady.solution, heated.balance, ~good
     if not good.all():
         cold = balance.temperatures(np.where(good, steady.x, 0.0))
         solution, _ = heated.at(cold)
         code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
-        withdrawn = ~good & np.asarray(solution.converged)
-        solution.withdraw(withdrawn, code)
+        without_steady_state = ~good & np.asarray(solution.converged)
+        solution.mark_unsolved(without_steady_state, code)
     temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
     made = np.where(good, steady.powers, np.nan)
     named = balance.named(temperatures)
@@ -66,7 +66,7 @@ def at_steady_temperatures(system: HotSystem) -> Any:
         feedback=np.where(good, feedback(steady.slopes), np.nan),
         free=balance.free,
         verdict=verdict,
-        withdrawn=withdrawn,
+        without_steady_state=without_steady_state,
         solves=heated.solved,
         thermal=system.thermal,
         speed=_speed(system),

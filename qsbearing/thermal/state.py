@@ -107,7 +107,7 @@ class ThermalState:
     """The nodes whose temperatures are found."""
     verdict: NDArray
     """`Verdict` of each case, as its word."""
-    withdrawn: NDArray
+    without_steady_state: NDArray
     """Whether a case has an equilibrium, but counts as not solved for want of a steady state."""
     solves: int
     """States of the bearing or set that were solved for it, of each case."""

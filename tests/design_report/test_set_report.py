@@ -228,7 +228,7 @@ def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeyp
     assert np.max(loads[1]) > factor  # type: ignore[operator]
 
 
-def test_sets_without_a_preload_speed_or_load(tmp_path: Path) -> None:
+def test_sets_without_a_preload_speed_or_load(tmp_path: Path, undrawn: None) -> None:
     rows = PAIR.partition("[operation]")[0]
     tandem = report_of(tmp_path, rows.replace('"-x"', '"+x"') + "[operation]\naxial_load_N = 800\n")
     assert "All rows carry in +x: no row presses another" in tandem.text

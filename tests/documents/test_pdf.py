@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Code, Paragraph
-from qsbearing.documents.pdf import pages, pdf
+from qsbearing.documents.model import Paragraph
+from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, document
 
 pypdf = pytest.importorskip("pypdf")
@@ -57,9 +57,3 @@ def test_a_letter_that_no_font_has_is_said() -> None:
     with pytest.raises(typst.TypstError, match="could not be displayed"):
         pdf(spoilt, strict=True)
     assert pdf(spoilt).startswith(b"%PDF")
-
-
-def test_pages_can_be_looked_at() -> None:
-    found = pages(document(Code("x = 1")), ppi=20)
-    assert len(found) >= 3
-    assert all(page.startswith(b"\x89PNG") for page in found)

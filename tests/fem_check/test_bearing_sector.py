@@ -180,8 +180,9 @@ def test_what_a_free_ring_adds_is_judged_against_elastic_rings(monkeypatch):
             )
 
     judged = list(rows())
-    assert [row.verdict for row in judged] == ["pass"] * 8
-    assert judged[-1].reference > 0.2  # a quarter of the displacement
+    # Light loads at speed: nothing that the displacement allows would tell rings that give way from rigid ones.
+    assert [row.verdict for row in judged] == ["pass", "finding", "pass", "finding", *["pass"] * 4]
+    assert judged[-1].unit == "m" and judged[-1].reference > 15e-6
     real = qsbearing.ElasticRings
     monkeypatch.setattr(qsbearing, "ElasticRings", lambda **given: real(**given | {"outer_width": 0.033}))
     assert {row.verdict for row in list(rows())[4:]} == {"fail"}

@@ -306,7 +306,7 @@ def test_an_error_in_the_compiled_source_is_seen(name: str, tmp_path: Path) -> N
 # --------------------------------------------------------------------------------------------------- pages and command
 
 
-def test_the_page_says_what_the_records_hold(book: Any) -> None:
+def test_the_page_says_what_the_records_hold(book: Any, undrawn: None) -> None:
     """And what documents are wanted."""
     text = Page.of(write_book(book[1]).read_text(encoding="utf-8")).text
     for entry in book[0].values():

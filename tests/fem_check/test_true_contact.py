@@ -54,7 +54,7 @@ def test_what_the_bodies_add_to_both_approaches_is_no_part_of_the_gap_s(bodies):
     exact_gap = [half_spaces | {"approach": half_spaces["approach"] + bodies}] * 3
     solved = true_geometry.Solved(groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, "")
     for name, expected in half_spaces.items():
-        assert solved.ratio(exact_gap, parabola, name)[0] == pytest.approx(expected, rel=1e-12)
+        assert solved.ratio("exact_gap", "parabola", name)[0] == pytest.approx(expected, rel=1e-12)
 
 
 def test_ball_moves_out_at_its_equator_like_an_elastic_sphere(condensed):
@@ -78,6 +78,31 @@ def test_sphere_under_pressure_all_round():
     pressure = 2.0 * forces.sum() / (4.0 * np.pi * 0.01**2)
     found = references.pressed_sphere(cosines, forces, 0.01, STEEL)
     assert found == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
+
+
+def test_a_sphere_s_equator_changes_smoothly_with_the_patch_that_presses_it():
+    """Far from a patch only its moments count, so per force the displacement is a polynomial in its size squared."""
+    across = np.linspace(-1.0, 1.0, 2001)[1:-1]
+    forces = np.sqrt(1.0 - across**2) / np.sqrt(1.0 - across**2).sum()
+    sizes = np.linspace(0.1, 0.2, 41)
+    moved = [references.pressed_sphere(size * across, forces, 0.01, STEEL) for size in sizes]
+    smooth = np.polyval(np.polyfit(sizes**2, moved, 2), sizes**2)
+    np.testing.assert_allclose(moved, smooth, rtol=1e-4)
+
+
+def test_scatter_of_the_approach_is_pooled_over_the_loads():
+    # Meshes of one load that chance has brought together say nothing of their scatter.
+    def solved(*parts):
+        exact_gap = [{"approach": 1.0 + part} for part in parts]
+        return true_geometry.Solved(
+            groove_contact("b218", "inner"), LOAD, [{"approach": 1.0}] * 3, exact_gap, [], [], [], 0, ""
+        )
+
+    together, apart = solved(0.01, 0.01, 0.01), solved(0.0198, 0.0202, 0.02)
+    pooled = replace(together, alike=(together, apart)).ratio("exact_gap", "parabola", "approach")[1]
+    assert together.ratio("exact_gap", "parabola", "approach")[1] == pytest.approx(0.0, abs=1e-15)
+    # Variances 0 and (1 %)^2, each of two degrees of freedom; Student's t of four is 2.776.
+    assert pooled == pytest.approx(0.01 * 2.776 * 0.01 / np.sqrt(2.0), rel=1e-3)
 
 
 def test_normals_that_follow_the_surface_matter(condensed):

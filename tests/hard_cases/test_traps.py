@@ -19,7 +19,13 @@ from tests.hard_cases.scenes import scene_of
 if not COMPILED:
     pytest.skip("starts plain Python by itself", allow_module_level=True)
 
-LONG = {"sixty_balls", "inner_control_beyond_its_end", "a_millionth_of_a_newton", "thrust_reversed_at_speed"}
+LONG = {
+    "sixty_balls",
+    "inner_control_beyond_its_end",
+    "a_millionth_of_a_newton",
+    "thrust_reversed_at_speed",
+    "one_ball_free",
+}
 """Many balls or many iterations: seconds to a minute each in plain Python."""
 NAMES = [case["name"] for case in CASES if case["name"] not in LONG]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
 import json
 import re
@@ -20,7 +21,7 @@ from qsbearing.chooser import comparison as results
 from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
 from qsbearing.effects import EFFECTS, QUANTITIES
-from qsbearing.studies.cost import figures, levels, measuring, output_folder, record, speeds, tables
+from qsbearing.studies.cost import figures, levels, measuring, record, speeds, tables
 from tests.benchmarks import cost as kept
 from tests.benchmarks import random_scenes
 
@@ -28,6 +29,7 @@ from .scenes import CENTRIFUGAL, PER_BALL, resting, solved, turning
 
 COMBINED = {"axial_load": 17_800.0, "radial_load_y": 6_000.0, "moment_z": 0.0}
 LEVEL = {level.name: level for level in levels.LEVELS}
+JUDGED = [name for names in results.GROUPS.values() for name in names]
 
 
 def displaced(scene: qs.Scene) -> qs.Scene:
@@ -74,11 +76,11 @@ def test_every_level_is_finer_than_the_one_before() -> None:
 def test_a_result_has_no_error_against_itself() -> None:
     for scene in random_scenes.batches(5, 4, 3):
         errors = judged(scene, scene)
-        assert set(errors) == set(results.NAMES)
+        assert set(errors) == set(JUDGED)
         assert all(np.all(error == 0.0) for error in errors.values())
 
 
-@pytest.mark.parametrize("name", results.NAMES)
+@pytest.mark.parametrize("name", JUDGED)
 def test_a_changed_result_shows_under_its_own_name_alone(name: str) -> None:
     scene = turning(9000, **COMBINED)
     full = results.read(solved(scene))
@@ -106,7 +108,7 @@ def test_what_has_no_number_is_an_infinite_error() -> None:
     full = results.read(solved(scene))
     lost = {name: np.full_like(array, np.nan) for name, array in full.items()}
     errors = results.errors(lost, full)
-    assert all(np.isinf(errors[name]) for name in results.NAMES)
+    assert all(np.isinf(errors[name]) for name in JUDGED)
 
 
 def test_a_case_that_one_alone_solves_is_an_infinite_error() -> None:
@@ -281,26 +283,6 @@ def test_an_error_of_zero_is_drawn_at_zero_and_the_others_in_their_decades(full_
         assert transform.linthresh <= smallest  # type: ignore[attr-defined]
 
 
-def test_the_folder_is_filled_whole(tmp_path: Path, full_record: dict[str, Any]) -> None:
-    with output_folder.output_folder(str(tmp_path / "new")) as fill:
-        fill(full_record)
-    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(output_folder.FILES)
-    assert json.loads((tmp_path / "new" / "cost.json").read_text()) == full_record
-    for name in figures.PICTURES:
-        assert (tmp_path / "new" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_a_folder_that_is_not_filled_leaves_nothing(tmp_path: Path, full_record: dict[str, Any]) -> None:
-    broken = {key: value for key, value in full_record.items() if key != "errors"}
-    with pytest.raises(KeyError), output_folder.output_folder(str(tmp_path / "new")) as fill:
-        fill(broken)
-    assert list(tmp_path.iterdir()) == []
-    (tmp_path / "old").mkdir()
-    with output_folder.output_folder(str(tmp_path / "old")):
-        pass
-    assert list((tmp_path / "old").iterdir()) == []
-
-
 def call(*arguments: str | Path) -> Result:
     """One command in this process; anything but a clean exit is an error."""
     result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
@@ -308,13 +290,37 @@ def call(*arguments: str | Path) -> Result:
     return result
 
 
+@pytest.fixture
+def measured(monkeypatch: pytest.MonkeyPatch, full_record: dict[str, Any]) -> dict[str, Any]:
+    """A record of `qsbearing cost` that takes no time, and that a test may break."""
+    found = copy.deepcopy(full_record)
+    monkeypatch.setattr(record, "measure", lambda *given: found)
+    return found
+
+
+def test_the_folder_is_filled_whole(tmp_path: Path, measured: dict[str, Any]) -> None:
+    assert call("cost", "b218", "--out", tmp_path / "new").exit_code == 0
+    pictures = [f"{name}.png" for name in figures.PICTURES]
+    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(["cost.json", *pictures])
+    assert json.loads((tmp_path / "new" / "cost.json").read_text()) == measured
+    for name in pictures:
+        assert (tmp_path / "new" / name).read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_folder_that_is_not_filled_keeps_no_file(tmp_path: Path, measured: dict[str, Any]) -> None:
+    del measured["errors"]
+    result = CliRunner().invoke(cli, ["cost", "b218", "--json", "--out", str(tmp_path / "new")])
+    assert isinstance(result.exception, KeyError)
+    assert list((tmp_path / "new").iterdir()) == []
+
+
 def test_a_place_that_cannot_be_filled_is_refused_before_any_work(tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.write_text("mine")
     (tmp_path / "taken" / "cost.json").mkdir(parents=True)
     for target, said in (
-        (tmp_path / "none" / "new", "there is no folder"),
-        (file, "is a file"),
+        (file / "new", "cannot be a folder"),
+        (file, "cannot be a folder"),
         (tmp_path / "taken", "cost.json: is a folder"),
     ):
         result = call("cost", "b218", "--out", target)

@@ -15,6 +15,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.compiled import COMPILED
+from qsbearing.private_folder import fault_of
 
 compiled_and_owned = pytest.mark.skipif(
     not COMPILED or not hasattr(os, "geteuid"),
@@ -127,14 +128,26 @@ def cache_of(probe: Path, cache: Path) -> Path:
     ("opened", "mode"),
     [("above", 0o002), ("root", 0o020), ("kernel", 0o002), ("within", 0o002), ("file", 0o020), ("file", 0o002)],
 )
+def test_a_folder_that_others_may_write_to_is_told(probe: Path, tmp_path: Path, opened: str, mode: int) -> None:
+    cache = cache_of(probe, tmp_path / "above" / "cache")
+    [file] = cache.rglob("*.nbi")
+    places = {"file": file, "within": file.parent, "kernel": file.parent.parent, "root": cache, "above": cache.parent}
+    kernel = places["kernel"]
+    assert [stat.S_IMODE(path.stat().st_mode) for path in (cache, kernel, file.parent)] == [0o700] * 3
+    assert fault_of(kernel) is None
+    place = places[opened]
+    place.chmod(stat.S_IMODE(place.stat().st_mode) | mode)
+    assert fault_of(kernel) == f"{place} is writable by others"
+
+
+@compiled_and_owned
+@pytest.mark.parametrize(("opened", "mode"), [("above", 0o002), ("file", 0o020)])
 def test_nothing_that_others_may_have_written_is_run(probe: Path, tmp_path: Path, opened: str, mode: int) -> None:
     """A crafted pickle in place of a cached index, where others may write: not unpickled, and said in a sentence."""
     cache = cache_of(probe, tmp_path / "above" / "cache")
     [file] = cache.rglob("*.nbi")
-    places = {"file": file, "within": file.parent, "kernel": file.parent.parent, "root": cache, "above": cache.parent}
-    assert [stat.S_IMODE(path.stat().st_mode) for path in (cache, file.parent.parent, file.parent)] == [0o700] * 3
     file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
-    place = places[opened]
+    place = {"file": file, "above": cache.parent}[opened]
     place.chmod(stat.S_IMODE(place.stat().st_mode) | mode)
     done = doubled_once(probe, cache)
     assert not (tmp_path / "made").exists()
@@ -166,13 +179,14 @@ def test_whatever_mode_new_files_have_the_cache_is_its_user_s(probe: Path, tmp_p
 
 @compiled_and_owned
 @pytest.mark.skipif(getattr(os, "geteuid", int)() != 0, reason="only root may give files away")
-@pytest.mark.parametrize("level", [0, 1, 2, 3])
-def test_another_user_s_cache_is_not_read(probe: Path, tmp_path: Path, level: int) -> None:
-    cache = cache_of(probe, tmp_path / "cache")
-    [file] = cache.rglob("*.nbi")
+def test_another_user_s_cache_is_not_read(probe: Path, tmp_path: Path) -> None:
+    for level in range(4):
+        cache = cache_of(probe, tmp_path / str(level) / "cache")
+        [file] = cache.rglob("*.nbi")
+        owned = [file, *file.parents][level]
+        os.chown(owned, 65534, 65534)
+        assert fault_of(file.parent.parent) == f"{owned} is another user's"
     file.write_bytes(pickle.dumps(Crafted(tmp_path / "made")))
-    owned = [file, *file.parents][level]
-    os.chown(owned, 65534, 65534)
     done = doubled_once(probe, cache)
     assert not (tmp_path / "made").exists()
     assert f"{owned} is another user's: remove it" in done.stderr

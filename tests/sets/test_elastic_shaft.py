@@ -133,7 +133,7 @@ def test_rows_carry_what_is_applied(speed: float) -> None:
 def test_each_ring_stands_where_shaft_and_housing_have_it() -> None:
     """Recomputed from the deflection line and each row's own load on its housing."""
     found = qs.solve_set(spindle(SHAFT, housing=qs.HousingStiffness(axial=4e8, radial=6e8, tilt=5e5)))
-    preloaded = [float(each) for each in found._ground.matrices[:, 0, 0, 0]]
+    preloaded = [float(each) for each in found._structure.matrices[:, 0, 0, 0]]
     assert preloaded == [1.0, -1.0, 1.0, -1.0]
     for row, solution in zip(found.set.rows, found.rows, strict=True):
         flip = np.array([row.sign, 1, 1, row.sign, row.sign])
@@ -276,7 +276,7 @@ def test_without_a_shaft_nothing_of_it_is_evaluated(monkeypatch: pytest.MonkeyPa
         monkeypatch.setattr(elastic_shaft, name, never)
     found = qs.solve_set(spindle(None))
     assert found.converged
-    assert found._ground.elasticity.size == 0
+    assert found._structure.elasticity.size == 0
 
 
 def test_every_error_of_a_shaft_is_named_at_once() -> None:

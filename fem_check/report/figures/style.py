@@ -30,7 +30,7 @@ def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a
     pressed = values > 0.0
     known, square = np.column_stack([x / a, y / b])[pressed], (values[pressed] / values.max()) ** 2
     smooth = RBFInterpolator(known, square, kernel="thin_plate_spline", degree=2, smoothing=0.02 * len(known))
-    u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 241), np.linspace(-1.12, 1.12, 161)))
+    u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 121), np.linspace(-1.12, 1.12, 81)))
     shown = values.max() * np.sqrt(np.clip(smooth(np.column_stack([u, v])), 0.0, None))
     levels = np.linspace(0.02, 1.02, 51) * values.max()  # without pressure no colour
     return axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)
