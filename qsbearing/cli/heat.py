@@ -69,9 +69,11 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         if plot is not None:
             from qsbearing.scene.scene import Scene
 
-            is_one = isinstance(loaded, Scene)
-            title = loaded.bearing.name if is_one else f"{loaded.name or 'Set'}, {loaded.arrangement}"
-            write_files(writers, {"--plot": lambda: _picture(found, state, title or "", plot)})
+            if isinstance(loaded, Scene):
+                title = loaded.bearing.name or "Ball bearing"
+            else:
+                title = f"{loaded.name or 'Set'}, {loaded.arrangement}"
+            write_files(writers, {"--plot": lambda: _picture(found, state, title, plot)})
     if not solution.converged:
         sys.exit(UNSOLVED)
 
