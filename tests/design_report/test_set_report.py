@@ -263,8 +263,13 @@ def test_the_input_has_points_the_matrix_of_a_housing_and_the_numbers_of_the_hea
     soft = qs.HousingStiffness(matrix=np.diag([1e9, 2e9, 3e9, 4e5, 5e5]))
     shaft = qs.Shaft((qs.ShaftSection(length=0.3, outer_diameter=0.05),), start=-0.09, points={"tool": -0.08})
     of = replace(pair, rows=(replace(pair.rows[0], housing_stiffness=soft), pair.rows[1]), shaft=shaft)
-    between = Conductance(("inner_ring", "ambient"), 2.5, row=2)
-    heat = Thermal((between,), fixed={"ambient": 22.0 + qs.zero_celsius}, ring_width=0.02, friction="skf")
+    between = (("inner_ring", "ambient"), ("inner_ring", "balls"), ("balls", "outer_ring"))
+    heat = Thermal(
+        tuple(Conductance(each, 2.5, row=2) for each in between),
+        fixed={"ambient": 22.0 + qs.zero_celsius},
+        ring_width=0.02,
+        friction="skf",
+    )
     (table,) = (each for each in set_inputs.section(of, "", heat).blocks if isinstance(each, Table) and each.stack)
     lines = {str(row[0]): tuple(row[1:3]) for row in table.rows if not isinstance(row, Group)}
     assert lines["tool_mm"] == ("-80", "mm")
