@@ -39,7 +39,6 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
 
     Exit codes: 0 a steady state, 1 none, or no equilibrium, 2 bad input.
     """
-    from qsbearing.scene.scene import Scene
     from qsbearing.validation import SceneError
 
     if start is not None and transient is None:
@@ -49,13 +48,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         loaded = load_one(scene)
         if loaded.thermal is None:
             refuse(f"{scene}: has no table [thermal]; `qsbearing guide heat` shows one")
-        if isinstance(loaded, Scene):
-            solution: Any = solve(loaded)
-        else:
-            from qsbearing.sets.solve import solve_set
-
-            with solving(loaded):
-                solution = solve_set(loaded)
+        solution = solve(loaded)
         state: ThermalState = solution.thermal
         from qsbearing.io.json_record import how_it_ended, thermal
         from qsbearing.io.thermal_report import course_record, speeds_record

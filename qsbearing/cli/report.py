@@ -7,13 +7,13 @@ import re
 import shlex
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
 import click
 
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
-from qsbearing.cli.scene import load_one, solve, solving
+from qsbearing.cli.scene import load_one, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -90,24 +90,14 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
     from qsbearing.messages import message
     from qsbearing.scene.scene import Scene
 
-    if not isinstance(asked, Scene):
-        from qsbearing.sets.solve import solve_set
-
-        with solving(asked):
-            solved = solve_set(asked)
-        if not solved.converged:
-            _end(message(solved))
-        from qsbearing.design_report import set_document
-
-        return lambda: set_document.document(solved, source, command)
     solution = solve(asked)
     if not solution.converged:
-        _end(message(solution))
-    from qsbearing.design_report.document import document
+        note(message(solution))
+        sys.exit(UNSOLVED)
+    if isinstance(asked, Scene):
+        from qsbearing.design_report.document import document
 
-    return lambda: document(solution, asked, source, command)
+        return lambda: document(solution, asked, source, command)
+    from qsbearing.design_report import set_document
 
-
-def _end(message: str) -> NoReturn:
-    note(message)
-    sys.exit(UNSOLVED)
+    return lambda: set_document.document(solution, source, command)

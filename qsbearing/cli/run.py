@@ -11,7 +11,7 @@ import click
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.scene import load_scene_or_set, solve, solving
+from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -160,12 +160,10 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     from qsbearing.io.readings_record import taken
     from qsbearing.io.set_record import set_columns, set_record
-    from qsbearing.sets.solve import solve_set
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
-    with solving(of):
-        solution = solve_set(of)
+    solution: SetSolution = solve(of)
     readings = [taken(row) for row in solution.rows]
 
     def blocks() -> list[Block]:

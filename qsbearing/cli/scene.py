@@ -7,14 +7,13 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
-    from qsbearing.solution.solution import Solution
 
 T = TypeVar("T")
 Asked = TypeVar("Asked", bound="Scene | BearingSet")
@@ -66,13 +65,19 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
     return found
 
 
-def solve(scene: Scene, tolerance: float | None = None) -> Solution:
-    """The scene's solution, with a tolerance that of the effects it needs; a case that takes long says so on a
-    terminal."""
+def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
+    """Its solution; the effects of a scene are chosen to a tolerance where one is given."""
+    from qsbearing.scene.scene import Scene
+
+    if not isinstance(asked, Scene):
+        from qsbearing.sets.solve import solve_set
+
+        with solving(asked):
+            return solve_set(asked)
     from qsbearing.chooser import choose
 
-    with solving(scene):
-        return choose.solve(scene, effects=None if tolerance is None else "auto", tolerance=tolerance)
+    with solving(asked):
+        return choose.solve(asked, effects=None if tolerance is None else "auto", tolerance=tolerance)
 
 
 @contextmanager
