@@ -1,9 +1,9 @@
-"""Contacts that the meshes were not tuned on: another bearing, and a slender ellipse (k = 20)."""
+"""Contacts that the meshes were not tuned on: a slender ellipse (k = 20), and another bearing."""
 
 from __future__ import annotations
 
 from fem_check import references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress
+from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
 from fem_check.contact_problem import ContactProblem, ElasticConstants
 from fem_check.scenes import groove_contact
@@ -20,15 +20,19 @@ def slender_problem(ellipticity: float, load: float = 1000.0) -> ContactProblem:
 
 
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
-    """Another bearing's outer groove, and an ellipse twenty times as long as wide."""
-    other = groove_contact(OTHER_BEARING, "outer").problem(OTHER_LOAD)
-    rows, found = groove_contacts.single(
-        f"{other.name} groove: Q = {OTHER_LOAD:.0f} N", other, level, progress, references.HERTZ_SOURCE
-    )
-    more, found = groove_contacts.single(
-        f"a/b = {SLENDER:g}: Q = 1000 N", slender_problem(SLENDER), level, progress, references.HERTZ_SOURCE
-    )
-    return Findings(rows + more, groove_contacts.mesh_entry(found), found.bodies.race.solver)
+    """An ellipse twenty times as long as wide; at the release level another bearing's outer groove too.
+
+    Its ellipse, k = 7.8, lies between the example's outer and inner one, 6.9 and 8.2, which the quick level has anyway.
+    """
+    cases = {f"a/b = {SLENDER:g}: Q = 1000 N": slender_problem(SLENDER)}
+    if level is Level.RELEASE:
+        other = groove_contact(OTHER_BEARING, "outer").problem(OTHER_LOAD)
+        cases = {f"{other.name} groove: Q = {OTHER_LOAD:.0f} N": other, **cases}
+    rows: list[Row] = []
+    for case, problem in cases.items():
+        more, found = groove_contacts.single(case, problem, level, progress, references.HERTZ_SOURCE)
+        rows += more
+    return Findings(rows, groove_contacts.mesh_entry(found), found.bodies.race.solver)
 
 
 CHECK = Check(

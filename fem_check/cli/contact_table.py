@@ -30,7 +30,8 @@ MEANING = {
 def contact_tables(entry: dict[str, Any]) -> Group:
     """A table for each contact and what it says, then what the numbers rest on."""
     parts: list[Any] = [
-        Text(f"{entry['scene']} ({entry['level']}): {entry['seconds']:.0f} s, {entry['peak_memory_MB']} MB", "bold")
+        Text(f"{entry['scene']} ({entry['level']}): {entry['seconds']:.0f} s, {entry['peak_memory_MB']} MB", "bold"),
+        counted(entry["rows"]),
     ]
     contacts: dict[str, list[Row]] = {}
     for row in entry["rows"]:
@@ -39,6 +40,17 @@ def contact_tables(entry: dict[str, Any]) -> Group:
         parts += [Text(), Text(name, "bold"), _table(rows), *_summary(rows)]
     parts += [Text(), *(Text(note) for note in entry["notes"])]
     return Group(*parts)
+
+
+def counted(rows: list[Row]) -> Text:
+    """How many numbers are verified, findings, refused; what failed first."""
+    counts = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in ("fail", *WORDS)}
+    told = [
+        (f"{count} {WORDS[verdict]}{'s' if verdict == 'finding' and count > 1 else ''}", STYLES[verdict])
+        for verdict, count in counts.items()
+        if count
+    ]
+    return Text(", ").join([Text(*each) for each in told])
 
 
 def _table(rows: list[Row]) -> Table:

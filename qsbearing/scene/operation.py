@@ -78,9 +78,14 @@ class Operation:
         raise_if_any(operation_errors(self))
 
     @property
+    def turning(self) -> dict[str, ArrayLike | None]:
+        """The speeds, and where the balls are."""
+        return {name: getattr(self, name) for name in TURNING}
+
+    @property
     def unloaded(self) -> Operation:
         """The same speeds without any load, straight and centred."""
-        return Operation(**{name: getattr(self, name) for name in TURNING}, **STRAIGHT)
+        return Operation(**self.turning, **STRAIGHT)  # type: ignore[arg-type]
 
 
 def operation_errors(operation: Operation) -> list[ErrorDetail]:
@@ -109,9 +114,15 @@ def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
     errors = []
     for field, number in _TILT_OF.items():
         tilt = CHANNELS[number]
-        stated = getattr(operation, tilt.load) is not None or getattr(operation, tilt.displacement) is not None
-        array, _ = numeric(f"operation.{field}", getattr(operation, field), FORCE)  # its own errors are known already
-        if array is not None and array.any() and not stated:
+        value = getattr(operation, field)
+        if (
+            value is None
+            or getattr(operation, tilt.load) is not None
+            or getattr(operation, tilt.displacement) is not None
+        ):
+            continue
+        array, _ = numeric(f"operation.{field}", value, FORCE)  # its own errors are known already
+        if array is not None and array.any():
             problem = f"missing: with {field} the tilt it causes must be stated, as the two choices give very different"
             cause = f"Free to tilt: {tilt.load} = 0. Fixed by a stiff shaft: {tilt.displacement} = 0"
             errors.append(ErrorDetail(f"operation.{tilt.load}", f"{problem} bearings", cause=cause))

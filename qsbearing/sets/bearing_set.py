@@ -132,7 +132,10 @@ class BearingSet(InNotebooks):
         # Whether a preload has rows to press against is known only once groups name rows that there are.
         preload = [] if numbers else _preload_errors(self)
         raise_if_any([*_row_errors(self.rows), *numbers, *_place_errors(self), *preload])
-        rows = (replace(row, carries=Direction(row.carries)) for row in self.rows)
+        rows = (
+            row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
+            for row in self.rows
+        )
         object.__setattr__(self, "rows", tuple(rows))
         raise_if_any(_temperature_errors(self) or _scene_errors(self))
 
@@ -176,6 +179,18 @@ class BearingSet(InNotebooks):
             readings=self.readings if row.readings is None else row.readings,
             **{name: getattr(self, name) for name in choices},
         )
+
+    def turning_scene(self, number: int) -> Scene:
+        """A row alone, turning without any load."""
+        if number not in self._turning_scenes:
+            turning = Operation(**self.operation.turning)  # type: ignore[arg-type]
+            self._turning_scenes[number] = self.row_scene(number, turning)
+        return self._turning_scenes[number]
+
+    @cached_property
+    def _turning_scenes(self) -> dict[int, Scene]:
+        """Checked when the set is made, and solved later."""
+        return {}
 
     @cached_property
     def alike(self) -> tuple[int, ...]:
@@ -352,15 +367,14 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
 
 def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
     """What is wrong with the rows as bearings; what all have alike is said once, without a row."""
-    plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
     found: list[list[ErrorDetail]] = []
     for number, same in enumerate(of.alike):
         if same < number:
             found.append(found[same])
             continue
         try:
-            row = of.row_scene(number, plain)
-            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, plain))
+            row = of.turning_scene(number)
+            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, row.operation))
         except SceneError as error:
             found.append(list(error.errors))
     common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.kernel.case import OWN_BALL
-from qsbearing.scene.operation import CHANNELS, TURNING, Operation
+from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.sets.bearing_set import BearingSet, Row
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
@@ -29,9 +29,7 @@ class Problem:
     def __init__(self, of: BearingSet, offsets: list[NDArray], tolerance: float, threads: int) -> None:
         self.of, self.tolerance, self.threads = of, tolerance, threads
         operation = of.operation
-        self._turning = {name: getattr(operation, name) for name in TURNING}
-        turning = Operation(**self._turning)
-        scenes = {number: of.row_scene(number, turning) for number in sorted(set(of.alike))}
+        scenes = {number: of.turning_scene(number) for number in sorted(set(of.alike))}
         spring = None if of.preload is None else of.preload.spring
         numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
         numbers += of.numbers_around
@@ -189,7 +187,7 @@ class Problem:
         moved[:, 0] += self.offsets[number]
         names = [channel.displacement for channel in CHANNELS]
         given = {name: moved[:, i].reshape(self.shape)[()] for i, name in enumerate(names)}
-        maker = CaseMaker(self.of.row_scene(number, Operation(**self._turning, **given)))
+        maker = CaseMaker(self.of.row_scene(number, Operation(**self.of.operation.turning, **given)))  # type: ignore[arg-type]
         results, positions, controls = self.found.part(np.s_[number])
         balls = maker.ball_axis
         own = np.ascontiguousarray(positions[:, :balls]), np.ascontiguousarray(controls[:, :balls])

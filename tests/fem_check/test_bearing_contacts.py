@@ -276,13 +276,16 @@ def test_each_verdict_is_said_once_for_the_contact_and_beside_its_number():
     assert max(map(len, text.splitlines())) <= 80 and "…" not in text
     assert "3.0001 0.05% verified    2.7000 -10.00 ± 0.05% finding" in text
     assert "verified  half-spaces agree with Hertz: approach +0.00 ± 0.05%, tolerance 0.3%" in text
+    assert text.splitlines()[1].strip() == "3 verified, 1 finding"
     assert "finding   the true bodies' difference" in text and "refused" not in text
 
 
 def test_a_refusal_and_a_failure_are_said():
     text = printed(rows_of(None))
     assert "– " in text and "refused   approach (true bodies): a contact at 61 deg" in text
-    assert "FAILED    half-spaces DISAGREE with Hertz" in printed(rows_of(2.7e-6, half_space=3.1e-6))
+    wrong = printed(rows_of(2.7e-6, half_space=3.1e-6))
+    assert "FAILED    half-spaces DISAGREE with Hertz" in wrong
+    assert wrong.splitlines()[1].strip() == "1 FAILED, 2 verified, 1 finding"
 
 
 # The command ----------------------------------------------------------------------------------------------------------
