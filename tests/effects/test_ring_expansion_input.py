@@ -64,7 +64,7 @@ def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
         "shaft_interference_um": "allowed: -900 to 900 µm",
         "housing_temperature_C": "housing_interference_um (0 for a fit line to line)",
         "shaft_material": "Did you mean steel?",
-        "inner_ring_temperature_C": "-300 C: is below absolute zero",
+        "inner_ring_temperature_C": "-300 °C: is below absolute zero",
         "yield_strength_MPa": "too small",
         "effects.ball_expansion.ball_temperature_C": "missing",
     }
