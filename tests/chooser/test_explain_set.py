@@ -97,7 +97,7 @@ def test_the_preload_s_sentences_hold() -> None:
     solution = solved(pair("DB", 240.0, speed=speed, axial_load=300.0))
     said = preload_summary(solution)
     grown = solution.preload_in_operation[0] / 240.0
-    assert f"pressed by {grown:.3g} times" in said[1]
+    assert f"the rows carry {grown:.3g} times" in said[1]
     of = with_load(solution.set, axial_load=900.0)
     (lost,) = (each for each in preload_summary(solved(of)) if "times the loads" in each)
     factor = float(lost.partition(" at ")[2].split()[0])
