@@ -26,6 +26,6 @@ def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures are made but stay blank, for tests of a document's words: drawing takes most of a report's time."""
 
     def blank(figure: object, target: IO[bytes], **_: object) -> None:
-        target.write(b'<svg xmlns="http://www.w3.org/2000/svg" width="9pt" height="9pt" viewBox="0 0 9 9"/>')
+        target.write(b'<svg xmlns="http://www.w3.org/2000/svg" width="9pt" height="9pt" viewBox="0 0 9 9"></svg>')
 
     monkeypatch.setattr("matplotlib.figure.Figure.savefig", blank)

@@ -67,7 +67,13 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         else:
             _show(found)
         if plot is not None:
-            write_files(writers, {"--plot": lambda: _picture(found, state, plot)})
+            from qsbearing.scene.scene import Scene
+
+            if isinstance(loaded, Scene):
+                title = loaded.bearing.name or "Ball bearing"
+            else:
+                title = f"{loaded.name or 'Set'}, {loaded.arrangement}"
+            write_files(writers, {"--plot": lambda: _picture(found, state, title, plot)})
     if not solution.converged:
         sys.exit(UNSOLVED)
 
@@ -96,10 +102,10 @@ def _show(found: dict[str, Any]) -> None:
     print_table(parts)
 
 
-def _picture(found: dict[str, Any], state: ThermalState, target: str) -> bytes:
+def _picture(found: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:
     from qsbearing.pictures.heat import over_speed, over_time
     from qsbearing.units import rpm
 
     if found["transient"] is not None:
-        return picture_bytes(over_time(found["transient"]), target)
-    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm), target)
+        return picture_bytes(over_time(found["transient"], title), target)
+    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm, title), target)

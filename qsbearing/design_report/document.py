@@ -34,7 +34,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         name,
         "Design report",
         [
-            inputs.section(scene, source),
+            inputs.section(scene, source, asked.thermal),
             effects.section(solution, asked, tolerance),
             _results(solution),
             *([Section("Readings", readings_tables(found))] if found else []),
@@ -52,13 +52,11 @@ def _results(solution: Solution) -> Section:
             load_distribution(solution),
             "Polar picture of the contact loads of all balls around the bearing.",
             "Contact loads by the azimuth of each ball, 0 deg on the y axis",
-            0.45,
         ),
         picture(
             contact_angles(solution),
             "Both contact angles of every ball by its azimuth.",
             "Contact angles by azimuth; the dotted line is the free contact angle",
-            0.66,
         ),
         picture(
             contact_ellipses(solution),

@@ -15,11 +15,13 @@ from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.scene_file import load_scene
+from qsbearing.io.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
 from qsbearing.material import BY_NAME, Material
 from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing
 from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, Key
 from qsbearing.scene.scene import CHOICES, Scene
+from qsbearing.thermal.network import Thermal
 from qsbearing.units import zero_celsius
 from qsbearing.validation import printable
 
@@ -32,11 +34,12 @@ FOLLOWS = {
 HEADINGS = ("key of a scene file", "value", "unit", "from")
 
 
-def section(scene: Scene, source: str) -> Section:
+def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
     """All of the input.
 
     Args:
         source: the text of the scene file; empty for an example of the catalogue.
+        heat: [thermal] as given; the scene has the temperatures that were found.
     """
     rows = grouped(
         ("Bearing", bearing_lines(scene.bearing, "scene")),
@@ -44,6 +47,7 @@ def section(scene: Scene, source: str) -> Section:
         ("Preload", numbers(PRELOAD, scene.preload)),
         ("Effects and choices", [*effect_lines((*scene.ring_effects, *scene.ball_effects)), *choice_lines(scene)]),
         ("Readings", reading_lines(scene.readings)),
+        *thermal_groups(heat),
     )
     words = (
         "Every number that the solution depends on, in the units and by the keys of a scene file. A channel of the "
@@ -179,6 +183,24 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
                 unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
                 found.append((f"{name}.{known.name if known else key}", text, unit, ""))
     return found
+
+
+def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
+    """The tables of [thermal]: friction, given temperatures, oil, other heats, heat capacities, conductances."""
+    if thermal is None:
+        return []
+    words: list[Line] = [(word, getattr(thermal, word), "", "") for word in WORDS if getattr(thermal, word)]
+    parts = [("Heat", [*words, *numbers(THERMAL, thermal)]), ("Heat: oil", numbers(OIL, thermal.oil))]
+    for name, keys in BY_NODE.items():
+        given = getattr(thermal, name)
+        known = [(key.name, key.in_file(float(given[key.field])), key.unit) for key in keys if key.field in given]
+        parts.append((f"Heat: {name}", [(key, _text(value), printed_unit(unit), "") for key, value, unit in known]))
+    conductances: list[Line] = []
+    for each in thermal.conductances:
+        ((name, *rest),) = numbers(CONDUCTANCE, each)
+        row = "" if each.row is None else f" of row {each.row}"
+        conductances.append((f"{name}, {' to '.join(each.between)}{row}", *rest))
+    return [*parts, ("Heat: conductances", conductances)]
 
 
 def numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:

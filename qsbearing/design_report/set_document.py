@@ -41,7 +41,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         f"{of.name or 'Bearing set'}, {of.arrangement}",
         "Design report of a set",
         [
-            set_inputs.section(of, source),
+            set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
             effects.section_of_set(solution),
             _results(solution, found, changes),
             *(_row(solution, number, of_row) for number, of_row in enumerate(found)),
@@ -83,7 +83,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
         contact_ellipses(row),
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their greatest pressures.",
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
-        width=0.85,
     )
     said = remarks(messages.warnings(row))
     title = capital(row_name(solution.set.rows[number], number))

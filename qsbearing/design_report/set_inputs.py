@@ -16,6 +16,7 @@ from qsbearing.design_report.inputs import (
     grouped,
     numbers,
     reading_lines,
+    thermal_groups,
 )
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
 from qsbearing.scene.keys import (
@@ -32,14 +33,17 @@ from qsbearing.scene.keys import (
     Key,
 )
 from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.sets.shaft import HousingStiffness
+from qsbearing.thermal.network import Thermal
 from qsbearing.units import mm, um
 
 
-def section(of: BearingSet, source: str) -> Section:
+def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section:
     """All of the input.
 
     Args:
         source: the text of the file.
+        heat: [thermal] as given; the set has the temperatures that were found.
     """
     reference = "midway between the first and the last row" if of.reference_position is None else "as given"
     shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
@@ -53,6 +57,7 @@ def section(of: BearingSet, source: str) -> Section:
         *((f"Effects of row {n} alone", effect_lines(row.ring_effects or ())) for n, row in enumerate(of.rows, 1)),
         ("Readings", reading_lines(of.readings)),
         *((f"Readings of row {n} alone", reading_lines(row.readings or {})) for n, row in enumerate(of.rows, 1)),
+        *thermal_groups(heat),
         *_bearings(of),
     )
     words = (
@@ -62,7 +67,7 @@ def section(of: BearingSet, source: str) -> Section:
     blocks: list[Block] = [
         _rows(of),
         Paragraph(words),
-        Table(("key of the file", "value", "unit", "from"), rows, "lrll"),
+        Table(("key of the file", "value", "unit", "from"), rows, "lrll", stack=True),
     ]
     return Section("Input", blocks + as_read(source))
 
@@ -79,8 +84,21 @@ def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
     ]
     found = [(f"{title} {n}", _of_part(each, keys)) for title, all_, keys in parts for n, each in enumerate(all_, 1)]
     housings = [(f"Housing of row {n}", row.housing_stiffness) for n, row in enumerate(of.rows, 1)]
-    found += [(title, numbers(HOUSING_STIFFNESS, own)) for title, own in housings if own is not None]
+    found += [(title, _housing(own)) for title, own in housings if own is not None]
+    if shaft is not None:
+        points = [(f"{name}_mm", f"{at / mm:.9g}", "mm", "") for name, at in shaft.points.items()]
+        found.append(("Points of the shaft", points))
     return [*found, ("Housing", _of_part(of.housing, HEATED))]
+
+
+def _housing(of: HousingStiffness) -> list[Line]:
+    """Its springs, or its matrix, a line for each row of it."""
+    if of.matrix is None:
+        return numbers(HOUSING_STIFFNESS, of)
+    rows = np.asarray(of.matrix, float)
+    return [
+        (f"matrix_SI, row {n}", ", ".join(f"{value:.9g}" for value in row), "SI", "") for n, row in enumerate(rows, 1)
+    ]
 
 
 def _of_part(part: Any, keys: tuple[Key, ...]) -> list[Line]:

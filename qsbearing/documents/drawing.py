@@ -13,13 +13,23 @@ RASTER_DPI = 160
 """Of what a figure itself asks to have drawn as dots, where vectors would be thousands."""
 
 
-def picture(figure: Any, alt: str, caption: str = "", width: float = 1.0) -> Picture:
-    """A figure as it stands in a document; letters are outlines, so that they look the same everywhere."""
+FULL_WIDTH = 9.0
+"""Of a figure that fills the width of the text [inches]: letters have one size in all pictures of a document."""
+
+
+def picture(figure: Any, alt: str, caption: str = "", width: float | None = None) -> Picture:
+    """A figure as part of a document; letters are outlines, so that they look the same everywhere.
+
+    Args:
+        width: part of the text's width; None: by the size of the figure.
+    """
     import matplotlib
 
     found = BytesIO()
     with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}):
         figure.savefig(found, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
+    if width is None:
+        width = min(float(figure.get_size_inches()[0]) / FULL_WIDTH, 1.0)
     return Picture(_lean(found.getvalue()), alt, caption, "svg", width)
 
 

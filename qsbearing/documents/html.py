@@ -46,8 +46,23 @@ def _templates() -> Any:
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
-    environment.filters |= {"markup": Markup, "highlighted": lambda code: Markup(_highlighted(**code))}
+    environment.filters |= {
+        "markup": Markup,
+        "table_classes": lambda table: _classes(**table),
+        "highlighted": lambda code: Markup(_highlighted(**code)),
+    }
     return environment
+
+
+NARROW = 8
+"""Letters of a first column of numbers or short names, which needs no room for a sentence."""
+
+
+def _classes(headings: Sequence[Any], rows: Sequence[dict[str, Any]], **_: Any) -> str:
+    """The classes of a table that does not stack: of many columns, of a narrow first one."""
+    first = [headings[0], *(row["cells"][0].get("text", []) for row in rows if "cells" in row)]
+    longest = max(sum(len(run.get("text", "")) for run in runs) for runs in first)
+    return " ".join(["many"] * (len(headings) > 7) + ["narrow"] * (longest <= NARROW))
 
 
 def _highlighted(text: str, language: str, **_: Any) -> str:

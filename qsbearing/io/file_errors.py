@@ -9,6 +9,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from qsbearing.io.file_keys import find, path_in_file, with_file_keys
+from qsbearing.result_keys import printed_unit
 from qsbearing.scene.keys import Key
 from qsbearing.validation import ErrorDetail, SceneError, printable, shown, unit_mistake
 
@@ -41,12 +42,14 @@ class FileErrorDetail:
             text = shown(self.value)
             head += f" = {text.lower() if isinstance(self.value, bool) else text}"
             if self.unit and isinstance(self.value, float | int):
-                head += f" {self.unit}"
+                head += f" {printed_unit(self.unit)}"
         if self.note:
             head += f" ({self.note})"
         lines = [f"{head}: {self.problem}" if head else self.problem]
         if self.allowed is not None:
-            lines.append(f"    allowed: {self.allowed[0]:.6g} to {self.allowed[1]:.6g} {self.unit}".rstrip())
+            lines.append(
+                f"    allowed: {self.allowed[0]:.6g} to {self.allowed[1]:.6g} {printed_unit(self.unit)}".rstrip()
+            )
         if self.cause:
             lines.append(f"    {self.cause}")
         return "\n".join(map(printable, lines))
@@ -95,5 +98,5 @@ def _unit_mistake(key: Key, value: float, allowed: tuple[float, float]) -> str:
     """
     for _, name, size in key.quantity.units if key.quantity else ():
         if size != key.size and value != 0.0 and allowed[0] <= value * size <= allowed[1]:
-            return f"Given in {name}? {value:.6g} {name} = {value * size / key.size:.6g} {key.unit}"
+            return f"Given in {name}? {value:.6g} {name} = {value * size / key.size:.6g} {printed_unit(key.unit)}"
     return ""

@@ -138,7 +138,7 @@ def preload_text(preload: dict[str, Any]) -> str:
     text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
     if preload["share"] is None:
         return text
-    return f"{text}: {preload['state']}, {percent(preload['share'])} of what is given"
+    return f"{text}: {preload['state']}, {percent(preload['share'])} of the given preload"
 
 
 def ending(found: dict[str, Any]) -> list[Block]:
@@ -238,7 +238,7 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
         (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
         for body, each in found["temperatures"].items()
     ]
-    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures: shaft and housing hold rings and preload")]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures of rings, shaft and housing")]
 
 
 def freedom(free: Collection[int]) -> str:

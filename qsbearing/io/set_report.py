@@ -110,10 +110,10 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
         loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
         place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
         cells.append((*place, *(digits(load, noise) for load in loads)))
-    tables = [Table(heading, cells, "llrlrrrr", "Rows: what each carries")]
+    tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
     if all(row["preload_state"] is None for row in found["rows"]):
         return tables
-    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of what\nis given")
+    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of the\ngiven preload")
     cells = []
     for number, row in enumerate(found["rows"], 1):
         loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]

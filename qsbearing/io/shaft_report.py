@@ -71,18 +71,20 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     """Of a record: deflection and inner forces along the shaft; stiffness of its points, and what gives way there."""
     if found is None:
         return []
-    straight = ("x\nmm", "axial\num", "radial y\num", "radial z\num", "tilt z\nmrad")
+    straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")
     heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
     rows = [_values(each) for each in found["line"]]
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
-    tables = [Table(heading, cells, caption="Shaft: deflection, and what its part beyond does to the part before")]
+    tables = [
+        Table(heading, cells, caption="Shaft: deflection and internal forces (of the part beyond on the part before)")
+    ]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
-            cells.append((f"of the deflection: {part}", *map(_share, share.values())))
+            cells.append((f"deflection due to {part}", *map(_share, share.values())))
         tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))
     return tables
 

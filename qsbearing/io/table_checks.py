@@ -15,6 +15,7 @@ from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.io.file_keys import find
 from qsbearing.io.unknown_key import Suggestion, near, suggest
 from qsbearing.material import BY_NAME, Material
+from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.scene.scene import CHOICES
@@ -108,7 +109,7 @@ def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail
         return FileErrorDetail(path, "is not a word in quotation marks", value)
     if kind == "finite_number" or type(value) is int:
         return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
-    cause = f"A number{f' in {key.unit}' if key.unit else ''}, without quotation marks"
+    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
     return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
 
 

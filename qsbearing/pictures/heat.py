@@ -6,7 +6,7 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.io.thermal_report import hottest, instant
-from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain
+from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain, write_above
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -15,14 +15,15 @@ NODES = {"inner ring": "inner", "outer ring": "outer"}
 """Nodes that are drawn as their raceways are elsewhere."""
 
 
-def over_speed(found: dict[str, Any], own: float) -> Figure:
+def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
     """Steady states over speed.
 
     Args:
         found: "speeds" of `qsbearing heat --json`.
         own: the scene's speed [rpm].
+        title: names the bearing.
     """
-    figure, axes = _two("speed, rpm")
+    figure, axes = _two("speed, rpm", title)
     states, fold = found["states"], found["fold"]
     speeds = [each["speed_rpm"] for each in states]
     at_fold = len(speeds) if fold is None else speeds.index(max(speeds)) + 1
@@ -37,9 +38,9 @@ def over_speed(found: dict[str, Any], own: float) -> Figure:
     return figure
 
 
-def over_time(found: dict[str, Any]) -> Figure:
+def over_time(found: dict[str, Any], title: str = "") -> Figure:
     """Heating up: "transient" of `qsbearing heat --json`."""
-    figure, axes = _two("time, s")
+    figure, axes = _two("time, s", title)
     states = [instant(found, number) for number in range(1, len(found["time_s"]))]
     _draw(axes, states, found["time_s"][1:], None)
     for each in axes:
@@ -48,8 +49,10 @@ def over_time(found: dict[str, Any]) -> Figure:
     return figure
 
 
-def _two(along: str) -> tuple[Figure, Any]:
+def _two(along: str, title: str) -> tuple[Figure, Any]:
     figure = figure_of_size(9.0, 4.4)
+    if title:
+        write_above(figure, title)
     axes = figure.subplots(1, 2)
     for each, title in zip(axes, ("Temperatures, °C", "Axial load of the bearing, N"), strict=True):
         plain(each)

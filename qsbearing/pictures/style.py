@@ -23,7 +23,6 @@ from qsbearing.units import mrad, rpm, um
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
 # Okabe & Ito's blue and vermilion: told apart by every kind of colour vision, and by their lightness in print.
 # The outer's hollow squares are larger than the inner's discs: where the two coincide, both are seen.
 STYLE: dict[str, dict[str, Any]] = {
@@ -66,12 +65,17 @@ SLIP = (FRICTION_IN_DOUBT, FRICTION_BEYOND)
 def figure_of_size(width: float, height: float) -> Figure:
     """An empty figure [inches]."""
     from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-    return Figure(figsize=(width, height), dpi=150, layout="constrained")
+    return Figure(figsize=(width, height), dpi=150, layout=ConstrainedLayoutEngine(h_pad=TITLE_GAP))
 
 
 LEGEND_LINE, LEGEND_LETTER = 0.55, 0.082
 """Width of a legend's line with its gaps, and of a letter [inches]."""
+TITLE_LETTER = 0.088
+"""Width of a letter of a title [inches]."""
+TITLE_GAP = 0.09
+"""Above and below each panel, so that the title of a picture does not touch those of its panels [inches]."""
 
 
 def legend(figure: Figure, *axes: Any) -> None:
@@ -209,4 +213,12 @@ def _write_title(
             size = mrad if channel.is_rotation else um
             name = channel.label if channel.is_rotation else f"{channel.label} displacement"
             parts.append(f"{name} {value / size + 0.0:.5g} {unit.replace('um', 'µm')}")
-    figure.suptitle(", ".join(parts), fontsize=10, parse_math=False)
+    write_above(figure, ", ".join(parts))
+
+
+def write_above(figure: Figure, title: str) -> None:
+    """A title of as many lines as the width of the picture asks for."""
+    from textwrap import fill
+
+    letters = int(figure.get_size_inches()[0] / TITLE_LETTER)
+    figure.suptitle(fill(title, letters), fontsize=10, parse_math=False)

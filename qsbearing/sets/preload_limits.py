@@ -192,8 +192,8 @@ def _kind(solution: SetSolution) -> str:
         pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} µm"
     else:
         force = float(np.asarray(getattr(preload, preload.kind)))
-        pressed = f"where {force:.6g} N pressed the rows of either direction {preload.state}, at rest and cold"
-    return f"Rings are held {pressed}: speed, heat and loads change the loads on the rows."
+        pressed = f"at which {force:.6g} N press the rows of each direction {preload.state}, at rest and cold"
+    return f"The rings are held at a fixed distance, {pressed}. Speed, heat and loads change the loads on the rows."
 
 
 def _fitted(solution: SetSolution) -> list[str]:
@@ -220,7 +220,7 @@ def _at_speed(solution: SetSolution) -> list[str]:
         return ["In operation, without external loads, each row keeps its preload."]
     state = "before fitting" if solution.set.preload is None else solution.set.preload.state
     times = _span(ratios, 3)
-    return [f"In operation, without external loads, rows are pressed by {times} times their preload {state}."]
+    return [f"In operation, without external loads, the rows carry {times} times their preload {state}."]
 
 
 def _limits(of: BearingSet, found: Limits) -> list[str]:

@@ -14,7 +14,7 @@ REDUCED = 0.5
 """Below this part of it, what is left is worth a sentence (chosen: stiffness at rest follows the cube root of the load,
 and has lost a fifth)."""
 EXCESSIVE = 3.0
-"""A preload is excessive when it is this many times what is given (chosen: makers' light, medium and heavy preloads are
+"""A preload is excessive when it is this many times the given one (chosen: makers' light, medium and heavy preloads are
 1 : 3 : 6, as GMN's are: a light one has become a medium one, unasked)."""
 
 

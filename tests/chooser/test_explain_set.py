@@ -97,7 +97,7 @@ def test_the_preload_s_sentences_hold() -> None:
     solution = solved(pair("DB", 240.0, speed=speed, axial_load=300.0))
     said = preload_summary(solution)
     grown = solution.preload_in_operation[0] / 240.0
-    assert f"pressed by {grown:.3g} times" in said[1]
+    assert f"the rows carry {grown:.3g} times" in said[1]
     of = with_load(solution.set, axial_load=900.0)
     (lost,) = (each for each in preload_summary(solved(of)) if "times the loads" in each)
     factor = float(lost.partition(" at ")[2].split()[0])
@@ -114,7 +114,13 @@ def test_json_and_table_of_a_file(tmp_path: Path) -> None:
     assert found["warnings"] == qs.warnings(qs.solve_set(qs.load_set(tmp_path / "pair.toml")))
     text = call(tmp_path, PAIR_FILE).stdout
     assert max(map(len, text.splitlines())) <= 120
-    for words in ("DB (back to back)", "Converged", "Rows: what each carries", "Rings are held where 720 N", "verdict"):
+    for words in (
+        "DB (back to back)",
+        "Converged",
+        "Rows: load on each",
+        "The rings are held at a fixed distance",
+        "verdict",
+    ):
         assert words in text
     assert 'under [effects]: ball = ["centrifugal_force", "gyroscopic_moment"]' in " ".join(text.split())
 

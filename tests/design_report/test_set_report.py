@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -12,8 +13,10 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.design_report import set_curves
+from qsbearing.design_report import set_curves, set_inputs
+from qsbearing.documents.model import Group, Table
 from qsbearing.solution.judgement import percent
+from qsbearing.thermal.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
 from tests.sets.arrangements import PAIR_FILE
@@ -233,7 +236,7 @@ def test_sets_without_a_preload_speed_or_load(tmp_path: Path, undrawn: None) -> 
     assert "No curve over the speed" in tandem.text
     held = report_of(tmp_path, rows + "[operation]\naxial_displacement_um = 3\n[preload]\naxial_displacement_um = 8\n")
     assert "No curve over the loads" in held.text
-    assert "Rings are held pressed together by 8 µm" in held.text
+    assert "The rings are held at a fixed distance, pressed together by 8 µm" in held.text
     assert "Over the preload" in held.text
 
 
@@ -252,6 +255,29 @@ def test_bad_input_is_refused(tmp_path: Path) -> None:
     assert result.exit_code == 2
     assert "row 2.carries" in result.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_the_input_has_points_the_matrix_of_a_housing_and_the_numbers_of_the_heat(folder: Path) -> None:
+    """What a shaft's scene and [thermal] give is in the table of the input, under the keys of a file."""
+    pair = qs.load_set(folder / "pair.toml")
+    soft = qs.HousingStiffness(matrix=np.diag([1e9, 2e9, 3e9, 4e5, 5e5]))
+    shaft = qs.Shaft((qs.ShaftSection(length=0.3, outer_diameter=0.05),), start=-0.09, points={"tool": -0.08})
+    of = replace(pair, rows=(replace(pair.rows[0], housing_stiffness=soft), pair.rows[1]), shaft=shaft)
+    between = (("inner_ring", "ambient"), ("inner_ring", "balls"), ("balls", "outer_ring"))
+    heat = Thermal(
+        tuple(Conductance(each, 2.5, row=2) for each in between),
+        fixed={"ambient": 22.0 + qs.zero_celsius},
+        ring_width=0.02,
+        friction="skf",
+    )
+    (table,) = (each for each in set_inputs.section(of, "", heat).blocks if isinstance(each, Table) and each.stack)
+    lines = {str(row[0]): tuple(row[1:3]) for row in table.rows if not isinstance(row, Group)}
+    assert lines["tool_mm"] == ("-80", "mm")
+    assert lines["matrix_SI, row 4"] == ("0, 0, 0, 400000, 0", "SI")
+    assert lines["friction"] == ("skf", "")
+    assert lines["ring_width_mm"] == ("20", "mm")
+    assert lines["ambient_C"] == ("22", "°C")
+    assert lines["W_per_K, inner_ring to ambient of row 2"] == ("2.5", "W/K")
 
 
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")

@@ -61,10 +61,10 @@ def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
     )
     words = {
         "operation.axial_load_N": "too large",
-        "shaft_interference_um": "allowed: -900 to 900 um",
+        "shaft_interference_um": "allowed: -900 to 900 µm",
         "housing_temperature_C": "housing_interference_um (0 for a fit line to line)",
         "shaft_material": "Did you mean steel?",
-        "inner_ring_temperature_C": "-300 C: is below absolute zero",
+        "inner_ring_temperature_C": "-300 °C: is below absolute zero",
         "yield_strength_MPa": "too small",
         "effects.ball_expansion.ball_temperature_C": "missing",
     }
@@ -99,7 +99,7 @@ def test_a_fit_beyond_yield_is_refused_and_its_pressure_told(tmp_path: Path) -> 
     found = refused(tmp_path, text)["shaft_interference_um"]
     assert "makes the inner ring yield: a seat pressure of" in found
     assert f"stresses its bore by {208e3 * 0.425 / 45:.5g} MPa" in found
-    assert f"allowed: -{1500 / 208e3 * 90e3:.6g} to {1500 / 208e3 * 90e3:.6g} um" in found
+    assert f"allowed: -{1500 / 208e3 * 90e3:.6g} to {1500 / 208e3 * 90e3:.6g} µm" in found
 
 
 def test_a_coefficient_that_nothing_uses_and_one_that_is_missing(tmp_path: Path) -> None:

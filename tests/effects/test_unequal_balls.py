@@ -328,8 +328,8 @@ def test_without_them_nothing_is_said_of_them() -> None:
         ("[]", "is an empty array"),
         ('["a", 1.0]', "'a': is not a list of finite numbers"),
         (f"[{', '.join(['inf'] + ['0'] * 15)}]", "inf: is not a list of finite numbers"),
-        (f"[{', '.join(['300'] + ['0'] * 15)}]", "300 um: is more than 1% of the ball diameter"),
-        (f"[{', '.join(['-400'] + ['0'] * 15)}]", "-400 um: is more than 1% of the ball diameter"),
+        (f"[{', '.join(['300'] + ['0'] * 15)}]", "300 µm: is more than 1% of the ball diameter"),
+        (f"[{', '.join(['-400'] + ['0'] * 15)}]", "-400 µm: is more than 1% of the ball diameter"),
     ],
 )
 def test_files_that_are_refused(tmp_path: Path, given: str, words: str) -> None:

@@ -312,6 +312,14 @@ def test_two_commands_make_it_the_second_from_records_alone(tmp_path: Path) -> N
     assert {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")} == shipped
 
 
+def test_the_records_that_the_wheel_leaves_out_are_none_of_the_report(tmp_path: Path) -> None:
+    """As an installed package has them: without the quick level's."""
+    shutil.copytree(records_store.FOLDER, tmp_path / "records", ignore=shutil.ignore_patterns("quick"))
+    carried, whole = evidence.read(tmp_path / "records"), evidence.read()
+    for found, expected in ((carried.checks, whole.checks), (carried.book, whole.book)):
+        assert {name: kept.data for name, kept in found.items()} == {name: kept.data for name, kept in expected.items()}
+
+
 def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
     done = CliRunner().invoke(cli, ["report", "--records", str(tmp_path), "--out", str(tmp_path / "report")])
     assert done.exit_code == 2

@@ -246,7 +246,9 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
     three = (
         "{unmounted_N:.6g} N before fitting, {mounted_N:.6g} N mounted, at rest, {in_operation_N:.6g} N in operation"
     )
-    assert f"{three.format(**found)}: {found['state']}, {percent(share)} of what is given" in " ".join(shown.split())
+    assert f"{three.format(**found)}: {found['state']}, {percent(share)} of the given preload" in " ".join(
+        shown.split()
+    )
     with target.open(newline="") as written:
         row = next(csv.DictReader(written))
     assert float(row[f"preload_{key}"]) == pytest.approx(value)

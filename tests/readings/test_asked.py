@@ -253,7 +253,7 @@ def test_every_fault_at_once() -> None:
         "readings.life.reliability", "readings.life.capacity", "readings.film.raceway_roughness_um",
         "readings.friction.friction_coefficient", "readings.lubricant.oil_temperature_C",
     }  # fmt: skip
-    assert "-73.15 to 326.85 C" in later["readings.lubricant.oil_temperature_C"]
+    assert "-73.15 to 326.85 °C" in later["readings.lubricant.oil_temperature_C"]
 
 
 def test_what_a_reading_lacks_is_said() -> None:

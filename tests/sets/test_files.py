@@ -69,7 +69,7 @@ def test_json_table_and_csv_agree(tmp_path: Path) -> None:
     assert found["system_life_h"] == pytest.approx(float(qs.system_life(lives)))
     assert found["rows"][1]["balls"][0]["inner"]["load_N"] == pytest.approx(solution.rows[1].inner.load[0], rel=1e-12)
     text = run(path, "--csv", str(tmp_path / "out.csv")).stdout
-    for word in ("Rows: what each carries", f"{loads[0]:.6g}", "maintained", "Life of all rows together", "carries -x"):
+    for word in ("Rows: load on each", f"{loads[0]:.6g}", "maintained", "Life of all rows together", "carries -x"):
         assert word in text
     with (tmp_path / "out.csv").open(encoding="utf-8") as file:
         balls = list(csv.DictReader(file))

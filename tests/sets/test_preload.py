@@ -288,7 +288,7 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
         each.startswith("Fitting changes the preload of the rows from 300 N to") for each in preload_summary(found)
     )
     (excessive, _) = qs.preload_speeds(found.set, 1_000 * qs.rpm)
-    assert excessive.sentence.endswith("more than 3 times what is given, already at rest, under these loads.")
+    assert excessive.sentence.endswith("more than 3 times the given preload, already at rest, under these loads.")
 
 
 def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:

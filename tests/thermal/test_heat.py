@@ -221,7 +221,7 @@ def test_a_result_gives_its_input_again() -> None:
 
 
 WRONG = [
-    ({"limit_temperature_C": 9000}, "thermal.limit_temperature_C = 9000 C: is no temperature of a bearing"),
+    ({"limit_temperature_C": 9000}, "thermal.limit_temperature_C = 9000 °C: is no temperature of a bearing"),
     ({"limit_temp_C": 9000}, "Did you mean limit_temperature_C?"),
     ({"fixed": {"ambient_K": 300}}, "thermal.fixed.ambient_K: unknown key"),
     ({"fixed": {}}, "let no heat out of inner_ring, balls, outer_ring, ambient"),
@@ -265,7 +265,7 @@ def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:
 
 
 def test_a_temperature_that_the_balance_finds_is_refused() -> None:
-    with pytest.raises(qs.SceneFileError, match="inner_ring_temperature_C = 60 C: is found by the heat balance"):
+    with pytest.raises(qs.SceneFileError, match="inner_ring_temperature_C = 60 °C: is found by the heat balance"):
         scene(effects=EFFECTS | {"ring_expansion": {"inner_ring_temperature_C": 60}})
     assert BEARING["bore_diameter_mm"] == 35
 
