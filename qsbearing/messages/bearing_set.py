@@ -104,7 +104,7 @@ def _why(solution: SetSolution, k: int) -> str:
 
 
 def _overloaded(solution: SetSolution, k: int) -> str:
-    """What is plainly wrong with the axial load: no row carries in its direction, or it is more than the spring's."""
+    """What is plainly wrong with the axial load: no row carries in its direction, or those that do are on springs."""
     load, preload = solution.set.operation.axial_load, solution.set.preload
 
     def of_case(value: object) -> float:
@@ -117,6 +117,9 @@ def _overloaded(solution: SetSolution, k: int) -> str:
     against = [row for row in solution.set.rows if row.sprung and row.sign * value > 0.0]
     if against and preload is not None and preload.spring is not None and abs(value) > of_case(preload.spring):
         return f" The axial load in {direction} is more than the spring's {of_case(preload.spring):.4g} N."
+    floating = {number - 1 for group in solution.set.floating for number in group.rows}
+    if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
+        return f" All rows that carry in {direction} float, on springs that give no more than their own force."
     return ""
 
 

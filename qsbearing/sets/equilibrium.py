@@ -11,12 +11,13 @@ unloaded set at rest.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.kernel.admissibility import CONVERGED
-from qsbearing.sets.rigid_shaft import SLIDE
+from qsbearing.sets.rigid_shaft import SLIDE, UNKNOWNS
 from qsbearing.sets.row_cases import Found, RowCases
 from qsbearing.solution.ring_stiffness import SOFTEST
 
@@ -237,26 +238,31 @@ def _explain(s: Stretch, which: NDArray) -> None:
     s.solve_rows(s.tried[which], which)
 
 
-def is_beyond_spring(s: Stretch, which: NDArray) -> NDArray:
-    """Whether sprung rows would have to carry more axial load than their spring gives, no other row helping.
+def is_beyond_springs(s: Stretch, which: NDArray) -> NDArray:
+    """Whether the shaft can be pushed out along x: what is on springs gives way with it, no row is pressed, and the
+    loads work more than the springs resist. Their work is that of constant forces, so there is no equilibrium.
 
-    The shaft then moves as far as the sprung rings slide: that presses no row, and the load works more than the spring
-    resists.
+    Sprung rings slide as far as the shaft goes, or stay; each sleeve goes with the shaft, or stays.
     """
     found = np.zeros(which.size, bool)
-    for sign in (1.0, -1.0):
-        motion = np.array([sign, -1.0])
-        presses = [row.matrix[which][:, 0, [0, SLIDE]] @ motion > 0.0 for row in s.rows]
-        presses += [~row.cases["one_sided"][which] for row in s.rows]
-        works = s.load[which][:, [0, SLIDE]] @ motion > 0.0
-        found |= works & ~np.any(presses, axis=0) & ~s.held[which][:, [0, SLIDE]].any(axis=1)
+    rigid = np.s_[: s.rigid]
+    load, held = s.load[which, rigid], s.held[which, rigid]
+    for ahead in product((1.0, -1.0), (0.0, 1.0), *[(0.0, 1.0)] * (s.rigid - UNKNOWNS)):
+        motion = np.zeros(s.rigid)
+        motion[0], motion[SLIDE], motion[UNKNOWNS:] = ahead[0], -ahead[1], ahead[0] * np.array(ahead[2:])
+        stays = (held & (motion != 0.0)).any(axis=1)
+        for row in s.rows:
+            along = row.matrix[which][:, 0, rigid] @ motion
+            stays |= np.where(row.cases["one_sided"][which], along > 0.0, along != 0.0)
+        if s.elasticity.size:  # supports
+            stays |= np.einsum("i,kij,j->k", motion, s.elasticity[which][:, rigid, rigid], motion) > 0.0
+        found |= ~stays & (load @ motion > 0.0)
     return found
 
 
 def unsupported(s: Stretch, which: NDArray) -> NDArray:
     """Which unknowns of cases not solved are loaded although nothing resists them where the shaft went."""
     out = np.zeros((which.size, s.unknowns), bool)
-    out[:, 0] = is_beyond_spring(s, which)
     known = np.logical_and.reduce([row.found.results["status"][which] == CONVERGED for row in s.rows])
     cases = which[known]
     if not cases.size:

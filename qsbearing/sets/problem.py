@@ -15,7 +15,7 @@ from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.sets.bearing_set import BearingSet, Row
 from qsbearing.sets.direct import solve_directly
 from qsbearing.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
-from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, newton, unsupported
+from qsbearing.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.sets.outcome import Outcome
 from qsbearing.sets.rigid_shaft import SLIDE
 from qsbearing.sets.row_cases import RowCases, empty
@@ -129,6 +129,9 @@ class Problem:
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)
         rest = np.flatnonzero(carried[part] & ~s.solved)
+        lost = rest[is_beyond_springs(s, rest)]
+        o.status[part][lost], o.unsupported[part][lost, 0] = NO_EQUILIBRIUM, True
+        rest = np.setdiff1d(rest, lost)
         if rest.size:
             rest = np.setdiff1d(rest, newton(s, rest))
         reached = np.ones(count)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.scene.operation import STRAIGHT
 from tests.sets.arrangements import S6210C
 from tests.sets.test_elastic_shaft import SHAFT, spindle
 
@@ -104,6 +105,25 @@ def test_tandems_spring_loaded_against_each_other_keep_their_force() -> None:
     of = qs.BearingSet(rows, shaft=shaft, floating=(replace(REAR, spring=500.0),))
     found = qs.solve_set(of)
     assert found.axial_loads.reshape(2, 2, 2).sum(axis=-1) == pytest.approx(np.full((2, 2), 500.0), rel=1e-9)
+
+
+def test_a_load_beyond_the_spring_of_a_sleeve_pushes_the_shaft_out() -> None:
+    rows = tuple(qs.Row(S6210C, at, way) for at, way in ((0.0, "+x"), (0.02, "+x"), (0.15, "-x"), (0.17, "-x")))
+    springs = replace(REAR, spring=500.0)
+    load = qs.Operation(axial_load=np.array([-490.0, -510.0]), **STRAIGHT)
+    found = qs.solve_set(qs.BearingSet(rows, load, shaft=UNLOADED, floating=(springs,)))
+    assert list(found.status) == ["converged", "no_equilibrium"]
+    assert found.reason[1] == "unsupported"
+    assert "nothing supports the load in channel axial" in found.message(1)
+    assert "All rows that carry in -x float" in found.message(1)
+    # Not where a support holds the shaft, nor where a row that does not float carries in the load's direction.
+    held = replace(UNLOADED, supports=(qs.ShaftSupport(0.1, axial=1e8),))
+    assert np.all(qs.solve_set(qs.BearingSet(rows, load, shaft=held, floating=(springs,))).converged)
+    tilted = qs.Operation(axial_load=-510.0, moment_y=0.0, moment_z=1e5, radial_load_y=0.0, radial_load_z=0.0)
+    overturned = qs.solve_set(qs.BearingSet(rows, tilted, shaft=held, floating=(springs,)))
+    assert not overturned.converged and "channel axial" not in overturned.message()
+    rear = qs.FloatingGroup((3,), 500.0)
+    assert np.all(qs.solve_set(qs.BearingSet(rows, load, shaft=UNLOADED, floating=(rear,))).converged)
 
 
 def test_stiffness_lets_a_sleeve_slide() -> None:

@@ -60,7 +60,7 @@ def test_points_without_equilibrium_stay(tmp_path: Path) -> None:
     words = [[meanings[int(code)] for code in row] for row in found["status"].values]
     assert words == [["no_equilibrium", "impossible"], ["converged", "impossible"]]
     reasons = found["reason"].attrs["flag_meanings"].split()
-    assert reasons[int(found["reason"][0, 0])] == "open_side"
+    assert reasons[int(found["reason"][0, 0])] == "unsupported"
     assert np.isnan(found["row_1_axial_load"][0]).all()
 
 
