@@ -46,7 +46,7 @@ def mesh_choices(record: dict[str, Any]) -> Table:
     machine = record["machine"]
     title = (
         "Accuracy reached: deviation and uncertainty from three meshes together, on "
-        f"{machine['cores']} cores ({machine['processor']}, {record['solver']})"
+        f"{machine['cores']} cores ({machine['processor']}, solver {record['solver']})"
     )
     return Table(("accuracy", "elements per semi-axis", "time of all three", "MB"), rows, caption=title)
 

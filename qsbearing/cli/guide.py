@@ -58,7 +58,7 @@ def _readings() -> str:
 def _results() -> str:
     """Rows of the page of symbols: those of the results that have one."""
     from qsbearing.readings.asked import READINGS
-    from qsbearing.result_keys import BALL, CONTACT, split
+    from qsbearing.result_keys import BALL, CONTACT, printed_unit, split
 
     found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
     found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]
@@ -67,8 +67,12 @@ def _results() -> str:
         for name, each in READINGS.items()
         for shown in (*each.of_case, *each.of_contact, *each.of_ball)
     ]
+
+    def written(key: str) -> str:
+        return printed_unit(split(key)[1]).replace("1", "-")
+
     return "".join(
-        f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {split(shown.key)[1].replace('1', '-')} | {source} |\n"
+        f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {written(shown.key)} | {source} |\n"
         for names, shown, source in found
         if shown.symbol
     )

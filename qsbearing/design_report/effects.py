@@ -94,7 +94,7 @@ def section_of_set(solution: SetSolution) -> Section:
 
 
 def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
-    blocks: list[Block] = [Paragraph("What this solution assumes:"), Bullets(assumed), *map(Paragraph, said)]
+    blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
         f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."

@@ -50,7 +50,7 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
         *thermal_groups(heat),
     )
     words = (
-        "Every number that the solution depends on, in the units and by the keys of a scene file. A channel of the "
+        "All input data, in the units and by the keys of a scene file. A channel of the "
         "ring that is not named carries no load and is free to move."
     )
     blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
@@ -197,9 +197,9 @@ def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
         parts.append((f"Heat: {name}", [(key, _text(value), printed_unit(unit), "") for key, value, unit in known]))
     conductances: list[Line] = []
     for each in thermal.conductances:
-        ((name, *rest),) = numbers(CONDUCTANCE, each)
+        ((name, value, unit, origin),) = numbers(CONDUCTANCE, each)
         row = "" if each.row is None else f" of row {each.row}"
-        conductances.append((f"{name}, {' to '.join(each.between)}{row}", *rest))
+        conductances.append((f"{name}, {' to '.join(each.between)}{row}", value, unit, origin))
     return [*parts, ("Heat: conductances", conductances)]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from qsbearing import messages
@@ -16,7 +17,7 @@ from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.tables import remarks
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
-from qsbearing.ranked_warning import said_of
+from qsbearing.ranked_warning import Rank, RankedWarning, ranked, said_of
 from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution
 
@@ -32,11 +33,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     of = solution.set
     found = [taken(row) for row in solution.rows]
     changes = limits(of)
-    warnings = solution.warnings() + [
-        said_of(capital(row_name(of.rows[number], number)), each)
-        for number, of_row in enumerate(found)
-        for each in warnings_of(of_row)
-    ]
+    warnings = _warnings(solution, found)
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
         "Design report of a set",
@@ -52,6 +49,45 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         "by the quasi-static model of Jones and Harris.",
         head(solution.message(), key_results_of_set(solution, found), warnings, command),
     )
+
+
+NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+def _warnings(solution: SetSolution, found: Sequence[Readings]) -> list[RankedWarning]:
+    """All warnings; what is said of several rows, but for its numbers, stands once, with the rows and their range."""
+    of_rows: dict[tuple[str, Rank, str], dict[int, RankedWarning]] = {}
+    named = set()
+    for number, (row, of_row) in enumerate(zip(solution.rows, found, strict=True)):
+        for each in map(ranked, [*messages.warnings(row), *warnings_of(of_row)]):
+            named.add(said_of(_name(solution, number), each))
+            of_rows.setdefault((NUMBER.sub("", each), each.rank, each.see), {})[number] = each
+    said = [each for each in solution.warnings() if each not in named]
+    for each_of in of_rows.values():
+        rows, sentence = list(each_of), next(iter(each_of.values()))
+        which = _name(solution, rows[0]) if len(rows) == 1 else _rows(rows)
+        said.append(said_of(which, RankedWarning(_in_ranges(list(each_of.values())), sentence.rank, sentence.see)))
+    return said
+
+
+def _in_ranges(sentences: Sequence[str]) -> str:
+    """Sentences that differ in their numbers as one: where they do, the smallest and the largest."""
+    numbers = iter([sorted(set(each), key=float) for each in zip(*map(NUMBER.findall, sentences), strict=True)])
+
+    def both(_: re.Match[str]) -> str:
+        each = next(numbers)
+        return each[0] if len(each) == 1 else f"{each[0]} to {each[-1]}"
+
+    return NUMBER.sub(both, sentences[0])
+
+
+def _rows(rows: Sequence[int]) -> str:
+    first, last = ", ".join(str(row + 1) for row in rows[:-1]), rows[-1] + 1
+    return f"Rows {first} and {last}"
+
+
+def _name(solution: SetSolution, number: int) -> str:
+    return capital(row_name(solution.set.rows[number], number))
 
 
 def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) -> Section:
@@ -85,5 +121,8 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
     )
     said = remarks(messages.warnings(row))
-    title = capital(row_name(solution.set.rows[number], number))
-    return Section(title, [*said, *report.tables_of_balls(row), drawn, *readings_tables(found)], f"row-{number + 1}")
+    return Section(
+        _name(solution, number),
+        [*said, *report.tables_of_balls(row), drawn, *readings_tables(found)],
+        f"row-{number + 1}",
+    )

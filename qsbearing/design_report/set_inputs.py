@@ -61,8 +61,8 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
         *_bearings(of),
     )
     words = (
-        "Every number that the solution rests on, in the units and by the keys of the file. A channel of the shaft "
-        "that is not named carries no load and is free to move."
+        "All input data, in the units and by the keys of the file. A channel of the shaft that is not named carries no "
+        "load and is free to move."
     )
     blocks: list[Block] = [
         _rows(of),

@@ -29,8 +29,14 @@ def picture(figure: Any, alt: str, caption: str = "", width: float | None = None
     with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}):
         figure.savefig(found, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
     if width is None:
-        width = min(float(figure.get_size_inches()[0]) / FULL_WIDTH, 1.0)
+        width = width_of(found.getvalue())
     return Picture(_lean(found.getvalue()), alt, caption, "svg", width)
+
+
+def width_of(svg: bytes) -> float:
+    """Width of a drawing by matplotlib, as part of the text's; more than 1 where letters would become too small."""
+    found = re.search(rb'<svg[^>]* width="([\d.]+)pt"', svg)
+    return float(found[1]) / 72.0 / FULL_WIDTH if found else 1.0
 
 
 def _lean(svg: bytes) -> bytes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -13,6 +14,7 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.documents.model import Block, Document, Picture, Section
 
 TEMPLATES = Path(__file__).parent / "templates"
+OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]*")
 
 
 def html(document: Document) -> str:
@@ -40,7 +42,7 @@ def _rendered(template: str, document: Document, **others: Any) -> str:
 @cache
 def _templates() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    from markupsafe import Markup
+    from markupsafe import Markup, escape
 
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
@@ -50,6 +52,8 @@ def _templates() -> Any:
         "markup": Markup,
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
+        "code": lambda text: Markup(_whole_options(str(escape(text)))),
+        "closing": _closing,
     }
     return environment
 
@@ -71,7 +75,19 @@ def _highlighted(text: str, language: str, **_: Any) -> str:
     from pygments.formatters import HtmlFormatter
     from pygments.lexers import get_lexer_by_name
 
-    return str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
+    found = str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
+    return _whole_options(found) if language == "sh" else found
+
+
+def _whole_options(code: str) -> str:
+    """Code as HTML in which no line ends within an option of a command, which browsers break at its hyphens."""
+    return OPTION.sub(r'<span class="whole">\g<0></span>', code)
+
+
+def _closing(run: dict[str, Any]) -> str:
+    """Marks that a plain run begins with: a line must not end between a formula and them."""
+    text: str = run["text"]
+    return "" if run["styles"] or "math" in run else text[: len(text) - len(text.lstrip(".,;:)"))]
 
 
 def _picture(picture: Picture, number: int) -> str:

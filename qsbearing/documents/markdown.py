@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from qsbearing.documents.drawing import width_of
 from qsbearing.documents.inline import parser, runs_of
 from qsbearing.documents.model import (
     Block,
@@ -120,7 +121,9 @@ class _Page:
         path = self.folder / str(token.attrGet("src"))
         if path.suffix not in FORMS:
             raise OSError(f"{path} is no picture that a document can hold: {', '.join(FORMS)}")
-        return Picture(path.read_bytes(), token.content, token.attrGet("title") or "", path.suffix[1:])
+        data = path.read_bytes()
+        width = width_of(data) if path.suffix == ".svg" else 0.85
+        return Picture(data, token.content, token.attrGet("title") or "", path.suffix[1:], width)
 
     def bullets(self) -> Bullets:
         numbered = self.tokens[self.at].type == "ordered_list_open"

@@ -148,7 +148,7 @@ class Picture:
     caption: str = ""
     form: str = "svg"
     width: float = 1.0
-    """Part of the text's width."""
+    """Part of the text's width; more than 1: a page scrolls it where letters would become too small."""
 
     def __post_init__(self) -> None:
         if not self.alt.strip():

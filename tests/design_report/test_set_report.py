@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -187,6 +188,16 @@ def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     assert "Stiffness (free: axial, radial y, radial z, tilt y, tilt z)" in pair.text
     assert triple.text.count("Geometry before it is loaded") == 1  # ring expansion of one row
     assert "Geometry before it is loaded" not in pair.text
+
+
+def test_what_is_said_of_several_rows_opens_the_report_once(folder: Path) -> None:
+    """With the rows and the range of its numbers; what each row's own page says is the row's."""
+    page = page_of(folder / "out", "triple")
+    first, rest = page.text.split("Input #")[0], page.text.split("Input #", 1)[1]
+    (opening,) = re.findall(r"Wrong model: ([^:]*): Not simulated[^()]*\(contact loads ≈ ([^%]*) %", first)
+    own = re.findall(r"Wrong model: Not simulated[^()]*\(contact loads ≈ ([^%]*) %", rest)
+    assert opening[0] == "Rows 2 and 3"
+    assert opening[1] == (own[0] if len(set(own)) == 1 else " to ".join(sorted(own, key=float)))
 
 
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:

@@ -1,12 +1,16 @@
 """HTML: sound, complete, and of one piece; read back by a parser that knows nothing of how it was made."""
 
+import re
+
 import pytest
 
 from qsbearing.documents.data import BrokenLinkError
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Badge, Document, Group, Md, Paragraph, Picture, Section, Table
+from qsbearing.documents.model import Badge, Code, Document, Group, Md, Paragraph, Picture, Section, Table
 from tests.documents.example import NASTY, curve, document
 from tests.documents.page import Page
+
+WHOLE = re.compile(r'<span class="whole">(.*?)</span>')
 
 
 def test_a_page_is_sound_and_says_all() -> None:
@@ -43,6 +47,27 @@ def test_the_judge_sees_what_is_wrong(spoil, fault) -> None:  # type: ignore[no-
     text = html(document())
     assert spoil(text) != text
     assert fault in "; ".join(Page.of(spoil(text)).faults)
+
+
+def test_no_line_ends_within_an_option_or_between_a_formula_and_its_full_stop() -> None:
+    words = [
+        Paragraph(Md("The angle is $\\alpha$. Then `run --plot x.png`, and (see $\\beta$): *so*.")),
+        Code("x --out a", "sh"),
+    ]
+    text = html(Document("One", "two", [Section("Three", words)]))
+    assert [each.split("</math>")[1] for each in WHOLE.findall(text) if "math" in each] == [".", "):"]
+    assert [each for each in WHOLE.findall(text) if "math" not in each] == ["--plot", "--out"]
+    assert "Then run --plot x.png, and (see β): so." in Page.of(text).text
+
+
+def test_numbers_name_their_columns_where_rows_are_stacked() -> None:
+    rows = [["a", "1", "2"]]
+    several, one, none = (
+        Table(("what", "mean\nN", "most"), rows, align, stack=stack)
+        for align, stack in (("lrr", True), ("lrl", True), ("lrr", False))
+    )
+    found = [html(Document("One", "two", [Section("Three", [table])])) for table in (several, one, none)]
+    assert [re.findall(r'data-of="([^"]*)"', text) for text in found] == [["mean N", "most"], [], []]
 
 
 def test_no_style_or_script_is_written_into_the_pieces() -> None:

@@ -33,7 +33,9 @@ def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a
     u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 121), np.linspace(-1.12, 1.12, 81)))
     shown = values.max() * np.sqrt(np.clip(smooth(np.column_stack([u, v])), 0.0, None))
     levels = np.linspace(0.02, 1.02, 51) * values.max()  # without pressure no colour
-    return axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)
+    filled = axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)
+    filled.set(edgecolor="face", linewidth=0.4)  # else the page shows light lines between the levels
+    return filled
 
 
 def load_axis(axes: Axes, loads: list[float]) -> None:

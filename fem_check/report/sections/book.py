@@ -37,7 +37,9 @@ def measured(evidence: Evidence) -> Section:
 def _not_yet() -> Section:
     """Published cases whose documents are not at hand."""
     rows = [[each["document"], each["would_show"], each["at_hand"]] for each in NOT_YET]
-    return Section("Measurements not at hand", [Table(("document", "what it would show", "at hand"), rows, "lll")])
+    return Section(
+        "Measurements not at hand", [Table(("document", "what it would show", "at hand"), rows, "lll", stack=True)]
+    )
 
 
 def _overview(evidence: Evidence, measured: bool) -> list[Block]:
@@ -48,7 +50,11 @@ def _overview(evidence: Evidence, measured: bool) -> list[Block]:
         for kept in evidence.book.values()
         if (kept.data["kind"] == "M") == measured
     ]
-    return [Table(("case", "kind", "what came out", "verdict"), rows, "llll")] if rows else [Remark("No case.")]
+    return (
+        [Table(("case", "kind", "what came out", "verdict"), rows, "llll", stack=True)]
+        if rows
+        else [Remark("No case.")]
+    )
 
 
 def _page(name: str, kept: Kept) -> Section:
@@ -57,7 +63,7 @@ def _page(name: str, kept: Kept) -> Section:
     blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]))
     if entry["inputs"]:
         inputs = [list(map(str, each)) for each in entry["inputs"]]
-        blocks.append(Table(("input", "value", "from"), inputs, "lll", f"{entry['title']}. Inputs"))
+        blocks.append(Table(("input", "value", "from"), inputs, "lll", f"{entry['title']}. Inputs", stack=True))
     blocks += _lists(entry)
     blocks += _picture(kept)
     blocks += agreement(entry["rows"], f"{entry['title']}. Agreement")
@@ -66,7 +72,7 @@ def _page(name: str, kept: Kept) -> Section:
         rows = [[_cell(value) for value in row] for row in points["rows"]]
         blocks.append(Table(points["columns"], rows, "l" + "r" * (len(points["columns"]) - 1), points["caption"]))
     elif points:
-        blocks.append(Paragraph(f"{points['caption']}: {len(points['rows'])} points, in the record."))
+        blocks.append(Paragraph(f"{points['caption'].rstrip('.')}: {len(points['rows'])} points, in the record."))
     return Section(entry["title"], [*blocks, kept.trace], f"book-{name.replace('_', '-')}")
 
 

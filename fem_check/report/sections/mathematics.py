@@ -43,7 +43,11 @@ def _reference(kept: Kept | None) -> list[Block]:
         f"{len(rows)} scenes, each solved with four unknowns a ball by mpmath. Largest relative errors of what "
         f"`qsbearing.solve` says; the tolerance is {kept.data['tolerance']:g}: {kept.data['why_tolerance']}."
     )
-    return [Paragraph(words.replace("`", "")), Table(headings, rows, "llrrrrl", "Relative errors"), kept.trace]
+    return [
+        Paragraph(words.replace("`", "")),
+        Table(headings, rows, "llrrrrl", "Relative errors", stack=True),
+        kept.trace,
+    ]
 
 
 def _relations(kept: Kept | None) -> list[Block]:
@@ -57,5 +61,5 @@ def _relations(kept: Kept | None) -> list[Block]:
         "Symmetries, limits, energy, derivatives, motion: each test states a relation and holds random or named scenes "
         "to it, without a number that was computed before."
     )
-    table = Table(("file", "what must hold", "passed", "failed", "verdict"), rows, "llrrl")
+    table = Table(("file", "what must hold", "passed", "failed", "verdict"), rows, "llrrl", stack=True)
     return [Paragraph(words), table, kept.trace]

@@ -56,7 +56,7 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
         f"Refusals with a proof: {proofs}; the others with an inadmissible equilibrium as evidence. "
         "The records name each scene that did not converge."
     )
-    return [table, Paragraph(words), Paragraph("The bars:"), Bullets(bars), *(each.trace for each in kept)]
+    return [table, Paragraph(words), Paragraph("Acceptance limits:"), Bullets(bars), *(each.trace for each in kept)]
 
 
 def _hard_cases(kept: Kept | None) -> list[Block]:
@@ -78,4 +78,4 @@ def _hard_cases(kept: Kept | None) -> list[Block]:
         "what the condition number makes of the last bit of the input."
     )
     headings = ("case", "what", "outcome", "iterations", "loads", "angles", "displacements", "unavoidable", "verdict")
-    return [Paragraph(words), Table(headings, rows, "lllrrrrrl"), kept.trace]
+    return [Paragraph(words), Table(headings, rows, "lllrrrrrl", stack=True), kept.trace]

@@ -47,7 +47,7 @@ def _heading(record: dict[str, Any]) -> list[Block]:
 
 def _levels(record: dict[str, Any]) -> Table:
     batch = record["settings"]["batch"]
-    heading = ["", "one call\nus", "of the finest\n", f"a case of {batch}\nus", "of the finest\n"]
+    heading = ["", "one call\nµs", "of the finest\n", f"a case of {batch}\nµs", "of the finest\n"]
     cells = []
     for level in levels_of(record):
         rows = select(record["measured"], part="levels", name=level.name)
@@ -66,7 +66,7 @@ def _speeds(record: dict[str, Any]) -> Table:
 
 
 def _scaling(record: dict[str, Any]) -> Table:
-    heading = ["cases", "us a case", "of the last", "MB"]
+    heading = ["cases", "µs a case", "of the last", "MB"]
     measured = select(record["measured"], part="cases")
     rows = [(row["name"], _micro(row), _ratio(row), f"{row['memory_MB']:.0f}") for row in measured]
     return Table(heading, rows, caption="Scaling: cases in one call, one thread")
