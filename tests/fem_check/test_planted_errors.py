@@ -121,13 +121,13 @@ PLANTED = {
     "load along z 10 % too large": (
         "qsbearing/solution/flatten.py",
         "load / (force * diameter) if channel.is_rotation else load / force",
-        "load / (force * diameter) if channel.is_rotation else (1.1 if i == 2 else 1.0) * load / force",
+        "load / (force * diameter) if channel.is_rotation else (1.1 if channel is CHANNELS[2] else 1.0) * load / force",
         SOLUTION,
     ),
     "load along z with the wrong sign": (
         "qsbearing/solution/flatten.py",
         "load / (force * diameter) if channel.is_rotation else load / force",
-        "load / (force * diameter) if channel.is_rotation else (-1.0 if i == 2 else 1.0) * load / force",
+        "load / (force * diameter) if channel.is_rotation else (-1) ** (channel is CHANNELS[2]) * load / force",
         SOLUTION,
     ),
     "stiffness +0.1 %": (

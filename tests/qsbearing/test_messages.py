@@ -235,6 +235,8 @@ def places() -> set[tuple[str, str]]:
             made = isinstance(node, ast.Call) and getattr(node.func, "id", "") in MAKERS and path.stem != MADE_BY
             if made and isinstance(node, ast.Call):
                 see = node.args[-1]
+                if isinstance(see, ast.Attribute):  # of another warning, whose place is found where that is made
+                    continue
                 found.add((path.stem, constants.get(see.id, CHOICES) if isinstance(see, ast.Name) else see.value))  # type: ignore[attr-defined]
     return found
 
