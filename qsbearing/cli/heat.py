@@ -67,13 +67,9 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         else:
             _show(found)
         if plot is not None:
-            from qsbearing.scene.scene import Scene
+            from qsbearing.pictures.style import name_of
 
-            if isinstance(loaded, Scene):
-                title = loaded.bearing.name or "Ball bearing"
-            else:
-                title = f"{loaded.name or 'Set'}, {loaded.arrangement}"
-            write_files(writers, {"--plot": lambda: _picture(found, state, title, plot)})
+            write_files(writers, {"--plot": lambda: _picture(found, state, name_of(loaded), plot)})
     if not solution.converged:
         sys.exit(UNSOLVED)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from contextlib import ExitStack
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -128,12 +129,9 @@ class Found(NamedTuple):
 
 def _of_scene(scene: Scene, accuracy: float | None) -> Found:
     from qsbearing.io.json_record import record
-    from qsbearing.io.readings_record import all_columns, taken
+    from qsbearing.io.readings_record import Readings, all_columns, taken
 
-    solution = _solved(scene, accuracy)
-    readings = taken(solution)
-
-    def blocks() -> list[Block]:
+    def blocks(solution: Solution, readings: Readings) -> list[Block]:
         from qsbearing.documents.model import Paragraph
         from qsbearing.io.report import result
 
@@ -144,43 +142,43 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
         said = enumerate(chosen(solution, scene))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
+    solution = _solved(scene, accuracy)
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
+    found = partial(_found, solution, asked, taken(solution), all_columns)
     if "spectrum" in scene.readings:
-        from qsbearing.io import spectrum_report
+        from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
 
-        show = (
-            lambda: spectrum_report.spectrum_record(solution, readings),
-            lambda: spectrum_report.spectrum_result(solution, readings),
-        )
-    else:
-        show = (lambda: record(solution, readings), blocks)
-    return Found(solution, asked, *show, lambda: all_columns(solution, readings))
+        return found(spectrum_record, spectrum_result)
+    return found(record, blocks)
 
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
-    from qsbearing.io.readings_record import taken
+    from qsbearing.io.readings_record import Readings, taken
     from qsbearing.io.set_record import set_columns, set_record
 
     if accuracy is not None:
         refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
-    solution: SetSolution = solve(of)
-    readings = [taken(row) for row in solution.rows]
 
-    def blocks() -> list[Block]:
-        from qsbearing.io.set_report import set_result
+    def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
+        from qsbearing.io.set_report import set_result  # not above: --json does without
 
         return set_result(solution, readings)
 
+    solution: SetSolution = solve(of)
+    found = partial(_found, solution, of, [taken(row) for row in solution.rows], set_columns)
     if "spectrum" in of.readings:
-        from qsbearing.io import set_spectrum_report
+        from qsbearing.io.set_spectrum_report import set_spectrum_record, set_spectrum_result
 
-        show = (
-            lambda: set_spectrum_report.set_spectrum_record(solution, readings),
-            lambda: set_spectrum_report.set_spectrum_result(solution, readings),
-        )
-    else:
-        show = (lambda: set_record(solution, readings), blocks)
-    return Found(solution, of, *show, lambda: set_columns(solution, readings))
+        return found(set_spectrum_record, set_spectrum_result)
+    return found(set_record, blocks)
+
+
+def _found(
+    solution: Any, asked: Any, readings: Any, columns: Callable[..., Any], record: Callable[..., Any],
+    blocks: Callable[..., Any],
+) -> Found:  # fmt: skip
+    """What is shown of a solution and its readings."""
+    return Found(solution, asked, *(partial(each, solution, readings) for each in (record, blocks, columns)))
 
 
 def _solved(scene: Scene, accuracy: float | None) -> Solution:

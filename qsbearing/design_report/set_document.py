@@ -15,9 +15,9 @@ from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.tables import remarks
-from qsbearing.messages.bearing_set import capital, row_name
+from qsbearing.messages.bearing_set import capital, row_name, warnings_of_set
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
-from qsbearing.ranked_warning import Rank, RankedWarning, ranked, said_of
+from qsbearing.ranked_warning import Rank, RankedWarning, in_order, ranked, said_of
 from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution
 
@@ -57,12 +57,10 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 def _warnings(solution: SetSolution, found: Sequence[Readings]) -> list[RankedWarning]:
     """All warnings; what is said of several rows, but for its numbers, stands once, with the rows and their range."""
     of_rows: dict[tuple[str, Rank, str], dict[int, RankedWarning]] = {}
-    named = set()
     for number, (row, of_row) in enumerate(zip(solution.rows, found, strict=True)):
         for each in map(ranked, [*messages.warnings(row), *warnings_of(of_row)]):
-            named.add(said_of(_name(solution, number), each))
             of_rows.setdefault((NUMBER.sub("", each), each.rank, each.see), {})[number] = each
-    said = [each for each in solution.warnings() if each not in named]
+    said = in_order(warnings_of_set(solution))
     for each_of in of_rows.values():
         rows, sentence = list(each_of), next(iter(each_of.values()))
         which = _name(solution, rows[0]) if len(rows) == 1 else _rows(rows)

@@ -17,7 +17,6 @@ from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.io.unknown_key import near
 from qsbearing.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
-from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet, Direction, Row, placement_errors
 from qsbearing.validation import ErrorDetail, SceneError
@@ -185,8 +184,7 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
 
 def _errors_of_readings(of: BearingSet) -> Errors:
     """What is wrong with readings that only the whole row shows; what all rows have alike is said once."""
-    plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
-    found = [errors_in_scene(of.row_scene(number, plain)) for number in range(len(of.rows))]
+    found = [errors_in_scene(of.turning_scene(number)) for number in range(len(of.rows))]
     if all(each == found[0] for each in found):
         return found[0]
     return [error for number, errors in enumerate(found, 1) for error in _below(f"row {number}", errors)]

@@ -131,23 +131,29 @@ def capital(text: str) -> str:
 def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
     """Sentences on what to beware of in a case, its rows' own among them; of several cases, how many have lost their
     preload or have an excessive one, row by row."""
-    of, rows = solution.preload_loads, solution.set.rows
     if index is None and solution.shape:
+        of = solution.preload_loads
         return [] if of is None else _counted(solution, of)
     k = solution._flat_index(index)
     place = tuple(map(int, np.unravel_index(k, solution.shape))) if solution.shape else ()
     if solution._outcome.status[k] != CONVERGED:
         return []
-    said: list[RankedWarning] = []
+    said = warnings_of_set(solution, place)
+    for number, row_solution in enumerate(solution.rows):
+        name = capital(row_name(solution.set.rows[number], number))
+        said += [said_of(name, each) for each in bearing.warnings(row_solution, place or None)]
+    return in_order(said)
+
+
+def warnings_of_set(solution: SetSolution, place: tuple[int, ...] = ()) -> list[RankedWarning]:
+    """Those of a converged case that are not its rows' own: preload lost or excessive, no stiffness."""
+    of, said = solution.preload_loads, list[RankedWarning]()
     if of is not None:
-        said = [each for number in range(len(rows)) for each in _preload(solution, of, place, number)]
+        said = [each for number in range(len(solution.rows)) for each in _preload(solution, of, place, number)]
     if not solution.control_is_consistent[place]:
         what = "No stiffness: raceway control contradicts itself in a row, which has several solutions."
         said.append(wrong_model(what, "limits#hypotheses"))
-    for number, row_solution in enumerate(solution.rows):
-        name = capital(row_name(rows[number], number))
-        said += [said_of(name, each) for each in bearing.warnings(row_solution, place or None)]
-    return in_order(said)
+    return said
 
 
 def _counted(solution: SetSolution, of: PreloadLoads) -> list[RankedWarning]:

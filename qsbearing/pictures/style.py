@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.scene.operation import CHANNELS, Operation
+from qsbearing.scene.scene import Scene
+from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.case_index import Place
 from qsbearing.solution.raceway_contacts import RacewayContacts
@@ -187,13 +189,17 @@ def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> Non
 
 def write_title(figure: Figure, solution: Solution, place: Place) -> None:
     """What was solved, in a line: the bearing, its speeds, and the loads and displacements that are imposed."""
-    _write_title(figure, solution.scene.bearing.name or "Ball bearing", solution.scene.operation, solution, place)
+    _write_title(figure, name_of(solution.scene), solution.scene.operation, solution, place)
 
 
 def write_title_of_set(figure: Figure, solution: SetSolution, place: Place) -> None:
     """Likewise: the set, its speeds, and the loads on the shaft."""
-    of = solution.set
-    _write_title(figure, f"{of.name or 'Set'}, {of.arrangement}", of.operation, solution, place)
+    _write_title(figure, name_of(solution.set), solution.set.operation, solution, place)
+
+
+def name_of(of: Scene | BearingSet) -> str:
+    """How a picture's title names it: the bearing; the set with its arrangement."""
+    return of.bearing.name or "Ball bearing" if isinstance(of, Scene) else f"{of.name or 'Set'}, {of.arrangement}"
 
 
 def _write_title(

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.scene.operation import Operation
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
@@ -24,8 +23,7 @@ class HotSet:
         assert of.thermal is not None
         self.of, self.shape, self._solve = of, shape, solve
         self.thermal, self.operation = of.thermal, of.operation
-        plain = Operation(speed=of.operation.speed, outer_speed=of.operation.outer_speed)
-        self.scenes: Sequence[Scene] = tuple(of.row_scene(number, plain) for number in range(len(of.rows)))
+        self.scenes: Sequence[Scene] = tuple(map(of.turning_scene, range(len(of.rows))))
         self.readings: Sequence[Mapping[str, Any]] = tuple(
             of.readings if row.readings is None else row.readings for row in of.rows
         )

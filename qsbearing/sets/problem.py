@@ -129,10 +129,10 @@ class Problem:
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
         solve_directly(s, cases, own, matrices, offsets - shift, found)
         rest = np.flatnonzero(carried[part] & ~s.solved)
-        lost = rest[is_beyond_springs(s, rest)]
-        o.status[part][lost], o.unsupported[part][lost, 0] = NO_EQUILIBRIUM, True
-        rest = np.setdiff1d(rest, lost)
         if rest.size:
+            is_lost = is_beyond_springs(s, rest)
+            lost, rest = rest[is_lost], rest[~is_lost]
+            o.status[part][lost], o.unsupported[part][lost, 0] = NO_EQUILIBRIUM, True
             rest = np.setdiff1d(rest, newton(s, rest))
         reached = np.ones(count)
         if rest.size:
