@@ -60,12 +60,12 @@ def _warnings(solution: SetSolution, found: Sequence[Readings]) -> list[RankedWa
     for number, (row, of_row) in enumerate(zip(solution.rows, found, strict=True)):
         for each in map(ranked, [*messages.warnings(row), *warnings_of(of_row)]):
             of_rows.setdefault((NUMBER.sub("", each), each.rank, each.see), {})[number] = each
-    said = in_order(warnings_of_set(solution))
+    said = warnings_of_set(solution)
     for each_of in of_rows.values():
         rows, sentence = list(each_of), next(iter(each_of.values()))
         which = _name(solution, rows[0]) if len(rows) == 1 else _rows(rows)
         said.append(said_of(which, RankedWarning(_in_ranges(list(each_of.values())), sentence.rank, sentence.see)))
-    return said
+    return in_order(said)
 
 
 def _in_ranges(sentences: Sequence[str]) -> str:

@@ -13,9 +13,11 @@ import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
+from qsbearing import messages
 from qsbearing.cli import cli
-from qsbearing.design_report import set_curves, set_inputs
+from qsbearing.design_report import set_curves, set_document, set_inputs
 from qsbearing.documents.model import Group, Table
+from qsbearing.scene.operation import STRAIGHT
 from qsbearing.solution.judgement import percent
 from qsbearing.thermal.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
@@ -198,6 +200,21 @@ def test_what_is_said_of_several_rows_opens_the_report_once(folder: Path) -> Non
     own = re.findall(r"Wrong model: Not simulated[^()]*\(contact loads ≈ ([^%]*) %", rest)
     assert opening[0] == "Rows 2 and 3"
     assert opening[1] == (own[0] if len(set(own)) == 1 else " to ".join(sorted(own, key=float)))
+
+
+def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> None:
+    bearing = qs.load_scene("b218").bearing
+    rows = tuple(qs.Row(bearing, at, way) for at, way in ((0.0, "+x"), (0.06, "-x"), (0.2, "-x")))
+    turning = qs.Operation(speed=6000 * qs.rpm, axial_load=3000.0, **STRAIGHT)
+    solution = qs.solve_set(qs.BearingSet(rows, turning, preload=qs.Preload(rigid=2000.0)))
+    found = set_document._warnings(solution, [{}, {}, {}])
+    own = [re.findall(r"contact loads ≈ (\d+) %", each) for row in solution.rows for each in messages.warnings(row)]
+    numbers = sorted({value for each in own for value in each}, key=float)
+    assert len(numbers) > 1
+    (said,) = (each for each in found if "contact loads" in each)
+    assert said.startswith("Rows 1, 2 and 3: ") and f"≈ {numbers[0]} to {numbers[-1]} %" in said
+    assert [each.rank for each in found] == sorted(each.rank for each in found)
+    assert sum("Preload reduced" in each for each in found) == 2
 
 
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
