@@ -11,6 +11,8 @@ from matplotlib.tri import Triangulation
 from numpy.typing import NDArray
 
 Entry = dict[str, Any]
+INCHES = 11.0
+"""Width of a figure that would fill the page."""
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
 FOUND: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
 
