@@ -15,9 +15,9 @@ from qsbearing.documents.model import Block, Document, Picture, Section
 
 TEMPLATES = Path(__file__).parent / "templates"
 OPTION = re.compile(r"(?<![\w-])--?[a-z][\w-]*")
-VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*(?: (?!-)(?:"[^"]*"|[^\s\\\\]+))?)')
-VALUE = 36
-"""Letters of an option with its value that stay on one line: those of a phone."""
+VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?')
+NARROWEST = 46
+"""Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
 JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 """Where a long name may be broken."""
 SHORT = 26
@@ -91,13 +91,21 @@ def _highlighted(text: str, language: str, **_: Any) -> str:
 
 
 def _command(line: str) -> str:
-    """A command's line as HTML: no line ends within an option, nor between a short option and its value."""
+    """A command's line as HTML: no line ends within an option or its value, nor between them, if they are short."""
     from markupsafe import escape
 
+    def short(text: str) -> str:
+        return _whole(str(escape(text))) if len(text) <= NARROWEST else str(escape(text))
+
     command, mark, remark = line.partition(" # ") if not line.startswith("#") else ("", "", line)
-    pieces = [str(escape(piece)) for piece in VALUED.split(command)]
-    pieces[1::2] = [_whole_options(each) if len(each) > VALUE else _whole(each) for each in pieces[1::2]]
-    return "".join(pieces) + f'<span class="c1">{escape(mark + remark)}</span>' * bool(remark)
+    shown, after = "", 0
+    for found in VALUED.finditer(command):
+        option, value = found[1], found[2] or ""
+        shown += str(escape(command[after : found.start()]))
+        shown += short(found[0]) if len(found[0]) <= NARROWEST else f"{short(option)} {short(value[1:])}"
+        after = found.end()
+    shown += str(escape(command[after:]))
+    return shown + (f'<span class="c1">{escape(mark + remark)}</span>' if remark else "")
 
 
 def _whole(text: str) -> str:
