@@ -59,7 +59,7 @@ def test_no_line_ends_within_an_option_or_between_a_formula_and_its_full_stop() 
     assert [each.split("</math>")[1] for each in WHOLE.findall(text) if "math" in each] == [".", "):"]
     whole = [each for each in WHOLE.findall(text) if "math" not in each]
     assert whole == ["run --plot x.png", "--plot", "--out a", "-y b", "--vary", "long" * 10, "-z"]
-    assert "a_<wbr>long_<wbr>name.<wbr>toml" in text
+    assert "a_long_<wbr>name.<wbr>toml" in text
     assert "Then run --plot x.png, and (see β): so." in Page.of(text).text
 
 

@@ -87,6 +87,7 @@ STYLES = {
 def picture(record: Any) -> Figure:
     """Whirl frequencies against speed, critical speed against preload."""
     figure = figure_of_size(8.4, 3.6)
+    figure.get_layout_engine().set(w_pad=0.12)  # type: ignore[union-attr,call-arg]
     left, right = figure.subplots(1, 2)
     for kind, ways in record["whirl_rpm"].items():
         for values in ways.values():

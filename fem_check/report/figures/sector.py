@@ -27,6 +27,7 @@ def bearing_sector(entry: Entry) -> Figure:
     )
     loads = sorted({load for states in series.values() for curve in states.values() for load in curve["load_N"]})
     figure, grid = plt.subplots(3, 2, figsize=(8.6, 8.6), layout="constrained")
+    figure.get_layout_engine().set(h_pad=0.09, w_pad=0.09)  # type: ignore[union-attr,call-arg]  # no title touches the next
     for axes in grid.ravel():  # limits first: a single load has no range of its own
         axes.set(xscale="log", xlim=(0.7 * loads[0], 1.4 * loads[-1]))
         load_axis(axes, loads)
