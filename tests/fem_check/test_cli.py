@@ -99,7 +99,7 @@ def _replaced(findings):
                 "--accuracy",
                 "0.1",
             ],
-            "chosen by --elements",
+            "give --elements instead",
         ),
     ],
 )
