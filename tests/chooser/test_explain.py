@@ -280,11 +280,11 @@ def test_an_accuracy_out_of_range_is_bad_input(asked: str) -> None:
 @pytest.mark.parametrize(
     ("head", "said"),
     [
-        ("tolerance = 0.01\n", "the effects are not chosen by it"),
+        ("tolerance = 0.01\n", "is given without effects"),
         ('effects = "automatic"\n', "is not a table"),
-        ('effects = "auto"\ntolerance = 2\n', "is no relative error"),
-        ('effects = "auto"\ntolerance = "fine"\n', "is no relative error"),
-        ('effects = "auto"\ntolerance = true\n', "is no relative error"),
+        ('effects = "auto"\ntolerance = 2\n', "is not a relative error"),
+        ('effects = "auto"\ntolerance = "fine"\n', "is not a relative error"),
+        ('effects = "auto"\ntolerance = true\n', "is not a relative error"),
     ],
 )
 def test_a_mistaken_request_is_bad_input_together_with_the_rest(tmp_path: Path, head: str, said: str) -> None:

@@ -81,7 +81,7 @@ def test_a_file_is_read_written_and_read_again(outer: str, inner: str, tmp_path:
         (OUTER["shoulders"].replace("132.4", "124"), "on the ring's side of the outer groove's centre circle"),
         (OUTER["shoulders"].replace("shoulder_diameter_mm = 132.4, ", ""), "outer.shoulder_diameter_mm: missing"),
         ("inner = {shaft = {compliance_um_per_N = [-1]}}", "is negative"),
-        ("inner = {width_mm = 30, shaft = {compliance_um_per_N = [1e-4]}}", "is given beside"),
+        ("inner = {width_mm = 30, shaft = {compliance_um_per_N = [1e-4]}}", "is given together with"),
         ("", "describes no ring"),
     ],
 )  # fmt: skip

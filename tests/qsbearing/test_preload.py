@@ -261,9 +261,13 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
 @pytest.mark.parametrize(
     ("operation", "table", "words"),
     [
-        ("axial_load_N = 500\n", "rigid_N = 500\n", {"operation.axial_load_N": "beside a preload"}),
-        ("axial_displacement_um = 5\n", "spring_N = 5\n", {"operation.axial_displacement_um": "beside a preload"}),
-        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given beside rigid_N"}),
+        ("axial_load_N = 500\n", "rigid_N = 500\n", {"operation.axial_load_N": "together with a preload"}),
+        (
+            "axial_displacement_um = 5\n",
+            "spring_N = 5\n",
+            {"operation.axial_displacement_um": "together with a preload"},
+        ),
+        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given together with rigid_N"}),
         ("", "", {"preload.spring_N": "is missing"}),
         ("", "rigid_kN = 0.5\n", {"preload.rigid_kN": "rigid_N = 500"}),
         ("", "rigid_N = -5\n", {"preload.rigid_N": "is negative"}),
@@ -283,7 +287,7 @@ def test_what_is_refused(tmp_path: Path, operation: str, table: str, words: dict
 
 
 def test_python_refuses_alike() -> None:
-    with pytest.raises(qs.SceneError, match="beside a preload"):
+    with pytest.raises(qs.SceneError, match="together with a preload"):
         qs.Scene(B218, qs.Operation(axial_load=5.0), preload=qs.Preload(spring=5.0))
     with pytest.raises(qs.SceneError, match="is not a preload"):
         qs.Scene(B218, qs.Operation(), preload=500.0)

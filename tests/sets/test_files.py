@@ -195,10 +195,10 @@ ball = []
         (
             PAIR_FILE.replace("[preload]\nrigid_N = 720", "[preload]\nspring_N = 720"),
             "preload.spring_N",
-            "presses no row",
+            "is given, but no row is sprung",
         ),
         (PAIR_FILE.replace('"-x"', '"+x"'), "preload.rigid_N", "has no row to press against"),
-        (PAIR_FILE.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is that of row 1 as well"),
+        (PAIR_FILE.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is the position of row 1 too"),
         ("effects = 'auto'\n" + PAIR_FILE.partition("[effects]")[0], "effects", "are not chosen for sets"),
         (PAIR_FILE.replace("10000", "1e7"), "operation.speed_rpm", "is too fast"),
         (PAIR_FILE + "[readings.film]\n", "readings.film", "needs an oil"),
