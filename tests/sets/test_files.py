@@ -223,7 +223,7 @@ def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     path = written(tmp_path, PAIR_FILE)
     chosen = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
     assert chosen.exit_code == 2
-    assert "--accuracy: the effects of a set are those that its file names" in chosen.stderr
+    assert "--accuracy: a set has the effects that its file names" in chosen.stderr
     assert not (tmp_path / "a.png").exists()
     overloaded = PAIR_FILE.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
     path = written(tmp_path, overloaded)

@@ -258,7 +258,7 @@ def test_a_number_for_each_case_is_refused() -> None:
 
 
 def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:
-    with pytest.raises(qs.SceneError, match="reached by the given temperatures and heats alone"):
+    with pytest.raises(qs.SceneError, match="reached through the given temperatures and heats, without friction"):
         qs.solve(scene(thermal=tables()["thermal"] | {"heats": {"inner_ring_W": 5000}}))
     reversed_load = qs.solve(scene(preload=None, operation={"speed_rpm": 8000, "axial_load_N": -400}))
     assert str(reversed_load.reason) == "open_side" and "open side of the groove" in qs.message(reversed_load)
