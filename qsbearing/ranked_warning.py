@@ -49,7 +49,7 @@ class RankedWarning(str):
     @property
     def line(self) -> str:
         """As people read it: how much it matters, the sentence, and where the guide says more."""
-        return f"{self.rank.words}: {self}" + (f" (guide {self.see})" if self.see else "")
+        return f"{self.rank.words}: {self}" + (f" (see qsbearing guide {self.see})" if self.see else "")
 
 
 def wrong_model(text: str, see: str) -> RankedWarning:

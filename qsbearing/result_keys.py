@@ -31,8 +31,8 @@ def split(key: str) -> tuple[str, str]:
 
 
 def printed_unit(unit: str) -> str:
-    """A unit as people write it: µm, °C; in keys and attributes it is plain ASCII."""
-    return "°C" if unit == "C" else unit.replace("um", "µm")
+    """A unit as people write it: µm, °C; nothing for "1". In keys and attributes it is plain ASCII."""
+    return {"1": "", "C": "°C", "Mrev": "million rev"}.get(unit, unit.replace("um", "µm"))
 
 
 class Shown(NamedTuple):

@@ -13,14 +13,22 @@ from qsbearing.cli.output import print_table, print_wrote
 from qsbearing.documents.model import Badge, Table
 
 
-@click.command("book")
+@click.command("book", short_help="Compare qsbearing with published results and measurements.")
 @click.argument("names", nargs=-1, metavar="[CASE ...]")
-@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--out",
+    default=RESULTS,
+    show_default=True,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder of results; the cases are written into its folder `book`.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON record per line, and nothing else.")
 def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
-    """Hold qsbearing against published catalogues, standards and measurements, all cases by default.
+    """Compare qsbearing with published catalogues, standards and measurements: the named cases, or else all.
 
-    Writes a record of each case, and all of them as one page, book.html, into the folder `book` of a folder of results.
+    Writes a record of each case, and one page with all of them, book.html.
+
+    Exit codes: 0 all within tolerance, 1 a case is out of tolerance, 2 bad input or a missing dependency.
     """
     require("report", "jinja2", "markdown_it", "mdit_py_plugins", "matplotlib")
     from fem_check import book

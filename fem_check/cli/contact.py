@@ -14,12 +14,12 @@ from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, re
 
 
 @click.command("contact")
-@click.option("--scene", required=True, help="A scene file (TOML) or the name of a built-in example.")
+@click.option("--scene", required=True, help="A scene file (TOML) or a name of the catalogue.")
 @click.option("--race", required=True, help="Raceway: inner or outer.")
-@click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact.")
+@click.option("--load-N", "load", required=True, type=float, help="Normal load of the contact [N].")
 @click.option("--elements", default=None, type=int, help="Elements per semi-axis; 8 unless --accuracy is given.")
 @click.option(
-    "--accuracy", default=None, type=float, help="Largest relative error; the cheapest mesh for it is chosen."
+    "--accuracy", default=None, type=float, help="Largest relative error, such as 1e-3; chooses the cheapest mesh."
 )
 @click.option(
     "--geometry",
@@ -38,7 +38,10 @@ def contact(
     geometry: str,
     as_json: bool,
 ) -> None:
-    """Solve one contact of a scene and compare it with Hertz."""
+    """Solve one contact of a scene and compare it with Hertz.
+
+    Exit codes: 0 within tolerance, 1 out of tolerance, 2 bad input or a missing dependency.
+    """
     require(*FEM)
     from fem_check import memory, meshing, records_store, runner, single_contact
     from fem_check.contact import ContactError
@@ -48,16 +51,16 @@ def contact(
     from fem_check.scenes import SceneProblemError, groove_contact
 
     if not 0.0 < load < float("inf"):
-        refuse(f"--load-N {load:g}: a contact carries a positive load")
+        refuse(f"--load-N {load:g}: must be above 0 N and finite")
     if accuracy is not None and not 0.0 < accuracy < 1.0:
-        refuse(f"--accuracy {accuracy:g}: a relative error, above 0 and below 1 (1e-3 is a tenth of a per cent)")
+        refuse(f"--accuracy {accuracy:g}: must be a relative error above 0 and below 1 (1e-3 is 0.1 %)")
     if accuracy is not None and elements is not None:
-        refuse("--accuracy and --elements: an accuracy chooses the elements; name one of the two")
+        refuse("--accuracy and --elements: give only one of them, because --accuracy chooses the elements")
     if accuracy is not None and geometry == "true":
-        refuse("--accuracy and --geometry true: the meshes of true bodies are chosen by --elements")
+        refuse("--accuracy and --geometry true: --accuracy works for half-spaces only; give --elements instead")
     least = single_contact.LEAST_ELEMENTS if geometry == "parabolic" else single_contact.LEAST_TRUE_ELEMENTS
     if elements is not None and elements < least:
-        refuse(f"--elements {elements}: at least {least} per semi-axis")
+        refuse(f"--elements {elements}: must be at least {least} per semi-axis")
     console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)

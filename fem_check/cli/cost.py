@@ -8,12 +8,12 @@ from pathlib import Path
 
 import click
 
-from fem_check.cli.output import FEM, progress_bar, refuse, require
+from fem_check.cli.output import FEM, LEVELS, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_text, print_wrote
 
 
 @click.command("cost")
-@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True, help=LEVELS)
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -23,7 +23,10 @@ from qsbearing.cli.output import print_table, print_text, print_wrote
 )
 @click.option("--json", "as_json", is_flag=True, help="Print the record as JSON, and nothing else.")
 def cost(level: str, out: Path, as_json: bool) -> None:
-    """Measure error, time and memory for element families and meshes."""
+    """Measure error, time and memory for element families and meshes.
+
+    Exit codes: 0 measured, 2 bad input or a missing dependency.
+    """
     require(*FEM)
     from concurrent.futures.process import BrokenProcessPool
 
@@ -42,7 +45,7 @@ def cost(level: str, out: Path, as_json: bool) -> None:
         records_store.replace(path, records_store.text(found))
         records_store.replace(path.with_suffix(".png"), picture.png(found))
     except BrokenProcessPool:
-        refuse("a process that solved a contact was ended from outside, as it is when memory runs out")
+        refuse("the system ended a process that solved a contact; a likely cause is that the memory ran out")
     except (meshing.MeshError, runner.BadInputError, ValueError) as problem:
         refuse(str(problem))
     except OSError as problem:

@@ -8,7 +8,7 @@ from qsbearing.cli.output import print_table
 from qsbearing.documents.model import Table
 
 
-@click.command("list")
+@click.command("list", short_help="List the checks and the published cases.")
 def list_checks() -> None:
     """List the checks (name, kind, question, tolerance) and the cases of the validation book."""
     from fem_check.book.case import EVIDENCE

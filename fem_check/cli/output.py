@@ -11,6 +11,8 @@ from typing import Any, NoReturn
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
+LEVELS = "release has finer meshes and takes much longer."
+
 RESULTS = "fem_check_results"
 """The working folder's own folder, unless another is named."""
 

@@ -11,13 +11,19 @@ from qsbearing.cli.output import print_text, print_wrote
 from qsbearing.validation import printable
 
 
-@click.command("report")
-@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.command("report", short_help="Write the validation report from records.")
+@click.option(
+    "--out",
+    default=RESULTS,
+    show_default=True,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder for the report.",
+)
 @click.option(
     "--records",
     default=None,
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of records; by default that of --out, or if it has none, the records that came with the package.",
+    help="Folder with the records; by default that of --out, or, if it has none, the records of the package.",
 )
 @click.option(
     "--previous",
@@ -26,9 +32,9 @@ from qsbearing.validation import printable
     help="Folder with the records of an earlier release to compare with.",
 )
 def report(out: Path, records: Path | None, previous: Path | None) -> None:
-    """Write the validation report as HTML and PDF, and its rows as CSV and JSON, from records alone; runs no check.
+    """Write the validation report as HTML and PDF, and its rows as CSV and JSON, from records only; no check is run.
 
-    Exit codes: 0 written, whatever the verdict in it; 2 no records, or a missing dependency.
+    Exit codes: 0 written, whatever the verdicts in it, 2 no records or a missing dependency.
     """
     require("report", "jinja2", "typst", "markdown_it", "mdit_py_plugins", "matplotlib")
     from fem_check import records_store

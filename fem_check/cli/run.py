@@ -11,7 +11,7 @@ import click
 
 from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.contact_table import contact_tables
-from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
+from fem_check.cli.output import FEM, LEVELS, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from fem_check.ring_sections import DIMENSIONS
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.validation import printable
@@ -20,27 +20,34 @@ from qsbearing.validation import printable
 def ring_options(command: Any) -> Any:
     """An option for each dimension of a ring's section."""
     for name, told in reversed(DIMENSIONS.items()):
-        help_text = f"{told.capitalize()} of the rings [mm]; by default from the scene or the catalogue, else assumed."
-        command = click.option(f"--{name.replace('_', '-')}-mm", name, type=float, default=None, help=help_text)(
-            command
-        )
+        what = f"Diameter of the {told}" if told.startswith(("inner", "outer")) else told.capitalize()
+        text = f"{what} [mm]; by default from the scene or the catalogue, else assumed."
+        command = click.option(f"--{name.replace('_', '-')}-mm", name, type=float, default=None, help=text)(command)
     return command
 
 
-@click.command("run")
+@click.command("run", short_help="Run checks on B218, or on the bearing of --scene.")
 @click.argument("names", nargs=-1, metavar="[CHECK ...]")
-@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True)
+@click.option("--level", type=click.Choice(["quick", "release"]), default="quick", show_default=True, help=LEVELS)
 @click.option("--scene", default=None, help="Your bearing: a scene file (TOML) or a name of the catalogue.")
 @ring_options
-@click.option("--out", default=RESULTS, show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--out",
+    default=RESULTS,
+    show_default=True,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder for the records.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON record per line, and nothing else.")
 def run_checks(
     names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool, **rings: float | None
 ) -> None:
-    """Run checks, all by default, on B218; of a bearing that --scene names, its heaviest contacts unless a check is
-    named.
+    """Run the named checks on B218, or all checks if none is named. With --scene, check the most heavily loaded
+    contacts of that bearing, or run the named checks on it.
 
     Prints each comparison with its reference and keeps the records in a folder.
+
+    Exit codes: 0 all within tolerance, 1 a row is out of tolerance, 2 bad input or a missing dependency.
     """
     require(*FEM)
     from fem_check import runner
@@ -49,7 +56,7 @@ def run_checks(
     from fem_check.scenes import RING_OPTIONS
 
     if scene is None and any(value is not None for value in rings.values()):
-        refuse("dimensions of rings are those of the bearing that --scene names")
+        refuse("options for dimensions of the rings need --scene: they belong to that bearing")
     given = RING_OPTIONS.set({name: None if value is None else 1e-3 * value for name, value in rings.items()})
     click.get_current_context().call_on_close(lambda: RING_OPTIONS.reset(given))
 

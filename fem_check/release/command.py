@@ -24,15 +24,17 @@ REASONS = 5
 @click.option(
     "--previous",
     metavar="DIR|TAG",
-    help="Records to compare with: a folder or a tag; those in the repository unless named.",
+    help="Records to compare with: a folder or a tag; by default those in the repository.",
 )
-@click.option("--resume", is_flag=True, help="Go on with an interrupted gate of the same commit and level.")
-@click.option("--keep", is_flag=True, help="After a pass, make its records those in the repository.")
-@click.option("--json", "as_json", is_flag=True, help="The verdicts on stdout, and nothing else.")
+@click.option("--resume", is_flag=True, help="Continue an interrupted run of the same commit and level.")
+@click.option("--keep", is_flag=True, help="If all hold, put the new records into the repository.")
+@click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON, and nothing else.")
 def release(level: str, out: Path, previous: str | None, resume: bool, keep: bool, as_json: bool) -> None:
     """Run everything that must hold before a release.
 
-    Needs a checkout without uncommitted changes. Exit codes: 0 all hold, 1 something fails, 2 it cannot be run.
+    Needs a checkout without uncommitted changes.
+
+    Exit codes: 0 all hold, 1 something fails, 2 it cannot be run.
     """
     try:
         import skfem  # noqa: F401  the checks import it when they solve

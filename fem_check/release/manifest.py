@@ -55,7 +55,7 @@ def problems(root: Path) -> list[str]:
     try:
         kept = dict(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, TypeError) as problem:
-        raise records_store.RecordError(f"{path} is no manifest ({problem})") from problem
+        raise records_store.RecordError(f"{path} is not a manifest ({problem})") from problem
     changed = [f"{name} was changed" for name in kept if name in found and found[name] != kept[name]]
     deleted = [f"{name} was deleted" for name in kept if name not in found]
     return changed + deleted + [f"{name} is not in the manifest" for name in found if name not in kept]

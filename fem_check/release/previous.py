@@ -53,7 +53,7 @@ def read(path: Path) -> dict[str, Any]:
     try:
         return dict(json.loads(path.read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError) as problem:
-        raise RecordError(f"{path} is no record ({problem})") from problem
+        raise RecordError(f"{path} is not a record ({problem})") from problem
 
 
 @contextmanager

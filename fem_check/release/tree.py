@@ -21,8 +21,8 @@ def root() -> Path:
     folder = Path(__file__).parents[2]
     if not (folder / "tests" / "campaign" / "__main__.py").is_file():
         raise TreeError(
-            f"{folder} is no checkout of the source: clone the repository, `pip install -e '.[dev]'`, and run the gate "
-            "there"
+            f"{folder} is not a checkout of the source: clone the repository, run `pip install -e '.[dev]'` in it, and "
+            "run the gate there"
         )
     return folder
 

@@ -149,9 +149,9 @@ def _load(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         if not isinstance(found, dict):
-            raise ValueError("it is no object")
+            raise ValueError("it is not an object")
     except (ValueError, OSError) as problem:
-        raise records_store.RecordError(f"{path} is no record ({problem})") from problem
+        raise records_store.RecordError(f"{path} is not a record ({problem})") from problem
     return found
 
 

@@ -73,4 +73,4 @@ class BodyMesh:
                     file["curved_nodes"].astype(np.float64),
                 )
         except (OSError, ValueError, KeyError, BadZipFile) as problem:
-            raise MeshError(f"{path} is no mesh of a body ({problem})") from problem
+            raise MeshError(f"{path} is not a mesh of a body ({problem})") from problem

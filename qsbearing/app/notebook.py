@@ -100,5 +100,5 @@ def plot(shown: Any, *chosen: Any, **named: Any) -> Any:
 
 def _drawn(solution: Solution | SetSolution, name: str = "overview", index: Any = None, **named: Any) -> Any:
     if name not in pictures.__all__:
-        raise ValueError(f"{name!r} is no picture; there are {', '.join(pictures.__all__)}")
+        raise ValueError(f"{name!r} is not a picture; the pictures are {', '.join(pictures.__all__)}")
     return getattr(pictures, name)(solution, index, **named)

@@ -103,7 +103,7 @@ def _asked(question: Callable[..., answers.Answer]) -> Callable[[Request], Any]:
         async for piece in request.stream():
             data += piece
             if len(data) > LARGEST_FILE:
-                return _refused(f"is longer than {LARGEST_FILE / 1e6:g} MB: this is no scene", 413)
+                return _refused(f"is longer than {LARGEST_FILE / 1e6:g} MB: a scene is shorter", 413)
         try:
             given = signature(question).bind(**json.loads(data, parse_constant=_no_number)).arguments
             is_right = all(isinstance(value, ARGUMENTS[name]) for name, value in given.items())

@@ -17,9 +17,11 @@ if TYPE_CHECKING:
 @click.option("--bore", type=float, metavar="MM", help="Bore diameter.")
 @click.option("--angle", type=float, metavar="DEG", help="Free contact angle: 15, 17 or 25.")
 @click.option("--series", default="", metavar="SERIES", help="Beginning of the name: 719, 72, KH70, KH719.")
-@click.option("--hybrid/--steel", default=None, help="With ceramic or with steel balls.")
+@click.option(
+    "--hybrid/--steel", default=None, help="Only bearings with ceramic balls, or only those with steel balls."
+)
 def catalogue(name: str | None, bore: float | None, angle: float | None, series: str, hybrid: bool | None) -> None:
-    """List the bearings that can be named; with NAME, where each number of that bearing comes from.
+    """List the bearings that a scene can name; with NAME, show where each number of that bearing comes from.
 
     The options select standard spindle bearings.
 
@@ -31,7 +33,7 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
     is_choice = bool(series) or (bore, angle, hybrid) != (None, None, None)
     if name is not None:
         if is_choice:
-            refuse("give a NAME or options, not both: options choose among the spindle bearings")
+            refuse("give a NAME or options, not both: the options select spindle bearings")
         print_table(tables.catalogue_entry(entry_named(name)))
         return
     if not is_choice:
@@ -40,7 +42,8 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
     found = chosen(bore, angle, series, hybrid)
     if not found:
         bores = sorted({f"{entry.dimensions['bore_diameter_mm']:g}" for entry in chosen()}, key=float)
-        refuse(f"no spindle bearing is of these; bores are {', '.join(bores)} mm, angles 15, 17 and 25 deg")
+        listed = f"bores are {', '.join(bores)} mm, free contact angles 15, 17 and 25 deg"
+        refuse(f"no spindle bearing matches all of these options; {listed}")
     print_table(tables.spindle_table(found))
 
 

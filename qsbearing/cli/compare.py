@@ -30,17 +30,17 @@ BESIDE = 2
 @click.command(short_help="Compare several bearings under the same loads.")
 @click.argument("scenes", nargs=-1, required=True)
 @click.option(
-    "--at", metavar="JOB", help="A scene file whose operation, preload, effects and readings are used for all bearings."
+    "--at", metavar="SCENE", help="A scene whose operation, preload, effects and readings are used for all bearings."
 )
 @click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
 @click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
 def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plot_target: str | None) -> None:
-    """Solve the bearings of SCENES, files or names of the catalogue, under the same loads: those of --at, or of the
-    first.
+    """Solve the bearings of SCENES, files or names of the catalogue, under the same loads: those of --at, or those of
+    the first scene.
 
     Differences of more than 1 % from the first bearing are shown beside the numbers.
 
-    Exit codes: 0 all solved, 1 some are not, 2 bad input.
+    Exit codes: 0 all are solved, 1 some are not, 2 bad input.
     """
     from qsbearing.design.compare import job_of, solved
     from qsbearing.io.csv_table import csv_bytes
@@ -65,16 +65,18 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
 def _tables(found: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
+    from qsbearing.result_keys import printed_unit
 
     parts: list[Block] = []
     others = range(1, len(found.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
-    for title, lines in (("Bearings", found.inputs), (f"Results at the job of {found.job}", found.results)):
+    at = f"Results at the operating point of {found.job}"
+    for title, lines in (("Bearings", found.inputs), (at, found.results)):
         for block in blocks:
             heading = ("", *(found.labels[i] for i in block), "unit")
             rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
             for line in lines:
-                rows.append((line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit))
+                rows.append((line.name, *(_cell(line, i) for i in block), printed_unit(line.unit)))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
     note = "In brackets: the difference from the first bearing, where it is more than 1 %."
     return [*parts, Paragraph(note, is_apart=True)]

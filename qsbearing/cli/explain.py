@@ -24,10 +24,10 @@ HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nnes
 """Of `QUANTITIES`, in their order."""
 
 
-@click.command(short_help="Show which effects a scene calls for, and by how much.")
+@click.command(short_help="Show which effects a scene needs, and how much each matters.")
 @click.argument("scene")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
-@click.option("--verify", is_flag=True, hidden=True, help="What is done anyway: solve with and without each.")
+@click.option("--verify", is_flag=True, hidden=True, help="Solve with and without each; this is always done.")
 @click.option(
     "--tolerance",
     type=float,
@@ -39,11 +39,11 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
     The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
-    displacement and stiffness, how much longer a solve takes, and a verdict: needed; not needed; likely needed, but
-    input data are missing (the changes are then estimated and marked ≈); or not assessed, with the reason. The
-    indicator is a dimensionless number that governs the influence of the effect.
+    displacement and stiffness, the solve time with the effect over that without it, and a verdict: needed; not needed;
+    likely needed, but input data are missing (the changes are then estimated and marked ≈); or not assessed, with the
+    reason. The indicator is a dimensionless number that governs the influence of the effect.
 
-    For a set of rows, the table is preceded by what speed and loads do to its preload.
+    For a set of rows, sentences before the table say how speed and loads change its preload.
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
@@ -105,7 +105,7 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.effects import QUANTITIES
 
-    title = f"Effects and choices: change when it is left out (≈ estimated); needed above {100 * tolerance:g} %"
+    title = f"Effects and choices: change if left out (≈ estimated); needed above {100 * tolerance:g} %"
     is_timed = any(row.time_with_over_without is not None for row in rows)  # those of a set are not
     headings = ("", "in\nscene", *(("indi-\ncator", "time") if is_timed else ()), *HEADINGS, "verdict")
     cells, said = [], []

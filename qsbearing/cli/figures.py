@@ -15,8 +15,8 @@ from qsbearing.cli.output import print_table, print_text, refuse
 def figures(out: str) -> None:
     """Reproduce Figs 19.4 to 19.7 of the source paper for B218, and maps beyond them.
 
-    Each figure is made from a study file, which is written beside it as a start for studies of your own. Each statement
-    about it in the paper is checked: it holds, holds in a range, or does not hold.
+    Each figure is made from a study file, which is written beside it; you can start your own studies from it. Each
+    statement of the paper about a figure is checked: it holds, holds in a range, or does not hold.
 
     Exit codes: 0 made, 2 bad input.
     """

@@ -16,7 +16,7 @@ from qsbearing.cli.vary import pairs_of
 MOST_POINTS = 100_000_000
 
 
-@click.command(short_help="Find the numbers of a scene that meet goals and limits.")
+@click.command(short_help="Find values of a scene's keys that meet goals and limits.")
 @click.argument("scene")
 @click.option(
     "--vary", multiple=True, metavar="KEY=RANGE", help="A numeric key of the scene file and its range: "
@@ -24,7 +24,11 @@ MOST_POINTS = 100_000_000
 )  # fmt: skip
 @click.option("--goal", "goals", multiple=True, metavar="NAME=VALUE", help="A result that must have this value.")
 @click.option(
-    "--limit", "limits", multiple=True, metavar="NAME<=VALUE", help="A result's upper limit, or with >= its lower one."
+    "--limit",
+    "limits",
+    multiple=True,
+    metavar="NAME<=VALUE",
+    help="Upper limit of a result, or with >= its lower limit.",
 )
 @click.option("--minimise", metavar="NAME", help="A result to make as small as the limits allow.")
 @click.option("--maximise", metavar="NAME", help="A result to make as large as the limits allow.")
@@ -33,19 +37,24 @@ MOST_POINTS = 100_000_000
 )
 @click.option("--seed", type=click.IntRange(0), default=0, metavar="N", help="Seed of the sample; 0 if not given.")
 @click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, from which `qsbearing run` solves the result."
+    "--json",
+    "as_json",
+    is_flag=True,
+    help="Print one JSON object, and nothing else; `qsbearing run` solves the point found in it.",
 )
 @click.option(
-    "--plot", "target", metavar="FILE", help="Draw the feasible region over the first two ranges; .png, .svg or .pdf."
+    "--plot",
+    "target",
+    metavar="FILE",
+    help="Also draw the feasible region over the first two ranges; .png, .svg or .pdf.",
 )
 def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, **asked: Any) -> None:
-    """Look for the numbers of SCENE that meet goals and limits, and make a result as small or as large as possible.
+    """Find values of keys of SCENE that meet goals and limits, and that make a result as small or as large as possible.
 
     Results are those of `qsbearing sweep`, such as effective_stiffness_radial_y, inner.max_pressure_MPa or
-    life.basic_duration_h, in their units; of results of each ball the worst
-    counts.
+    life.basic_duration_h, in their units; of a result of each ball, the worst ball counts.
 
-    Exit codes: 0 found, 1 no point meets all (the nearest is shown, and what fails), 2 bad input.
+    Exit codes: 0 found, 1 no point meets all (the nearest point is shown, and what it does not meet), 2 bad input.
     """
     from qsbearing.design import shown
     from qsbearing.design.find import prepared, searched

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Read the guide: topics, a page, or all as HTML.")
 @click.argument("topic", required=False)
-@click.option("--html", "target", metavar="DIR", help="Write the whole guide to DIR/guide.html, one file of its own.")
+@click.option("--html", "target", metavar="DIR", help="Write the whole guide to DIR/guide.html, a single file.")
 @click.option("--open", "is_opened", is_flag=True, help="Open that file in the browser, at TOPIC if one is named.")
 def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or write the whole guide as HTML.
@@ -34,10 +34,11 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
             import difflib
 
             near = difflib.get_close_matches(page, pages, 1)
-            refuse(f"no topic {page}" + (f"; {near[0]}?" if near else "") + f"\n    there are: {', '.join(pages)}")
+            meant = f". Did you mean {near[0]}?" if near else ""
+            refuse(f"no topic {page} in the guide{meant}\n    topics: {', '.join(pages)}")
         text = pages[page].plain(section)
         if not text:
-            refuse(f"no section {section} in {page}")
+            refuse(f"no section {section} in the topic {page}; `qsbearing guide {page}` prints it all")
     if target is not None or is_opened:
         _write(topic and topic.replace("#", "-"), target, is_opened)
     elif text:
@@ -69,7 +70,7 @@ def _results() -> str:
     ]
 
     def written(key: str) -> str:
-        return printed_unit(split(key)[1]).replace("1", "-")
+        return printed_unit(split(key)[1]) or "-"
 
     return "".join(
         f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {written(shown.key)} | {source} |\n"

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 from contextlib import ExitStack
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_result, print_table, progress_bar, refuse
-from qsbearing.cli.scene import load_one, solve, solving
+from qsbearing.cli.scene import in_keys, load_one, solve, solving
 
 if TYPE_CHECKING:
     from qsbearing.thermal.state import ThermalState
@@ -25,7 +26,9 @@ if TYPE_CHECKING:
     metavar="SECONDS",
     help="Show temperatures and preload over this time of heating up, at full speed from the start.",
 )
-@click.option("--start", type=float, metavar="C", help="With --transient: temperature of all parts at the start [°C].")
+@click.option(
+    "--start", type=float, metavar="CELSIUS", help="With --transient: temperature of all parts at the start [°C]."
+)
 @click.option(
     "--plot",
     metavar="FILE",
@@ -34,15 +37,16 @@ if TYPE_CHECKING:
 def heat(scene: str, as_json: bool, transient: float | None, start: float | None, plot: str | None) -> None:
     """Find the steady temperatures of SCENE, a bearing or a set of rows with a table [thermal].
 
-    They are followed from standstill in speed, to the speed at which they turn back (thermal runaway of the preload) or
-    reach the temperature limit.
+    Steady states are followed from standstill with rising speed, up to the speed at which their curve turns back
+    (thermal runaway of the preload) or reaches the temperature limit.
 
-    Exit codes: 0 a steady state, 1 none, or no equilibrium, 2 bad input.
+    Exit codes: 0 a steady state is found, 1 there is none or no equilibrium, 2 bad input.
     """
     from qsbearing.validation import SceneError
 
     if start is not None and transient is None:
-        refuse("--start: only with --transient")
+        refuse("--start: give --transient too")
+    _check(transient, start)
     with ExitStack() as stack:
         writers = claimed(stack, {"--plot": plot}, picture_problems(plot), scene)
         loaded = load_one(scene)
@@ -61,7 +65,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
             try:
                 found["transient"] = course_record(_course(state, transient, start))
             except SceneError as error:
-                refuse(str(error))
+                refuse(in_keys(error))
         if as_json:
             print_result(loaded, found)
         else:
@@ -72,6 +76,17 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
             write_files(writers, {"--plot": lambda: _picture(found, state, name_of(loaded), plot)})
     if not solution.converged:
         sys.exit(UNSOLVED)
+
+
+def _check(duration: float | None, start: float | None) -> None:
+    from qsbearing.thermal.network import COLDEST, HOTTEST
+    from qsbearing.units import zero_celsius
+
+    low, high = COLDEST - zero_celsius, HOTTEST - zero_celsius
+    if start is not None and not low <= start <= high:
+        refuse(f"--start {start:g}: is outside {low:g} to {high:g} °C")
+    if duration is not None and not 0.0 < duration < inf:
+        refuse(f"--transient {duration:g}: must be above 0 s and finite")
 
 
 def _course(state: ThermalState, duration: float, start: float | None) -> Any:

@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     "--csv",
     "csv_target",
     metavar="FILE",
-    help="Also write one row per ball, with units in the headings; the ring's values follow on every row, so that the "
-    "files of several runs can be stacked.",
+    help="Also write one row per ball, with units in the headings; every row repeats the ring's values, so that the "
+    "files of several runs can be joined into one table.",
 )
 @click.option(
     "--plot",
@@ -47,13 +47,13 @@ if TYPE_CHECKING:
     "--accuracy",
     type=float,
     metavar="ERROR",
-    help="Choose the effects: some are left out, whether SCENE names them or not, as long as all results stay within "
-    "this relative error of the full model at the operating point, such as 1e-3.",
+    help="Choose the effects automatically, whichever SCENE names: effects are left out as long as all results stay "
+    "within this relative error of the full model at the operating point, such as 1e-3.",
 )
 @click.option(
     "--points",
     metavar="TABLE",
-    help="Solve SCENE at each row of a table: .csv, .xlsx or .parquet; headings "
+    help="Solve SCENE for each row of a table: .csv, .xlsx or .parquet; the headings "
     "are keys of the scene file, such as speed_rpm. Each row gives one row of results with its status.",
 )
 @click.option(
@@ -106,7 +106,7 @@ def run(
         write_files(writers, make)
 
 
-NO_PICTURE = "--plot: pictures are of single operating points; --csv writes every ball of every point"
+NO_PICTURE = "--plot: a picture shows a single operating point, not a spectrum; --csv writes every ball of every point"
 
 
 class Found(NamedTuple):
@@ -157,7 +157,7 @@ def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     from qsbearing.io.set_record import set_columns, set_record
 
     if accuracy is not None:
-        refuse("--accuracy: the effects of a set are those that its file names; `qsbearing explain` tells which matter")
+        refuse("--accuracy: a set has the effects that its file names; `qsbearing explain` shows which ones matter")
 
     def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
         from qsbearing.io.set_report import set_result  # not above: --json does without
@@ -186,10 +186,10 @@ def _solved(scene: Scene, accuracy: float | None) -> Solution:
         from qsbearing.chooser.choose import COARSEST, FINEST
 
         if not FINEST <= accuracy <= COARSEST:
-            allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is a tenth of a per cent"
+            allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"
             refuse(f"--accuracy {accuracy:g}: is outside its range\n{allowed}")
         if scene.thermal is not None:
-            refuse("--accuracy: the effects of a scene with a heat balance are those that its file names")
+            refuse("--accuracy: a scene with a heat balance has the effects that its file names")
     return solve(scene, accuracy)
 
 

@@ -20,7 +20,7 @@ def run_points(scene: str, points: str | None, out: str | None, others: dict[str
     from qsbearing.io.output_file import output_file
     from qsbearing.validation import SceneError
 
-    problems = [f"{name}: does not go with --points, whose results go to --out" for name in others]
+    problems = [f"{name}: cannot be used with --points, whose results go to --out" for name in others]
     for option, target in (("--points", points), ("--out", out)):
         if target is None:
             problems.append(f"{option} FILE is missing: --points and --out go together")

@@ -14,6 +14,7 @@ from qsbearing.cli.output import note, refuse, warnings_as_notes
 if TYPE_CHECKING:
     from qsbearing.scene.scene import Scene
     from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.validation import SceneError
 
 T = TypeVar("T")
 Asked = TypeVar("Asked", bound="Scene | BearingSet")
@@ -44,7 +45,7 @@ def load_one(source: str) -> Scene | BearingSet:
 def _of_one_point(asked: Asked, source: str) -> Asked:
     if "spectrum" in asked.readings:
         refuse(
-            f"{source}: [[spectrum]] holds several operating points, which `qsbearing run` solves; leave it out here"
+            f"{source}: [[spectrum]] has several operating points; only `qsbearing run` solves them: leave it out here"
         )
     return asked
 
@@ -96,9 +97,16 @@ def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
         with _out_of_reach("scipy.linalg"):
             yield
     except SceneError as error:  # what only a heat balance finds wrong
-        refuse(str(error))
+        refuse(in_keys(error))
     finally:
         timer.cancel()
+
+
+def in_keys(error: SceneError) -> str:
+    """Errors of the Python objects by the keys and in the units of the file."""
+    from qsbearing.io.file_errors import translate
+
+    return "\n".join(str(translate(each)) for each in error.errors)
 
 
 @contextmanager

@@ -125,11 +125,11 @@ def _place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]
     if out is not None and form not in (".nc", *TABLES):
         found += ending_problems("--out", out, (".nc", *TABLES))
     elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
-        found.append(f"--out {out}: is there already; --overwrite replaces it")
+        found.append(f"--out {out}: the file exists already; --overwrite replaces it")
     if form == ".parquet" and missing("pyarrow"):
         found.append("--out *.parquet needs pyarrow: pip install pyarrow")
     if resume and form != ".nc":
-        found.append("--resume needs --out FILE.nc: only there finished chunks are kept")
+        found.append("--resume needs --out FILE.nc: only then are the finished chunks kept")
     return found
 
 
@@ -147,7 +147,7 @@ def _sobol_problems(count: int, given: dict[str, Any]) -> list[str]:
     found = [f"--sobol {count}: {count_problem(count)}"] if count_problem(count) else []
     for name in ("samples", "sampling", "scheduler", "resume"):
         if given[name] not in (None, False):
-            found.append(f"--{name} does not go with --sobol, which draws and solves its own points")
+            found.append(f"--{name} cannot be used with --sobol, which draws and solves its own points")
     return found
 
 

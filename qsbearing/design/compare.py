@@ -99,12 +99,13 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
     count = len(sources)
     if not 2 <= count <= MOST:
-        raise refused("compare", f"{count} bearings: give from two to {MOST}")
+        given = f"{count} scene{'' if count == 1 else 's'} given"
+        raise refused("compare", f"{given}: a comparison takes 2 to {MOST}")
     errors: list[FileErrorDetail] = []
     documents = [_read(source, errors) for source in sources]
     job = documents[0][0] if at is None else _read(at, errors)[0]
     if "spectrum" in job:
-        errors.append(FileErrorDetail("[[spectrum]]", "is several points: a comparison is at one"))
+        errors.append(FileErrorDetail("[[spectrum]]", "has several operating points: a comparison takes one"))
     made: list[Scene | BearingSet] = []
     for document, file, label in documents if not errors else ():
         try:
@@ -115,7 +116,7 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
                 errors.append(FileErrorDetail(**{**vars(found), "key": f"{file}: {found.key}"}))
     if errors:
         raise SceneFileError("compare", errors)
-    where = "the first of them" if at is None else ("tables" if isinstance(at, dict) else str(at))
+    where = "the first scene" if at is None else ("tables" if isinstance(at, dict) else str(at))
     return Job(made, [file for _, file, _ in documents], where)
 
 

@@ -231,7 +231,7 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
         result, problem = _result(name, known)
         if result is None:
             full.append(Result(name, "", False, ""))
-            errors.append(FileErrorDetail(name, "is no result that this scene gives", cause=problem))
+            errors.append(FileErrorDetail(name, "is not a result of this scene", cause=problem))
         else:
             full.append(result)
     if errors:

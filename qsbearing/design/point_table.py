@@ -148,7 +148,7 @@ def _keys(table: dict[str, list[Any]], file: str) -> dict[str, str]:
         if key is None or key.name == keys.EACH_BALL:
             meant = keys.suggestion(heading)
             cause = f"{meant}{'' if meant.endswith('?') else '.'} Columns named {', '.join(LABELS)} are copied"
-            errors.append(FileErrorDetail(f"column {heading}", "is no numeric key of a scene", cause=cause))
+            errors.append(FileErrorDetail(f"column {heading}", "is not a numeric key of a scene", cause=cause))
         elif key.name in named.values():
             errors.append(FileErrorDetail(f"column {heading}", f"{key.name} has a column already"))
         else:

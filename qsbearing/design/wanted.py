@@ -126,7 +126,7 @@ def _variable(name: str, given: Any) -> Variable:
     """Raises ValueError with what is wrong."""
     key = keys.find(name)
     if key is None:
-        raise ValueError(f"is no numeric key of a scene. {keys.suggestion(name)}")
+        raise ValueError(f"is not a numeric key of a scene. {keys.suggestion(name)}")
     if key.name == keys.EACH_BALL:
         raise ValueError(f"is drawn at random; of one ball it is {keys.EACH_BALL}_0")
     is_log = False
@@ -145,7 +145,7 @@ def _variable(name: str, given: Any) -> Variable:
         return Variable(key.name, values[0], values[-1], values=tuple(values))
     low_end, high_end = ends
     if not low_end < high_end:
-        raise ValueError(f"is no range: {low_end:g} is not below {high_end:g}")
+        raise ValueError(f"is not a range: {low_end:g} is not below {high_end:g}")
     if is_log and low_end <= 0.0:
         raise ValueError(f"starts at {low_end:g}: a logarithmic range needs a start above zero")
     if key.name in WHOLE:

@@ -120,7 +120,7 @@ class _Page:
     def picture(self, token: Any) -> Picture:
         path = self.folder / str(token.attrGet("src"))
         if path.suffix not in FORMS:
-            raise OSError(f"{path} is no picture that a document can hold: {', '.join(FORMS)}")
+            raise OSError(f"{path} is not a picture that a document can hold: {', '.join(FORMS)}")
         data = path.read_bytes()
         width = width_of(data) if path.suffix == ".svg" else 0.85
         return Picture(data, token.content, token.attrGet("title") or "", path.suffix[1:], width)

@@ -40,7 +40,7 @@ def parameter_errors(effect: Any) -> list[ErrorDetail]:
     """Every error of the parameters of `ElasticRings` by themselves."""
     errors = [error for side in SIDES for error in _side_errors(effect, side)]
     if not errors and all(value is None for value in vars(effect).values()):
-        cause = "Describe the outer ring, the inner one or both; or leave the effect out"
+        cause = "Describe the outer ring, the inner ring or both; or leave the effect out"
         errors.append(ErrorDetail(effect.name, "describes no ring", cause=cause))
     return errors
 
@@ -56,7 +56,11 @@ def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
     given += [] if word is None else [seat]
     if table is not None:
         cause = f"Leave out {', '.join(given)}: the compliances replace them"
-        beside = [ErrorDetail(f"{path}.{given[0]}", f"is given beside {side}_compliance", cause=cause)] if given else []
+        beside = (
+            [ErrorDetail(f"{path}.{given[0]}", f"is given together with {side}_compliance", cause=cause)]
+            if given
+            else []
+        )
         return beside + _table_errors(f"{path}.{side}_compliance", table)
     if not given:
         return []
@@ -70,22 +74,22 @@ def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
         errors += within(f"{path}.{seat}_poisson_ratio", constants["poisson_ratio"], RATIO, 0.0, 0.499)
     for name in () if word == "rigid" else (diameter, width):
         if lengths[name] is None:
-            errors.append(ErrorDetail(f"{path}.{name}", "missing: a ring's stiffness depends on it"))
+            errors.append(ErrorDetail(f"{path}.{name}", "missing: the stiffness of the ring depends on it"))
     shoulder, opposite = SHOULDERS[side]
     if lengths[shoulder] is None and lengths[opposite] is not None:
-        errors.append(ErrorDetail(f"{path}.{shoulder}", f"missing beside {opposite}"))
+        errors.append(ErrorDetail(f"{path}.{shoulder}", f"missing: {opposite} is given"))
     if word is not None and str(word) not in words:
         errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {_quoted(words)}", str(word)))
     has_body = lengths[seat_diameter] is not None
     if word is None and not has_body:
-        cause = f"One of {_quoted(words)}, or a {seat} of some diameter"
+        cause = f"One of {_quoted(words)}, or the diameter of the {seat}"
         errors.append(ErrorDetail(f"{path}.{seat}", "missing: how the ring is held", cause=cause))
     if word is not None and has_body:
         cause = f"Leave one of the two out: {seat_diameter} describes the {seat}"
-        errors.append(ErrorDetail(f"{path}.{seat}", f"is given beside {seat_diameter}", str(word), cause=cause))
+        errors.append(ErrorDetail(f"{path}.{seat}", f"is given together with {seat_diameter}", str(word), cause=cause))
     if not has_body and str(word) != "solid":
         errors += [
-            ErrorDetail(f"{path}.{seat}_{name}", f"is given, but no {seat} that is elastic")
+            ErrorDetail(f"{path}.{seat}_{name}", f"is given, but the {seat} is not elastic")
             for name, value in constants.items()
             if value is not None
         ]
@@ -99,7 +103,7 @@ def _quoted(words: tuple[str, ...]) -> str:
 def _table_errors(field: str, table: Any) -> list[ErrorDetail]:
     cause = f"At most {MOST_HARMONICS + 1} numbers, for n = 0, 1, 2, ...; that for n = 1 is the mount's"
     if np.ndim(table) != 1 or not 1 <= len(table) <= MOST_HARMONICS + 1:
-        return [ErrorDetail(field, "is no list of compliances by harmonic", cause=cause)]
+        return [ErrorDetail(field, "is not a list of compliances by harmonic", cause=cause)]
     return [error for value in table for error in within(field, value, RATIO, 0.0, SOFTEST)][:1]
 
 

@@ -63,7 +63,7 @@ class GyroscopicMoment:
         shares, errors = choose("moment_shares", self.moment_shares, MomentShares)
         object.__setattr__(self, "moment_shares", shares)
         if self.friction_coefficient is not None:
-            meaning = "no contact carries such friction; left out, there is no bound on it"
+            meaning = "is outside its range; if it is left out, friction has no bound"
             errors += within("friction_coefficient", self.friction_coefficient, RATIO, LEAST_FRICTION, 1.0, meaning)
         raise_if_any(errors)
 

@@ -56,21 +56,21 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
     if effect.housing_outside_diameter is not None:
         errors += within(f"{path}.housing_outside_diameter", effect.housing_outside_diameter, LENGTH, 1e-4, 20.0)
     elif effect.housing_interference is not None:
-        cause = "How stiffly the housing holds the ring depends on it"
+        cause = "It determines how stiffly the housing holds the ring"
         errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing: a housing is given", cause=cause))
     given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
     for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
         errors += temperature_errors(f"{path}.{name}", temperature)
     unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
     if not given and unused.any():
-        problem, cause = "is given, but nothing has another temperature", f"Give {', '.join(TEMPERATURES)}"
+        problem, cause = "is given, but no other temperature is", f"Give {', '.join(TEMPERATURES)}"
         errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
     return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
 
 
 def _unused(field: str, seat: str) -> ErrorDetail:
     cause = f"Give {seat}_interference (0 for a fit line to line), or leave this out"
-    return ErrorDetail(field, f"is given, but no {seat} is regarded without {seat}_interference", cause=cause)
+    return ErrorDetail(field, f"is given, but without {seat}_interference the {seat} has no effect", cause=cause)
 
 
 def _interference_errors(field: str, interference: ArrayLike, diameter: ArrayLike) -> list[ErrorDetail]:

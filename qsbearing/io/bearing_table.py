@@ -68,7 +68,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
         good = from_entry | good
     elif "name" in good:
         cause = (
-            f"{catalogue.nearest(good['name'])} For a bearing of your own leave the name out and give every other key"
+            f"{catalogue.nearest(good['name'])} For a bearing of your own, leave the name out and give all other keys"
         )
         errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
     if entry is not None or "name" not in table:
@@ -98,7 +98,7 @@ def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> d
         if all(radius in good for radius in radii):
             cause = f"Keep one: {' and '.join(radii)} follow from it and the ball diameter"
             shown = None if isinstance(value, np.ndarray) else value
-            errors.append(FileErrorDetail(f"bearing.{name}", f"is given beside {radii[0]}", shown, cause=cause))
+            errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {radii[0]}", shown, cause=cause))
         of_radius |= {radius: value for radius in radii if radius not in good and radius not in of_radius}
     return of_radius
 
@@ -190,7 +190,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
             f"Given in radians? {given:.6g} rad = {given / deg:.5g} deg. "
             "If so small an angle is meant, give diametral_clearance_mm instead"
         )
-        problem = "is no angle of an angular-contact bearing"
+        problem = "is not an angle of an angular-contact bearing"
         wrong.append(FileErrorDetail("bearing.free_contact_angle_deg", problem, given, "deg", cause=cause))
     elif has_angle and has_clearance and abs(bearing.diametral_clearance - clearance) > AGREEMENT * abs(clearance):
         implied = float(free_angle_from_clearance(clearance, bearing.groove_centre_distance)) / deg
@@ -199,7 +199,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
             f"does not agree with free_contact_angle_deg = {angle / deg:.6g}: that angle makes "
             f"{float(bearing.diametral_clearance) / mm:.6g} mm, {meant}"
         )
-        cause = "Either defines the other: keep one, or correct one"
+        cause = "One follows from the other: keep only one, or correct one"
         given = good["diametral_clearance_mm"]
         wrong.append(FileErrorDetail("bearing.diametral_clearance_mm", problem, given, "mm", cause=cause))
     return bearing, wrong

@@ -69,10 +69,10 @@ def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     if table == AUTO:
         return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_TOLERANCE), errors)}
     if "tolerance" in document:
-        cause = 'Write effects = "auto" beside it, at the top of the file; or leave it out'
-        errors.append(FileErrorDetail("tolerance", "is given, but the effects are not chosen by it", cause=cause))
+        cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
+        errors.append(FileErrorDetail("tolerance", 'is given without effects = "auto"', cause=cause))
     if isinstance(table, str):
-        cause = 'effects = "auto" has them chosen; or write [effects], keys below it'
+        cause = 'Write effects = "auto" to have them chosen, or [effects] with its keys below it'
         errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
         return {}
     table = {} if table is None else table
@@ -96,7 +96,7 @@ def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
         for name, value, verb in (("moment_shares", shares, "share"), ("friction_coefficient", friction, "carry")):
             if value is not None:
-                problem = f"is given, but no gyroscopic moment is there to {verb}"
+                problem = f"is given, but there is no gyroscopic moment to {verb}"
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
     made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors) for name in within]
@@ -109,8 +109,8 @@ def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
 
 def _tolerance(value: Any, errors: Errors) -> float | None:
     if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value <= 1.0:
-        cause = "The relative error that is allowed, above 0 and at most 1: 0.01 is one per cent"
-        errors.append(FileErrorDetail("tolerance", "is no relative error", value, cause=cause))
+        cause = "Give the relative error that is allowed, above 0 and at most 1: 0.01 is 1 %"
+        errors.append(FileErrorDetail("tolerance", "is not a relative error", value, cause=cause))
         return None
     return float(value)
 

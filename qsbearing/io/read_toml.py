@@ -86,7 +86,7 @@ def read_text(path: Path, most: int = LARGEST_FILE) -> str:
     except (OSError, ValueError) as error:  # ValueError: a null character in the name
         raise refused(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if len(data) > most:
-        raise refused(path, f"is longer than {most / 1e6:g} MB: this is no scene file")
+        raise refused(path, f"is longer than {most / 1e6:g} MB: a scene file is shorter")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -35,7 +35,7 @@ def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[s
         if name not in known:
             meant = near(str(name).lower(), known, 0.5)
             cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(known)}"
-            errors.append(FileErrorDetail(f"readings.{name}", "is no reading", cause=cause))
+            errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
         keys, choices = known[name].keys, known[name].choices
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)

@@ -64,7 +64,7 @@ def _of_netcdf(path: Path, of_study: bool) -> tuple[Any, Any, Any]:
             kept = {name: json.loads(file.attrs.get(name, "null")) for name in ("study", "input")}
             version = file.attrs.get("qsbearing_version")
     except (OSError, ValueError, TypeError, KeyError) as error:
-        problem = "no such file" if isinstance(error, FileNotFoundError) else "is no netCDF file, or damaged"
+        problem = "no such file" if isinstance(error, FileNotFoundError) else "is not a netCDF file, or is damaged"
         raise refused(path, problem) from None
     study = kept["study"] if isinstance(kept["study"], dict) else {}
     whole = study.get("scene")

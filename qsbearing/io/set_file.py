@@ -142,7 +142,7 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
     if not isinstance(table, dict):
         return None
     if "position_mm" not in good and "position_mm" not in unusable:
-        cause = "Of the balls' centres along the shaft; distances between rows follow from it"
+        cause = "Give the position of the balls' centres along the shaft; it sets the distances between rows"
         errors.append(FileErrorDetail(f"{path}.position_mm", "missing", cause=cause))
     carries = good.get("carries")
     if carries not in tuple(Direction) and "carries" not in unusable:

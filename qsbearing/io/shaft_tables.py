@@ -156,7 +156,7 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
     for name, value in points.items() if isinstance(points, dict) else ():
         if type(value) not in (int, float) or not name.endswith("_mm") or not np.isfinite(value):
             cause = "A position, such as tool_mm = -70"
-            errors.append(FileErrorDetail(f"shaft.points.{name}", "is no point", value, "mm", cause=cause))
+            errors.append(FileErrorDetail(f"shaft.points.{name}", "is not a position", value, "mm", cause=cause))
         else:
             named[name.removesuffix("_mm")] = value * 1e-3
     return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None

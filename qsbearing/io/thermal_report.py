@@ -77,8 +77,8 @@ def speeds_table(found: dict[str, Any]) -> Table:
     rows = [(f"{each['speed_rpm']:.5g}", each, "") for each in _thinned(found["states"])]
     if fold is not None:
         place = max(range(len(rows)), key=lambda number: float(rows[number][1]["speed_rpm"]))
-        rows.insert(place + 1, (f"{fold['speed_rpm']:.5g}", fold, "they turn back"))
-    return _course_table("Steady states, followed from standstill in speed", "rpm", rows)
+        rows.insert(place + 1, (f"{fold['speed_rpm']:.5g}", fold, "the curve turns back"))
+    return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
 
 
 def course_table(found: dict[str, Any]) -> Table:
@@ -114,7 +114,7 @@ def hottest(temperatures: dict[str, float]) -> dict[str, float]:
 def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], str]]) -> Table:
     """Of several rows the hottest nodes and the largest load."""
     nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
-    heads = (*(f"{node}\nC" for node in nodes), "friction\nW", "axial load\nN")
+    heads = (*(f"{node}\n°C" for node in nodes), "friction\nW", "axial load\nN")
     cells = []
     for at, each, note in rows:
         numbers = (*hottest(each["temperatures_C"]).values(), each["power_W"])
@@ -129,7 +129,7 @@ def thermal_tables(found: dict[str, Any]) -> list[Block]:
     for path in found["flows_W"]:
         heat.append((path["from"].replace("_", " "), path["to"].replace("_", " "), digits_of(path["heat_W"])))
     return [
-        Table(("node", "temperature C"), nodes, caption="Steady state"),
-        Table(("made by, or from", "to", "W"), heat, "llr", "Heat"),
+        Table(("node", "temperature °C"), nodes, caption="Steady state"),
+        Table(("made by, or flowing from", "to", "W"), heat, "llr", "Heat"),
         Paragraph(found["message"], is_apart=True),
     ]

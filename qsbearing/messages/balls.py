@@ -31,8 +31,8 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         (solution._results["notes"][part] & NO_CONSISTENT_CONTROL) != 0,
         lambda i: wrong_model(
-            "No consistent raceway control: whichever raceway is taken, the loads of some ball point to the other. The "
-            "last choice tried is reported.",
+            "No consistent raceway control: for some ball, whichever raceway is assumed to control it, the loads point "
+            "to the other one. The last choice tried is reported.",
             HYPOTHESES,
         ),
     )
@@ -41,12 +41,13 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
     off_outer = rows(solution.outer.load, part) == 0.0
     yield (
         (off_inner & off_outer).any(axis=-1),
-        lambda i: good_to_know(f"{_ball_list((off_inner & off_outer)[i])} carry no load.", "limits"),
+        lambda i: good_to_know(f"{_balls((off_inner & off_outer)[i], 'carries', 'carry')} no load.", "limits"),
     )
     yield (
         (off_inner & ~off_outer).any(axis=-1),
         lambda i: good_to_know(
-            f"{_ball_list((off_inner & ~off_outer)[i])} have left the inner raceway and are held by the outer alone.",
+            f"{_balls((off_inner & ~off_outer)[i], 'has', 'have')} left the inner raceway: only the outer raceway "
+            "carries load there.",
             "limits",
         ),
     )
@@ -63,8 +64,9 @@ def _slip_warning(solution: Solution, part: slice) -> Warnings:
     yield (
         np.asarray(slips.any(axis=-1)),
         lambda i: wrong_model(
-            f"{_ball_list(slips[i])} slip: the gyroscopic moment requires a friction coefficient of "
-            f"{asked[i].max():.3g}, the contacts have {given[i]:.3g}. The speeds reported are those without slip.",
+            f"{_balls(slips[i], 'slips', 'slip')}: the gyroscopic moment requires a friction coefficient of "
+            f"{asked[i].max():.3g}, and the contacts have {given[i]:.3g}. The ball speeds reported are those without "
+            "slip.",
             HYPOTHESES,
         ),
     )
@@ -92,6 +94,12 @@ def friction_warnings(solution: Solution, part: slice) -> Warnings:
             )
 
         yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
+
+
+def _balls(which: NDArray, one: str, several: str) -> str:
+    """The beginning of a sentence about some balls, with its verb in singular or plural."""
+    text = _ball_list(which)
+    return f"{text[0].upper()}{text[1:]} {one if which.sum() == 1 else several}"
 
 
 def _ball_list(which: NDArray) -> str:

@@ -31,7 +31,7 @@ from qsbearing.solution.case_index import Index
 from qsbearing.solution.judgement import estimated, lines_to_add
 from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.solution.solution import Solution
-from qsbearing.units import GPa, MPa, mrad, um
+from qsbearing.units import MPa, mrad, um
 
 STATUSES = "how_to#meaning-of-each-status"
 
@@ -72,8 +72,8 @@ def message(solution: Solution, index: Index = None) -> str:
         return _why_no_equilibrium(solution, k)
     return (
         f"Not converged: the last imbalance was {result['residual']:.1e} of the largest force after "
-        f"{result['iterations']} iterations. That does not prove that there is no equilibrium; continuing from a "
-        "neighbouring solution (lower speed, more load) may reach it."
+        f"{result['iterations']} iterations. This does not prove that there is no equilibrium: continuing from a "
+        "solution nearby (at a lower speed or a larger load) may find one."
     )
 
 
@@ -83,26 +83,26 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
     if notes & UNSUPPORTED:
         free = solution._free_channels
         if not free.size:
-            return "No equilibrium: at the prescribed displacements nothing supports the balls."
+            return "No equilibrium: at the prescribed displacements, nothing supports the balls."
         ring = np.nan_to_num(np.abs(result["displacement"][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
-        return f"No equilibrium: nothing supports the load in channel {names}; the ring moves without end."
+        return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
     if notes & FRICTION_WITHOUT_LOAD:
         why = (
-            " under this raceway control: the gyroscopic moment would have to be carried by friction at a contact with "
-            "too little load, or none: the ball slips."
+            " under this raceway control: friction would have to carry the gyroscopic moment at a contact with too "
+            "little load or none, so that the ball slips."
         )
         if case["control"] == INNER:
-            why += " Outer or per-ball control does not require this."
+            why += " Outer or per_ball control does not require this."
     elif notes & OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
-            "zero. (A bearing with shoulders on both sides: kind = deep_groove.)"
+            'zero. For a bearing with shoulders on both sides, write kind = "deep_groove".'
         )
     elif notes & OVER_SHOULDER:
         why = (
-            ": a loaded inner contact lies at more than 90 degrees, over the shoulder of any groove: the inner ring "
-            "cannot hold the balls against the forces that push them outward."
+            ": the angle of a loaded inner contact is more than 90 degrees, where no groove has a shoulder: the inner "
+            "ring cannot hold the balls against the forces that push them outward."
         )
     else:
         return "No equilibrium."
@@ -122,13 +122,14 @@ def _unsupported(case: NDArray) -> str:
     """Which channel the open side leaves unsupported."""
     loads = np.where(case["displacement_given"].astype(bool), 0.0, case["prescribed"])
     if case["displacement_given"][0]:
-        return "at the prescribed axial displacement the axial channel does not keep the balls in contact."
+        return "the prescribed axial displacement does not keep the balls in contact."
     if loads[0] < 0.0:
-        return "the axial load is reversed and the axial channel has no support in that direction."
+        return "the axial load acts in -x, and the bearing has no support in that direction."
     side = np.abs(loads[1:]) / np.array([1.0, 1.0, 0.5 * case["pitch_diameter"], 0.5 * case["pitch_diameter"]])
     if side.max() == 0.0:
         side = np.abs(case["prescribed"][1:])
-    return f"channel {CHANNELS[int(side.argmax()) + 1].label} carries more than the axial load can keep in contact."
+    channel = CHANNELS[int(side.argmax()) + 1].label
+    return f"the load in channel {channel} is too large for the axial load to keep the balls in contact."
 
 
 def chosen(solution: Solution, named: Scene) -> list[str]:
@@ -142,7 +143,7 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     said = [f"Tolerance {choice.tolerance:g}: {left}"]
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
-        needed = f"Needed, although the scene does not name it: {', '.join(entry.what for entry in added)}."
+        needed = f"Needed, but not named in the scene: {', '.join(entry.what for entry in added)}."
         said.append(f"{needed} Add under [effects]: {', '.join(lines_to_add(named, added))}")
     return said
 
@@ -185,19 +186,22 @@ def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
     first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
     below = ""
     if rings is not None:
-        below = f" Steel of {rings.yield_strength / MPa:.5g} MPa first yields near {first_yield / GPa:.2g} GPa."
+        below = (
+            f" Steel with a yield strength of {rings.yield_strength / MPa:.5g} MPa begins to yield below the surface "
+            f"near {float(f'{first_yield / MPa:.2g}'):g} MPa."
+        )
     yield (
         pressure > STATIC_PRESSURE,
         lambda i: wrong_model(
-            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
-            f"{STATIC_PRESSURE / MPa:.0f} MPa: permanent dents.{below}",
+            f"The contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
+            f"{STATIC_PRESSURE / MPa:.0f} MPa: expect permanent dents.{below}",
             "limits",
         ),
     )
     yield (
         (pressure > first_yield) & (pressure <= STATIC_PRESSURE),
         lambda i: good_to_know(
-            f"Contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
+            f"The contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
             f"{STATIC_PRESSURE / MPa:.0f} MPa.{below}",
             "limits",
         ),
@@ -224,7 +228,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         unloaded,
         lambda i: check_data(
-            "Nothing loads the ring: its position is not determined, and one of many is reported.", STATUSES
+            "No load acts on the ring: its position is undetermined, and one of many is reported.", STATUSES
         ),
     )
     stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
@@ -236,7 +240,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
         share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
         names = ", ".join(CHANNELS[channel].label for channel in free[share > 0.1])
         return check_data(
-            f"Nothing resists the ring in {names}: the displacement reported there is arbitrary.", STATUSES
+            f"Nothing resists a displacement of the ring in {names}: the value reported for it is arbitrary.", STATUSES
         )
 
     yield ~unloaded & soft.any(axis=-1), undetermined
@@ -251,8 +255,8 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
         lambda i: check_data(
-            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} µm, to "
-            "contact angles of zero.",
+            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} µm, "
+            "until the contact angles are zero.",
             "how_to#preload-of-one-bearing",
         ),
     )

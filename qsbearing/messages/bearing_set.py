@@ -1,4 +1,4 @@
-"""What there is to say about a set's cases, in sentences: how each ended, which row gives way, what to beware of."""
+"""Messages and warnings of a set's cases: how each ended, which row has no equilibrium, what to beware of."""
 
 from __future__ import annotations
 
@@ -76,31 +76,32 @@ def message(solution: SetSolution, index: Index = None) -> str:
         if side._outcome.status[number] != CONVERGED:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
             names = " and ".join(row_name(solution.set.rows[n], n) for n in which)
-            return f"At rest and cold, under the preload alone, {names} cannot carry it. {message(side, place)}"
+            return f"At rest and cold, {names} cannot carry the preload. {message(side, place)}"
     return _why(solution, k)
 
 
 def _why(solution: SetSolution, k: int) -> str:
     outcome = solution._outcome
-    names = [*(channel.label for channel in CHANNELS), "axial, of the sprung rings"]
-    names += [f"axial, of the floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
+    names = [*(channel.label for channel in CHANNELS), "axial of the sprung rings"]
+    names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
-        where = f" Followed from rest, the equilibrium ends at {100.0 * outcome.reached[k]:.3g} % of loads and speeds."
+        reached = f"{100.0 * outcome.reached[k]:.3g} %"
+        where = f" Followed from rest, the equilibrium exists up to {reached} of the loads and speeds."
     if outcome.fault[k] >= 0:
         number = int(outcome.fault[k])
         row = solution.rows[number]
         why = bearing.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
         name = capital(row_name(solution.set.rows[number], number))
-        return f"{name} gives way. {why}{_overloaded(solution, k)}{where}"
+        return f"{name} has no solution. {why}{_overloaded(solution, k)}{where}"
     if outcome.unsupported[k][: len(names)].any():
         channels = " and ".join(names[i] for i in np.flatnonzero(outcome.unsupported[k][: len(names)]))
         return f"No equilibrium: nothing supports the load in channel {channels}.{_overloaded(solution, k)}{where}"
-    kind = "No equilibrium." if outcome.status[k] == NO_EQUILIBRIUM else "Not converged"
-    return (
-        f"{kind}: the last imbalance was {outcome.residual[k]:.1e} of the largest force after {outcome.iterations[k]} "
-        f"iterations. That does not prove that there is no equilibrium.{where}"
-    )
+    last = f"the last imbalance was {outcome.residual[k]:.1e} of the largest force"
+    after = f"{last} after {outcome.iterations[k]} iterations."
+    if outcome.status[k] == NO_EQUILIBRIUM:
+        return f"No equilibrium: {after}{where}"
+    return f"Not converged: {after} This does not prove that there is no equilibrium.{where}"
 
 
 def _overloaded(solution: SetSolution, k: int) -> str:
@@ -119,7 +120,7 @@ def _overloaded(solution: SetSolution, k: int) -> str:
         return f" The axial load in {direction} is more than the spring's {of_case(preload.spring):.4g} N."
     floating = {number - 1 for group in solution.set.floating for number in group.rows}
     if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
-        return f" All rows that carry in {direction} float, on springs that give no more than their own force."
+        return f" All rows that carry in {direction} float, and their springs give no more than their own force."
     return ""
 
 
@@ -151,7 +152,7 @@ def warnings_of_set(solution: SetSolution, place: tuple[int, ...] = ()) -> list[
     if of is not None:
         said = [each for number in range(len(solution.rows)) for each in _preload(solution, of, place, number)]
     if not solution.control_is_consistent[place]:
-        what = "No stiffness: raceway control contradicts itself in a row, which has several solutions."
+        what = "No stiffness: in a row, no raceway control is consistent, and several solutions exist."
         said.append(wrong_model(what, "limits#hypotheses"))
     return said
 

@@ -25,8 +25,8 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
     yield (
         wedged < 0.0,
         lambda i: check_data(
-            f"The expansion has taken up all clearance and {-wedged[i]:.4g} µm more (diametral): the balls "
-            "are wedged between the rings.",
+            f"The expansion is larger than the diametral clearance by {-wedged[i]:.4g} µm: the balls are wedged "
+            "between the rings.",
             HEAT,
         ),
     )
@@ -43,7 +43,7 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
 
         def yields(i: int, ring: str = ring, stress: NDArray = stress) -> str:
             return wrong_model(
-                f"The {ring} ring is stressed by {stress[i] / MPa:.4g} MPa at its bore, beyond its yield strength of "
+                f"The stress of the {ring} ring is {stress[i] / MPa:.4g} MPa at its bore, above its yield strength of "
                 f"{effect.yield_strength / MPa:.5g} MPa.",
                 HEAT,
             )
@@ -57,8 +57,8 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
             i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
         ) -> str:
             return check_data(
-                f"The fit of the {ring} ring is lost in operation: mounted with {interference[i] / um:.4g} µm, it "
-                f"has {gap[i] / um:.4g} µm (diametral) of clearance to the {seat}.",
+                f"The fit of the {ring} ring is lost in operation: mounted with an interference of "
+                f"{interference[i] / um:.4g} µm, it has a diametral clearance of {gap[i] / um:.4g} µm to the {seat}.",
                 HEAT,
             )
 
@@ -95,8 +95,8 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
 
             def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> str:
                 return check_data(
-                    f"The {side} ring would lift off the {seat} in places, unless its fit pressed it by "
-                    f"{short[i] / MPa:.3g} MPa more: it deflects more there than computed.",
+                    f"The {side} ring would lift off the {seat} in places, unless the seat pressure of its fit were "
+                    f"{short[i] / MPa:.3g} MPa larger: there it deflects more than computed.",
                     GIVE,
                 )
 
@@ -106,8 +106,8 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
 
             def touches(i: int, side: str = side, seat: str = seat) -> str:
                 return check_data(
-                    f"The {side} ring has clearance to the {seat} on average, but bends so far that it touches it in "
-                    f"places: it deflects less there than computed.",
+                    f"The {side} ring has clearance to the {seat} on average, but bends so far that it touches the "
+                    f"{seat} in places: there it deflects less than computed.",
                     GIVE,
                 )
 
@@ -119,7 +119,7 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
 
         def bends(i: int, side: str = side, large: NDArray = large) -> str:
             return wrong_model(
-                f"The {side} ring bends by {large[i]:.2g} of its thickness, too far for small-deflection theory.",
+                f"The {side} ring bends by {large[i]:.2g} times its thickness, too far for small-deflection theory.",
                 GIVE,
             )
 

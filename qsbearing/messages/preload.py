@@ -55,7 +55,10 @@ def lost(who: str, of: PreloadLoads, state: str) -> RankedWarning:
         state: in which the preload is given.
     """
     left = max(of.carried, 0.0)
-    return check_data(f"Preload lost: {who} carries {left:.4g} N of the {of.given:.4g} N {state}.", "sets#preload")
+    return check_data(
+        f"Preload lost: {who} carries {left:.4g} N in operation; its preload is {of.given:.4g} N {state}.",
+        "sets#preload",
+    )
 
 
 def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -> RankedWarning:
@@ -66,8 +69,9 @@ def reduced(who: str, of: PreloadLoads, state: str, before: float, now: float) -
     """
     went = "fell" if now < before else "rose"
     return check_data(
-        f"Preload reduced: {who} carries {of.carried:.4g} N, {100.0 * float(share(of)):.2g} % of the {of.given:.4g} N "
-        f"{state}; its axial stiffness {went} from {1e-6 * before:.4g} N/µm mounted to {1e-6 * now:.4g} N/µm.",
+        f"Preload reduced: {who} carries {of.carried:.4g} N in operation, {100.0 * float(share(of)):.2g} % of its "
+        f"preload of {of.given:.4g} N {state}; its axial stiffness {went} from {1e-6 * before:.4g} N/µm mounted to "
+        f"{1e-6 * now:.4g} N/µm.",
         "sets#preload",
     )
 

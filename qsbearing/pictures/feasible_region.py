@@ -170,4 +170,4 @@ def _patches(axes: Axes, any_outside: bool, any_unsolved: bool) -> None:
 
 def _said(each: Shown, sense: str, level: float) -> str:
     sign = {"<=": "≤", ">=": "≥"}.get(sense, sense)
-    return f"{words(each.name)} {sign} {level:g}" + ("" if each.unit == "1" else f" {each.unit}")
+    return with_unit(f"{words(each.name)} {sign} {level:g}", each.unit, " ")

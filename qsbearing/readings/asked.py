@@ -82,7 +82,7 @@ def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None) 
             continue
         if name not in READINGS:
             cause = f"One of {', '.join(READINGS)}"
-            errors.append(ErrorDetail(f"readings.{name}", "is no reading", cause=cause))
+            errors.append(ErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
         entry = READINGS[name]
         if entry.needs_oil and LUBRICANT not in readings:

@@ -314,9 +314,9 @@ bore_diameter_mm = 90
 outside_diameter_mm = 160
 static_load_rating_N = 85000
 lubrication_factor = 2
-speed_rating_rpm = 6000            # as the catalogue prints it: SKF's model holds below it
+speed_rating_rpm = 6000            # from the catalogue; SKF's model holds below this speed
 """,
-        note="SKF's, and with C0 and Palmgren's f0 his; series = \"62\" and C0 for deep groove",
+        note="SKF's model; Palmgren's with C0 and f0; deep groove: series = \"62\" and C0",
     ),
     of_case=(
         Shown("speed_factor_mm_rpm", "speed_factor", mm * rpm, "speed factor n dm"),

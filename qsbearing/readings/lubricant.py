@@ -146,7 +146,7 @@ class Lubricant:
         Raises:
             SceneError: a temperature out of range.
         """
-        raise_if_any(within("temperature", temperature, KELVIN, 200.0, 600.0, "is no oil temperature in kelvins"))
+        raise_if_any(within("temperature", temperature, KELVIN, 200.0, 600.0, "is not an oil temperature in kelvin"))
         nu = self.kinematic_viscosity(temperature)
         eta = nu * (
             np.asarray(self.density, float) - DENSITY_SLOPE * (np.asarray(temperature, float) - FREEZING - 15.0)
@@ -259,7 +259,7 @@ def oil_of(numbers: Mapping[str, Any]) -> tuple[OilState | None, list[ErrorDetai
         errors.append(ErrorDetail("iso_viscosity_grade", "does not make one oil", cause=cause))
     elif index is not None and grade is None:
         cause = "Leave it out: two viscosities make the index"
-        errors.append(ErrorDetail("viscosity_index", "is given beside two viscosities", cause=cause))
+        errors.append(ErrorDetail("viscosity_index", "is given together with two viscosities", cause=cause))
     if errors:
         return None, errors
     try:

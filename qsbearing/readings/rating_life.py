@@ -147,7 +147,7 @@ class LifeArguments:
         errors = [] if self.cleanliness is None else choose("cleanliness", self.cleanliness, Cleanliness)[1]
         if self.cleanliness is not None and self.contamination_factor is not None:
             cause = "Keep one: the class gives the factor"
-            errors.append(ErrorDetail("cleanliness", "is given beside contamination_factor", cause=cause))
+            errors.append(ErrorDetail("cleanliness", "is given together with contamination_factor", cause=cause))
         for name, choices in (("rating", Rating), ("capacity", Capacity), ("fatigue_limit_by", FatigueLimit)):
             errors += choose(name, getattr(self, name), choices)[1]
         errors += within("rating_factor", self.rating_factor, RATIO, 0.5, 2.0)

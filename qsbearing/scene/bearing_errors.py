@@ -90,8 +90,8 @@ def _interference_errors(bearing: Any, errors: list[ErrorDetail]) -> list[ErrorD
     bad = (interference > 0.0) & (angle > 0.0)
     if not bad.any():
         return []
-    problem = "is given beside a free contact angle, of which there is none where balls are wedged"
-    cause = "Let free_contact_angle be 0 there"
+    problem = "is given together with a free contact angle, but wedged balls have none"
+    cause = "Let free_contact_angle be 0 where there is an interference"
     return [ErrorDetail(field, problem, first(bad, interference)[0], LENGTH, cause=cause, where=bad)]
 
 
@@ -104,7 +104,7 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
     as_f = next((number for number in (r / mm, r) if 0.5 < number <= LARGEST_USUAL_F), 0.0)
     given_as_f = f"Given as f = r/D? f D = {as_f:.6g} x {d / mm:.6g} mm = {as_f * d / mm:.6g} mm"
     if f <= 0.5:
-        problem = f"the groove is smaller than the ball: f = r/D = {f:.4g}, and must be above 0.5"
+        problem = f"the groove is smaller than the ball: f = r/D = {f:.4g} must be above 0.5"
         cause = "A groove tighter than its ball touches at two edges, not at a point; 0.515 to 0.54 is usual"
         if 0.5 < 1e3 * f <= GROOVE_COEFFICIENT_MAX:
             cause = "Given in another unit than the ball diameter?"
@@ -113,7 +113,7 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
         elif as_f:
             cause = given_as_f
     else:
-        problem = f"the groove is far larger than the ball: f = r/D = {f:.4g}, and may be at most 1"
+        problem = f"the groove is far larger than the ball: f = r/D = {f:.4g} must be at most 1"
         cause = "Was the groove's diameter given, not its radius? 0.515 to 0.54 is usual for f"
         if not 0.5 < f / 2.0 <= 0.6:
             cause = given_as_f if as_f else "Given in another unit than the ball diameter?"
@@ -127,7 +127,7 @@ def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[Err
     if not tight.any():
         return []
     dm, d, least, balls = first(tight, pitch, diameter, room, count)
-    problem, cause = "is no larger than the ball", "Fewer or smaller balls, or a larger pitch circle"
+    problem, cause = "is not larger than the ball", "Use fewer or smaller balls, or a larger pitch circle"
     if balls >= 2:
         problem = (
             f"the balls do not fit on the pitch circle: {balls:.0f} balls need a circle of more than {least / d:.4g} "

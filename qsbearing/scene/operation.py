@@ -97,8 +97,10 @@ def operation_errors(operation: Operation) -> list[ErrorDetail]:
     for channel in CHANNELS:
         load, displacement = getattr(operation, channel.load), getattr(operation, channel.displacement)
         if load is not None and displacement is not None:
-            problem = f"is given beside {channel.displacement}: a channel has its load or its displacement, never both"
-            cause = "Keep the one that is imposed; the other is part of the result"
+            problem = (
+                f"is given together with {channel.displacement}: a channel has its load or its displacement, never both"
+            )
+            cause = "Keep the one that is prescribed; the other is a result"
             errors.append(ErrorDetail(f"operation.{channel.load}", problem, cause=cause))
         # Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite.
         if load is not None:
@@ -123,7 +125,7 @@ def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
             continue
         array, _ = numeric(f"operation.{field}", value, FORCE)  # its own errors are known already
         if array is not None and array.any():
-            problem = f"missing: with {field} the tilt it causes must be stated, as the two choices give very different"
+            problem = f"missing: {field} tilts the ring, so give its moment or its tilt (the results differ widely)"
             cause = f"Free to tilt: {tilt.load} = 0. Fixed by a stiff shaft: {tilt.displacement} = 0"
-            errors.append(ErrorDetail(f"operation.{tilt.load}", f"{problem} bearings", cause=cause))
+            errors.append(ErrorDetail(f"operation.{tilt.load}", problem, cause=cause))
     return errors

@@ -60,7 +60,7 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
     """Every error of a preload."""
     given = [kind for kind in KINDS if getattr(preload, kind) is not None]
     if len(given) != 1:
-        problem = f"is given beside {', '.join(given[1:])}" if given else "is missing"
+        problem = f"is given together with {', '.join(given[1:])}" if given else "is missing"
         cause = f"A preload is one of {', '.join(KINDS)}"
         return [ErrorDetail(f"preload.{given[0] if given else KINDS[0]}", problem, cause=cause)]
     (kind,) = given
@@ -68,7 +68,7 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
         return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)
     errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
     if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
-        cause = "A preload presses in +x; one the other way is axial_load or axial_displacement of the operation"
+        cause = "A preload acts in +x; for -x, give axial_load or axial_displacement of the operation instead"
         return [
             ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause, errors[0].where)
         ]
@@ -77,8 +77,8 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
 
 def beside_preload(operation: object) -> list[ErrorDetail]:
     """Errors of an operation that has an axial load or displacement of its own beside a preload."""
-    problem = "is given beside a preload, which sets the axial channel"
-    cause = "Keep one of the two: with both it would not be said which load the ring carries"
+    problem = "is given together with a preload, which sets the axial channel"
+    cause = "Keep one of the two: with both, the load of the ring is not defined"
     return [
         ErrorDetail(f"operation.{name}", problem, cause=cause)
         for name in ("axial_load", "axial_displacement")

@@ -111,7 +111,8 @@ class Scene(InNotebooks):
             wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing)
         errors += wrong
         if self.thermal is not None and self.tolerance is not None:
-            errors.append(ErrorDetail("tolerance", "is given beside a heat balance: name the effects"))
+            cause = "Name the effects instead: with a heat balance they are not chosen automatically"
+            errors.append(ErrorDetail("tolerance", "is given together with a heat balance", cause=cause))
         if self.tolerance is not None:
             errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
@@ -222,14 +223,14 @@ def effect_errors(
         need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
         problem = f"missing: {need} the balls' motion, which raceway control sets"
         *others, last = RacewayControl
-        cause = f"State raceway_control: {', '.join(others)} or {last}"
+        cause = f"Give raceway_control: {', '.join(others)} or {last}"
         errors.append(ErrorDetail("raceway_control", problem, cause=cause))
     if raceway_control is not None and not names:
         problem = "is given, but no ball effect needs it"
         cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
         errors.append(ErrorDetail("raceway_control", problem, str(raceway_control), cause=cause))
     if orbit_radius == OrbitRadius.DISPLACED and not names:
-        problem = "is given, but no ball effect makes the balls' orbit count"
+        problem = "is given, but no ball effect depends on the balls' orbit"
         cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
         errors.append(ErrorDetail("orbit_radius", problem, str(orbit_radius), cause=cause))
     return errors

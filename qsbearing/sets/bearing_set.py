@@ -294,7 +294,7 @@ def _number_errors(of: BearingSet) -> list[ErrorDetail]:
             path, rows = f"{kind} {number}.rows", tuple(part.rows)
             known = all(isinstance(row, int) and 1 <= row <= len(of.rows) for row in rows)
             if not known or len(set(rows)) < len(rows) or not rows or (kind == "spacer" and len(rows) != 2):
-                errors.append(ErrorDetail(path, "are not rows of the set", list(rows), cause=cause))
+                errors.append(ErrorDetail(path, "are not valid numbers of rows", list(rows), cause=cause))
             elif kind == "floating" and (taken & set(rows) or any(of.rows[row - 1].sprung for row in rows)):
                 errors.append(ErrorDetail(path, "name a row that is sprung, or in another group", list(rows)))
             taken |= set(rows) if kind == "floating" else set()
@@ -320,8 +320,8 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
     for number, row in enumerate(of.rows, 1):
         for before, other in enumerate(of.rows[: number - 1], 1):
             if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
-                cause = "Give each row the place of its balls along the shaft"
-                problem = f"is that of row {before} as well"
+                cause = "Give the position of the balls of each row along the shaft"
+                problem = f"is the position of row {before} too"
                 errors.append(ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause))  # type: ignore[arg-type]
     return errors
 
@@ -333,20 +333,22 @@ def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
     kind = None if of.preload is None else of.preload.kind
     errors = []
     if kind == "spring" and not sprung:
-        cause = "Give sprung = true to each row whose outer ring it presses"
-        errors.append(ErrorDetail("preload.spring", "presses no row", cause=cause))
+        cause = "Give sprung = true to each row whose outer ring slides and is preloaded"
+        errors.append(ErrorDetail("preload.spring", "is given, but no row is sprung", cause=cause))
     if kind != "spring" and sprung:
-        cause = "Give its force, or leave sprung out"
+        cause = "Give preload.spring, or leave sprung out"
         errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
     if len({str(row.carries) for row in sprung}) > 1:
-        cause = "Spring the rows of one direction; the others stand against them"
+        cause = "Spring only rows that carry in one direction; the other rows react against them"
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
     directions = {str(row.carries) for row in of.rows}
     if kind is not None and kind != "spring" and len(directions) == 2 and not any(map(of.opposes, dict(of.groups))):
-        cause = "No group, of the housing or floating, has rows of both directions: spring the group that floats"
+        cause = (
+            "No group of rows, in the housing or floating, carries in both directions: give the floating group a force"
+        )
         errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
     if kind is not None and len(directions) == 1:
-        cause = f"All rows carry in {directions.pop()}: turn some round, or give an axial load of the operation"
+        cause = f"All rows carry in {directions.pop()}: let some carry in the other direction, or give an axial load"
         errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
     return errors
 
@@ -359,9 +361,9 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
             for body in ("shaft", "housing"):
                 own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
                 if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
-                    cause = f"Give the {body}'s own temperature alone: its rows take it from there"
+                    cause = f"Give {body}.temperature only: the rows take it from there"
                     path = f"row {number}.ring_expansion.{body}_temperature"
-                    errors.append(ErrorDetail(path, f"is another than {body}.temperature", cause=cause))
+                    errors.append(ErrorDetail(path, f"differs from {body}.temperature", cause=cause))
     return errors
 
 

@@ -105,10 +105,10 @@ def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
     if change.after == PreloadState.EXCESSIVE and change.value == 0.0:
         return f"{name}: the preload is excessive, more than {EXCESSIVE:g} times the given preload, {already}."
     said = {
-        str(PreloadState.MAINTAINED): f"{name} has its preload back {at}.",
+        str(PreloadState.MAINTAINED): f"{name} regains its preload {at}.",
         str(PreloadState.LOST): f"{name} loses its preload {at}.",
         str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times the given preload, {at}.",
-        "no_equilibrium": f"{name} gives way {at}: no equilibrium there.",
+        "no_equilibrium": f"{name}: no equilibrium {at}.",
     }
     return said.get(change.after, f"{name}: no solution {at}.")
 

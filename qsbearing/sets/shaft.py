@@ -107,7 +107,7 @@ def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
     springs = (("axial", STIFFNESS), ("radial", STIFFNESS), ("tilt", TILT_STIFFNESS))
     given = [(name, quantity) for name, quantity in springs if getattr(of, name) is not None]
     if (of.matrix is None) == (not given):
-        problem = "is given beside single stiffnesses" if given else "has no stiffness"
+        problem = "has a matrix together with single stiffnesses" if given else "has no stiffness"
         return [ErrorDetail("housing_stiffness", problem, cause="Give axial, radial and tilt, or the whole matrix")]
     errors = []
     for name, quantity in given:
@@ -118,7 +118,7 @@ def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
     is_one = matrix.shape == (5, 5) and np.isfinite(matrix).all() and bool(np.allclose(matrix, matrix.T, 1e-9, 0.0))
     if not is_one or np.linalg.eigvalsh(matrix)[0] <= 0.0:
         cause = "A symmetric, positive definite matrix of shape (5, 5), in N/m, N/rad and N m/rad"
-        return [ErrorDetail("housing_stiffness.matrix", "is no stiffness", cause=cause)]
+        return [ErrorDetail("housing_stiffness.matrix", "is not a stiffness", cause=cause)]
     return errors
 
 

@@ -175,7 +175,7 @@ def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileEr
         cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
         problem = "is not called for by this scene"
     else:
-        problem, cause = "is no result", suggestion(name, list(known))
+        problem, cause = "is not a result", suggestion(name, list(known))
     return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 

@@ -96,7 +96,7 @@ class Store:
         try:
             self.place = place_of(os.fspath(out))
             if self.place.exists() and not self.place.is_file():
-                raise refused(self.out, "is no file that could be replaced")
+                raise refused(self.out, "is not a file, and cannot be replaced")
             self.folder = folder_of(out)
             self._check_room()
             self.folder.mkdir(exist_ok=True)
@@ -157,7 +157,7 @@ class Store:
                 else:
                     others += [] if suits else [file.name]
         if others:
-            problem = f"holds what is no part of this study: {', '.join(others[:5])}"
+            problem = f"holds files that do not belong to this study: {', '.join(others[:5])}"
             raise refused(self.folder, problem, "Move it away; points that are then missing are solved again")
 
     def _suits(self, number: int) -> bool:
@@ -243,7 +243,7 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
     if version != dataset.FORMAT:
         found.close()
         made = found.attrs.get("qsbearing_version", "another program")
-        raise refused(place, f"is no results file of this version (made by {made})", "Run the sweep again")
+        raise refused(place, f"is not a results file of this version (made by {made})", "Run the sweep again")
     return found
 
 

@@ -83,7 +83,7 @@ class Study(Plotted):
         errors: list[FileErrorDetail] = []
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
-            errors.append(FileErrorDetail("[[spectrum]]", "is no part of a study", cause=cause))
+            errors.append(FileErrorDetail("[[spectrum]]", "is not part of a study", cause=cause))
         varied = _table(document, "vary", errors) | (vary or {})
         options = _table(document, "study", errors)
         given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}

@@ -82,7 +82,7 @@ def variable_of(name: str, given: Any) -> Variable:
     """
     key = keys.find(name)
     if key is None:
-        raise VariableError(f"is no numeric key of a scene. {keys.suggestion(name)}")
+        raise VariableError(f"is not a numeric key of a scene. {keys.suggestion(name)}")
     if isinstance(given, str):
         return _of_text(key.name, given)
     if isinstance(given, dict):

@@ -41,7 +41,7 @@ def heat_capacities(balance: HeatBalance, scenes: Sequence[Scene]) -> list[float
         known |= {own_name(node, row, balance.rows): value for row in range(balance.rows)}
     missing = dict.fromkeys(name.partition(" ")[0] for name in balance.free if name not in known)
     if missing:
-        cause = "Heating up in time needs it in J/K; a ring's follows from ring_width, where rings expand"
+        cause = "Heating up needs it [J/K]; that of a ring follows from thermal.ring_width with ring expansion"
         raise SceneError([ErrorDetail(f"thermal.heat_capacities.{node}", "missing", cause=cause) for node in missing])
     return [float(known[name]) for name in balance.free]
 

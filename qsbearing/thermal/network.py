@@ -122,15 +122,15 @@ class Thermal:
         for number, each in enumerate(self.conductances, 1):
             if each.row is not None and not 1 <= each.row <= len(readings):
                 path = f"thermal.conductances {number}.row"
-                errors.append(ErrorDetail(path, f"is none of the {len(readings)} rows", each.row))
+                errors.append(ErrorDetail(path, f"is not a row of the set (1 to {len(readings)})", each.row))
         return errors
 
     def _friction_errors(self, readings: Mapping[str, Any]) -> list[ErrorDetail]:
         errors = []
         needed = READING_OF[self.friction]
         if needed not in readings:
-            cause = f"Give [readings.{needed}], whose numbers it takes; readings = {{{needed!r}: {{...}}}} in Python"
-            errors.append(ErrorDetail("thermal.friction", "lacks its numbers", self.friction, cause=cause))
+            cause = f"Give [readings.{needed}] (in Python readings = {{{needed!r}: {{...}}}}), whose numbers it uses"
+            errors.append(ErrorDetail("thermal.friction", "has no numbers to compute from", self.friction, cause=cause))
         elif self.friction == "palmgren":
             for name in ("static_load_rating", "lubrication_factor"):
                 if readings[needed].get(name) is None:
@@ -153,7 +153,7 @@ class Thermal:
             errors += _unknown_nodes("thermal.viscosity_at", (self.viscosity_at,))
         if self.friction not in READING_OF:
             cause = f"One of {', '.join(READING_OF)}"
-            errors.append(ErrorDetail("thermal.friction", "is no model of friction", self.friction, cause=cause))
+            errors.append(ErrorDetail("thermal.friction", "is not a friction model", self.friction, cause=cause))
         return errors
 
     def _array_errors(self) -> list[ErrorDetail]:
@@ -162,7 +162,7 @@ class Thermal:
             numbers |= {f"{name}.{node}": value for node, value in getattr(self, name).items()}
         numbers |= {} if self.oil is None else {f"oil.{name}": value for name, value in vars(self.oil).items()}
         numbers |= {name: getattr(self, name) for name in ("heat_to_rings", "heat_at_inner", "limit_temperature")}
-        cause = "One network stands for all cases: solve a scene for each value, or vary loads and speeds"
+        cause = "All cases share one network: solve a scene for each value, or vary loads and speeds"
         return [ErrorDetail(f"thermal.{path}", "is an array", cause=cause) for path, x in numbers.items() if np.ndim(x)]
 
     def _number_errors(self) -> list[ErrorDetail]:
@@ -188,17 +188,17 @@ class Thermal:
         for node in ("inner_ring", "outer_ring"):
             if node not in self.nodes:
                 cause = f'Give a conductance between "{node}" and another node'
-                errors.append(ErrorDetail("thermal.conductances", f"lead to no {node}", cause=cause))
+                errors.append(ErrorDetail("thermal.conductances", f"do not lead to {node}", cause=cause))
         if self.viscosity_at is not None and self.viscosity_at not in self.nodes:
-            errors.append(ErrorDetail("thermal.viscosity_at", "is a node that nothing else names", self.viscosity_at))
+            errors.append(ErrorDetail("thermal.viscosity_at", "is a node that has no other use", self.viscosity_at))
         if "oil" in self.fixed and self.oil is not None:
-            cause = "Leave one of the two out: the flow's inlet, or the node's own temperature"
-            errors.append(ErrorDetail("thermal.fixed.oil", "is given beside the flow of oil", cause=cause))
+            cause = "Leave one of the two out: the oil's inlet temperature, or the temperature of the node"
+            errors.append(ErrorDetail("thermal.fixed.oil", "is given together with the flow of oil", cause=cause))
         cooled = {*self.fixed, *(() if self.oil is None else ("oil",))}
         for _ in self.nodes:
             cooled |= {end for each in self.conductances if cooled & set(each.between) for end in each.between}
         if set(self.nodes) <= set(self.fixed):
-            errors.append(ErrorDetail("thermal.fixed", "gives every temperature: nothing is left to be found"))
+            errors.append(ErrorDetail("thermal.fixed", "gives every temperature, so that none is left to find"))
         if stuck := [node for node in self.nodes if node not in cooled]:
             cause = "Conductances must lead from every node to a fixed temperature or to the flow of oil"
             errors.append(ErrorDetail("thermal.conductances", f"let no heat out of {', '.join(stuck)}", cause=cause))
@@ -206,11 +206,11 @@ class Thermal:
 
 
 def _temperature(path: str, value: Any) -> list[ErrorDetail]:
-    meaning = "is no temperature of a bearing" if isinstance(value, float | int) else ""
+    meaning = "is not a plausible temperature of a bearing" if isinstance(value, float | int) else ""
     return within(path, value, TEMPERATURE, COLDEST, HOTTEST, meaning)
 
 
 def _unknown_nodes(path: str, names: Iterable[str]) -> Iterator[ErrorDetail]:
     for name in names:
         if name not in NODES:
-            yield ErrorDetail(path, "is no node", name, cause=f"One of {', '.join(NODES)}")
+            yield ErrorDetail(path, "is not a node", name, cause=f"One of {', '.join(NODES)}")

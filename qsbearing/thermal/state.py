@@ -78,15 +78,21 @@ class Course:
         peak, last = int(loads.argmax()), float(loads[-1])
         ends = {name: value[-1] for name, value in self.temperatures.items()}
         hottest = max(ends, key=lambda name: float(ends[name]))
-        state = f"{hottest.replace('_', ' ')} at {ends[hottest] - zero_celsius:.1f} C"
+        state = f"{hottest.replace('_', ' ')} at {ends[hottest] - zero_celsius:.1f} °C"
         if self.end != "time":
-            what = "The limit of temperature is reached" if self.end == "limit" else "The bearing loses its equilibrium"
-            return f"{what} after {self.time[-1]:.4g} s: {state}, axial load {last:.4g} N."
-        text = f"After {self.time[-1]:.4g} s {state}, axial load {last:.4g} N"
+            what = "The temperature limit is reached" if self.end == "limit" else "The bearing loses its equilibrium"
+            return f"{what} after {self.time[-1]:.4g} s: {state}, axial load {_digits(last)} N."
+        text = f"After {self.time[-1]:.4g} s: {state}, axial load {_digits(last)} N"
         if loads[peak] <= (1.0 + OVERSHOOT) * last:
-            return f"{text}; it never was above that by more than {OVERSHOOT:.0%}."
-        over = loads[peak] / last - 1.0
-        return f"{text}; on the way it overshoots to {loads[peak]:.4g} N ({over:+.0%}) at {self.time[peak]:.4g} s."
+            return f"{text}. The axial load never exceeds this value by more than {100 * OVERSHOOT:.0f} %."
+        over = 100.0 * (loads[peak] / last - 1.0)
+        highest = f"{_digits(float(loads[peak]))} N ({over:+.0f} %) at {self.time[peak]:.4g} s"
+        return f"{text}. Before that, the axial load overshoots to {highest}."
+
+
+def _digits(load: float) -> str:
+    """Four digits, without a power of ten."""
+    return f"{float(f'{load:.4g}'):.15g}"
 
 
 @dataclass(frozen=True)
@@ -142,35 +148,37 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} C ({name.replace('_', ' ')}): a further watt of heat "
-                f"makes friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run away."
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.replace('_', ' ')}): one more watt of heat "
+                f"makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run away."
             )
-        limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} C"
+        limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
         if verdict is Verdict.UNDECIDED:
-            return f"No steady state below {limit} was found; that does not prove that there is none."
+            return f"No steady state below {limit} was found; this does not prove that there is none."
         curve = self.speeds
         own = f"{float(self.speed) / rpm:.5g} rpm"
         head = f"No steady state below {limit} at {own}: followed from standstill, steady states"
         if verdict is Verdict.RUNAWAY and curve.fold is not None:
             fold = self.described(curve.fold)
-            return f"Thermal runaway of the preload. {head} go up to {fold} and turn back there."
+            return f"Thermal runaway of the preload. {head} exist up to {fold}, where their curve turns back."
         assert curve.at_limit is not None
-        return f"Too hot. {head} reach it at {self.described(curve.at_limit)}."
+        return f"Too hot. {head} reach this temperature at {self.described(curve.at_limit)}."
 
     def onset(self) -> str:
         """Where the steady states of a single case, followed from standstill in speed, end."""
         curve = self.speeds
         if curve.fold is not None:
             return f"Thermal runaway of the preload begins at {self.described(curve.fold)}."
-        limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} C"
+        limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
         if curve.at_limit is not None:
-            return f"The limit of {limit} is reached at {self.described(curve.at_limit)}, before any runaway."
+            return (
+                f"The temperature limit of {limit} is reached at {self.described(curve.at_limit)}, before any runaway."
+            )
         if not curve.states:
             return "Steady states could not be followed from standstill."
-        return f"Steady states were followed up to {self.described(curve.states[-1])}: no runaway so far."
+        return f"Steady states were followed up to {self.described(curve.states[-1])}, without runaway."
 
     def described(self, state: State) -> str:
         """A state of the curve in words."""
-        loads = " and ".join(f"{load:.4g}" for load in state.preloads)
+        loads = " and ".join(map(_digits, state.preloads))
         hottest = state.temperatures.max() - zero_celsius
-        return f"{state.factor * float(self.speed) / rpm:.5g} rpm ({hottest:.1f} C, axial load {loads} N)"
+        return f"{state.factor * float(self.speed) / rpm:.5g} rpm ({hottest:.1f} °C, axial load {loads} N)"

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from qsbearing.thermal.balance import HeatBalance
 from qsbearing.thermal.hot import HotSystem
 from qsbearing.thermal.sources import powers, sources_of
+from qsbearing.units import zero_celsius
 from qsbearing.validation import TEMPERATURE, ErrorDetail, SceneError, raise_if_any
 
 TOLERANCE = 1e-11
@@ -48,8 +49,11 @@ class Heated:
         found, limit = float(cold.max()), self.system.thermal.limit_temperature
         if found < limit:
             return []
-        cause = f"Without any friction {self.balance.free[int(cold.argmax())]} is at {found:.6g} K"
-        problem = "is reached by the given temperatures and heats alone"
+        hottest = self.balance.free[int(cold.argmax())].replace("_", " ")
+        cause = (
+            f"Without any friction, the {hottest} is at {found - zero_celsius:.4g} °C: correct the given temperatures"
+        )
+        problem = "is already reached through the given temperatures and heats, without friction"
         return [ErrorDetail("thermal.limit_temperature", problem, limit, TEMPERATURE, cause=cause)]
 
     def at(self, temperatures: NDArray, factor: Any = 1.0) -> tuple[Any, NDArray]:

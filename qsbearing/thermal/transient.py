@@ -50,7 +50,7 @@ def heat_up(
     if start is not None:
         errors += within("start", start, TEMPERATURE, COLDEST, HOTTEST)
     if system.shape:
-        errors.append(ErrorDetail("operation", f"has cases {system.shape}: one at a time heats up"))
+        errors.append(ErrorDetail("operation", f"has cases {system.shape}: heating up is computed for a single case"))
     if errors:
         raise SceneError(errors)
     heated = Heated(system)
@@ -78,7 +78,7 @@ def heat_up(
     solved = np.isfinite(powers).all(axis=0)
     count = POINTS if solved.all() else int(solved.argmin())
     if not count:
-        raise SceneError([ErrorDetail("thermal", "nothing heats up: the cold bearing has no equilibrium")])
+        raise SceneError([ErrorDetail("thermal", "heating up cannot start: the cold bearing has no equilibrium")])
     end = "no_equilibrium" if count < POINTS else "limit" if found.status == 1 else "time"
     named = {name: value[:count] for name, value in balance.named(T).items()}
     return Course(time[:count], named, powers.T[:count], system.preloads(solution).T[:count], end)

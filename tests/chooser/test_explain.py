@@ -258,7 +258,7 @@ def test_a_file_may_leave_its_effects_to_be_chosen(tmp_path: Path) -> None:
     assert found["balls"][0]["gyroscopic_moment_Nmm"] is None
     text = call("run", path).stdout
     assert "Tolerance 0.01: left out, with the expected error: the gyroscopic moment" in text
-    assert "Needed, although the scene does not name it: the centrifugal force" in text
+    assert "Needed, but not named in the scene: the centrifugal force" in text
 
 
 def test_accuracy_judges_the_operating_point_and_not_what_the_file_names(trap: Path) -> None:
@@ -280,11 +280,11 @@ def test_an_accuracy_out_of_range_is_bad_input(asked: str) -> None:
 @pytest.mark.parametrize(
     ("head", "said"),
     [
-        ("tolerance = 0.01\n", "the effects are not chosen by it"),
+        ("tolerance = 0.01\n", "is given without effects"),
         ('effects = "automatic"\n', "is not a table"),
-        ('effects = "auto"\ntolerance = 2\n', "is no relative error"),
-        ('effects = "auto"\ntolerance = "fine"\n', "is no relative error"),
-        ('effects = "auto"\ntolerance = true\n', "is no relative error"),
+        ('effects = "auto"\ntolerance = 2\n', "is not a relative error"),
+        ('effects = "auto"\ntolerance = "fine"\n', "is not a relative error"),
+        ('effects = "auto"\ntolerance = true\n', "is not a relative error"),
     ],
 )
 def test_a_mistaken_request_is_bad_input_together_with_the_rest(tmp_path: Path, head: str, said: str) -> None:

@@ -164,7 +164,7 @@ def test_a_set_is_searched_too() -> None:
         ({}, {}, ["no variables", "nothing is asked for"]),
         ({"rigid_N": "1:2:3"}, {"minimise": "a", "maximise": "b"}, ["chooses its points", "beside minimise"]),
         ({"speed_rpm": "0:1:log"}, {"limits": ["a<=nan"]}, ["above zero", "finite"]),
-        (RIGID, {"limits": ["inner.max_pressure_GPa<=1.7"], "minimise": "contact_angel"}, ["in MPa", "no result"]),
+        (RIGID, {"limits": ["inner.max_pressure_GPa<=1.7"], "minimise": "contact_angel"}, ["in MPa", "not a result"]),
         ({"rigid_N": "-5:-1"}, {"minimise": STIFF}, ["no point describes a bearing"]),
         (RIGID, {"minimise": "effective_stiffness_axial", "goals": [f"{STIFF}=1"]}, ["axial: has no value", "held"]),
         (dict.fromkeys(["a", "b", "c", "d", "e", "f", "g"], "1:2"), {"minimise": STIFF}, ["7 variables"]),

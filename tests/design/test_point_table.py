@@ -103,7 +103,7 @@ def test_the_number_of_balls_may_differ_from_row_to_row() -> None:
         ("speed_rpm\n", ["0 rows"]),
         ("speed_rpm,\n1,2\n", ["no heading"]),
         ("", ["cannot be read"]),
-        ("ball_material.density_kg_m3,thermal_expansion_per_K\n1,2\n", ["no numeric key"]),
+        ("ball_material.density_kg_m3,thermal_expansion_per_K\n1,2\n", ["not a numeric key"]),
     ],
 )
 def test_a_table_that_cannot_be_is_refused(tmp_path: Path, text: str, said: list[str]) -> None:

@@ -43,7 +43,7 @@ def test_every_page_is_printed(topic: str) -> None:
 def test_an_unknown_topic_names_the_nearest() -> None:
     result = call("hard_case")
     assert result.exit_code == 2
-    assert "no topic hard_case; hard_cases?" in result.stderr
+    assert "no topic hard_case in the guide. Did you mean hard_cases?" in result.stderr
     assert "Traceback" not in result.output
 
 
@@ -55,7 +55,7 @@ def test_a_section_is_printed_alone_and_a_wrong_one_refused() -> None:
     assert len(alone.output) < len(whole)
     wrong = call("limits#hypothesis")
     assert (wrong.exit_code, wrong.stdout) == (2, "")
-    assert "no section hypothesis in limits" in wrong.stderr
+    assert "no section hypothesis in the topic limits" in wrong.stderr
 
 
 def test_the_whole_guide_is_one_sound_page(tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ def test_a_file_is_read_written_and_read_again(outer: str, inner: str, tmp_path:
         (OUTER["shoulders"].replace("132.4", "124"), "on the ring's side of the outer groove's centre circle"),
         (OUTER["shoulders"].replace("shoulder_diameter_mm = 132.4, ", ""), "outer.shoulder_diameter_mm: missing"),
         ("inner = {shaft = {compliance_um_per_N = [-1]}}", "is negative"),
-        ("inner = {width_mm = 30, shaft = {compliance_um_per_N = [1e-4]}}", "is given beside"),
+        ("inner = {width_mm = 30, shaft = {compliance_um_per_N = [1e-4]}}", "is given together with"),
         ("", "describes no ring"),
     ],
 )  # fmt: skip
@@ -192,7 +192,7 @@ def test_a_ring_that_touches_its_housing_somewhere_is_told() -> None:
     """Under radial load, in either state; not where the clearance is wide."""
     said = {um: qs.warnings(in_housing(-um * qs.um, radial_load_y=10000.0)) for um in (1.0, 18.0, 100.0)}
     assert any("lift off the housing" in each for each in said[1.0])
-    assert any("so far that it touches it" in each for each in said[18.0])
+    assert any("so far that it touches the housing" in each for each in said[18.0])
     assert not any("housing" in each for each in said[100.0])
 
 

@@ -178,7 +178,7 @@ def test_a_file_is_told_all_that_is_wrong_at_once() -> None:
     assert "effects.friction_coefficient = 2" in found and "effects.orbit_radius" in found
     assert "is not a number" in errors_of(**both, friction_coefficient="0.1")
     found = errors_of(friction_coefficient=0.1, orbit_radius="displaced")
-    assert "no gyroscopic moment is there to carry" in found and "effects.orbit_radius" in found
+    assert "there is no gyroscopic moment to carry" in found and "effects.orbit_radius" in found
     assert "minimum_dissipation" in errors_of(ball=["centrifugal_force"], raceway_control="minimal")
     assert "minimum_dissipation" in errors_of(ball=["centrifugal_force"])
     scene = scene_of({"bearing": {"name": "B218"}, "operation": operation, "effects": both | {

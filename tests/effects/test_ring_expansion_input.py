@@ -161,9 +161,9 @@ def test_a_table_in_the_wrong_place(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
-        ({"shaft_bore_diameter": 0.03}, "no shaft is regarded"),
+        ({"shaft_bore_diameter": 0.03}, "without shaft_interference the shaft has no effect"),
         ({"housing_interference": 0.0}, "housing_outside_diameter: missing"),
-        ({"reference_temperature": 300.0}, "nothing has another temperature"),
+        ({"reference_temperature": 300.0}, "no other temperature is"),
         ({"inner_ring_temperature": -5.0}, "below absolute zero"),
         ({"inner_ring_temperature": np.array([300.0, np.nan])}, "not a finite number"),
         ({"shaft_interference": 0.01}, "1% of the seat's diameter"),

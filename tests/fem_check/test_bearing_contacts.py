@@ -294,7 +294,7 @@ def test_a_refusal_and_a_failure_are_said():
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--bore-diameter-mm", "25"], "dimensions of rings are those of the bearing that --scene names"),
+        (["--bore-diameter-mm", "25"], "options for dimensions of the rings need --scene"),
         (
             ["--scene", "b218", "--bore-diameter-mm", "110", "--width-mm", "3"],
             "bore 110 mm (option): above 0 and below",

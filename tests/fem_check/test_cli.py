@@ -63,8 +63,8 @@ def _replaced(findings):
     [
         (["run", "patch_tst"], "no check named patch_tst"),
         (["run", "patch_test", "--scene", "no_such"], "no_such"),
-        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "0"], "positive load"),
-        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "nan"], "positive load"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "0"], "must be above 0 N"),
+        (["contact", "--scene", "b218", "--race", "inner", "--load-N", "nan"], "must be above 0 N"),
         (["contact", "--scene", "b218", "--race", "cage", "--load-N", "10"], "must be one of inner, outer"),
         (["contact", "--scene", "no_such", "--race", "inner", "--load-N", "10"], "no_such"),
         (["contact", "--scene", "b218", "--race", "inner", "--load-N", "10", "--elements", "2"], "at least 5"),
@@ -99,7 +99,7 @@ def _replaced(findings):
                 "--accuracy",
                 "0.1",
             ],
-            "chosen by --elements",
+            "give --elements instead",
         ),
     ],
 )

@@ -235,10 +235,10 @@ def test_what_is_reached_is_deviation_and_uncertainty_together():
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--accuracy", "0"], "a relative error, above 0 and below 1"),
-        (["--accuracy", "nan"], "a relative error, above 0 and below 1"),
-        (["--accuracy", "1"], "a relative error, above 0 and below 1"),
-        (["--accuracy", "1e-3", "--elements", "6"], "name one of the two"),
+        (["--accuracy", "0"], "must be a relative error above 0 and below 1"),
+        (["--accuracy", "nan"], "must be a relative error above 0 and below 1"),
+        (["--accuracy", "1"], "must be a relative error above 0 and below 1"),
+        (["--accuracy", "1e-3", "--elements", "6"], "give only one of them"),
         (["--accuracy", "1e-9"], "the best attainable is"),
     ],
 )

@@ -361,7 +361,7 @@ def test_what_is_no_checkout_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(tree, "__file__", str(tmp_path / "site-packages" / "fem_check" / "release" / "tree.py"))
     result = release(tmp_path / "out")
     assert result.exit_code == 2
-    assert "is no checkout of the source" in result.stderr
+    assert "is not a checkout of the source" in result.stderr
 
 
 def test_the_manifest_is_that_of_the_records():

@@ -151,5 +151,5 @@ def test_a_contact_over_the_shoulder_is_refused():
 def test_a_damaged_mesh_is_named(tmp_path):
     path = tmp_path / "ball.npz"
     path.write_bytes(b"nothing")
-    with pytest.raises(MeshError, match=r"ball\.npz is no mesh"):
+    with pytest.raises(MeshError, match=r"ball\.npz is not a mesh"):
         BodyMesh.read(path)

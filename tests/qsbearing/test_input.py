@@ -322,7 +322,7 @@ def test_another_version_is_said(tmp_path: Path) -> None:
         ("a.json", "[1]", "holds no input"),
         ("a.json", '{"version": "0.1.0", "input": {"bearing": 3}}', "bearing = 3"),
         ("a.json", '{"version": "0.1.0", "input": {"bearing": {"ball_count": NaN}}}', "finite"),
-        ("a.nc", "not netCDF", "is no netCDF file"),
+        ("a.nc", "not netCDF", "is not a netCDF file"),
         ("none.json", None, "no such file"),
         ("none.nc", None, "no such file"),
     ],

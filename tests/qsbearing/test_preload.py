@@ -201,13 +201,14 @@ def test_a_bearing_warns_of_a_preload_that_has_grown_or_fallen() -> None:
     )
     assert preload_warnings(qs.Preload(mounted=300.0), fit) == [], "the fit is in it"
     (lost,) = preload_warnings(rigid, rings(outer_ring_temperature=60 + qs.zero_celsius))
-    assert lost == "Preload lost: the bearing carries 0 N of the 300 N before fitting."
+    assert lost == "Preload lost: the bearing carries 0 N in operation; its preload is 300 N before fitting."
     warm = rings(outer_ring_temperature=22.5 + qs.zero_celsius)
     (fallen,), found = preload_warnings(rigid, warm), solved(preloaded(rigid, warm))
     assert 0.01 < found.preload_share < 0.5
     assert found.preload_state == "maintained"
     before = solved(preloaded(rigid)).stiffness[0, 0] / 1e6
-    assert f"{found.load[0]:.4g} N, {100 * found.preload_share:.2g} % of the 300 N before fitting" in fallen
+    part = f"{100 * found.preload_share:.2g} % of its preload of 300 N before fitting"
+    assert f"{found.load[0]:.4g} N in operation, {part}" in fallen
     assert f"fell from {before:.4g} N/µm mounted to {found.stiffness[0, 0] / 1e6:.4g} N/µm" in fallen
     several = solved(preloaded(qs.Preload(rigid=np.array([300.0, 5000.0])), fit))
     assert list(several.preload_state) == ["excessive", "maintained"]
@@ -260,9 +261,13 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
 @pytest.mark.parametrize(
     ("operation", "table", "words"),
     [
-        ("axial_load_N = 500\n", "rigid_N = 500\n", {"operation.axial_load_N": "beside a preload"}),
-        ("axial_displacement_um = 5\n", "spring_N = 5\n", {"operation.axial_displacement_um": "beside a preload"}),
-        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given beside rigid_N"}),
+        ("axial_load_N = 500\n", "rigid_N = 500\n", {"operation.axial_load_N": "together with a preload"}),
+        (
+            "axial_displacement_um = 5\n",
+            "spring_N = 5\n",
+            {"operation.axial_displacement_um": "together with a preload"},
+        ),
+        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given together with rigid_N"}),
         ("", "", {"preload.spring_N": "is missing"}),
         ("", "rigid_kN = 0.5\n", {"preload.rigid_kN": "rigid_N = 500"}),
         ("", "rigid_N = -5\n", {"preload.rigid_N": "is negative"}),
@@ -282,7 +287,7 @@ def test_what_is_refused(tmp_path: Path, operation: str, table: str, words: dict
 
 
 def test_python_refuses_alike() -> None:
-    with pytest.raises(qs.SceneError, match="beside a preload"):
+    with pytest.raises(qs.SceneError, match="together with a preload"):
         qs.Scene(B218, qs.Operation(axial_load=5.0), preload=qs.Preload(spring=5.0))
     with pytest.raises(qs.SceneError, match="is not a preload"):
         qs.Scene(B218, qs.Operation(), preload=500.0)

@@ -503,7 +503,7 @@ def test_words_that_are_no_choice(errors: Any, change: dict[str, dict[str, str |
         ({"outer_groove_radius_mm": "23.2562"}, "outer_groove_radius_mm", (11.1125, 22.225), "diameter"),
         ({"pitch_diameter_mm": "62.8"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
         ({"pitch_diameter_mm": "100"}, "pitch_diameter_mm", (113.921, 20000), "larger pitch circle"),
-        ({"ball_count": "40"}, "pitch_diameter_mm", (283.271, 20000), "Fewer or smaller balls"),
+        ({"ball_count": "40"}, "pitch_diameter_mm", (283.271, 20000), "Use fewer or smaller balls"),
     ],
 )
 def test_lengths_counts_and_angles_that_no_bearing_has(
@@ -600,7 +600,7 @@ def test_a_radial_load_without_a_stated_tilt_names_both_remedies(
     found = errors(scene_text(operation={given: "5"}))
     assert list(found) == [f"operation.{loaded}"]
     text = str(found[f"operation.{loaded}"])
-    assert f"with {given}" in text
+    assert f"missing: {given} tilts the ring" in text
     assert f"{loaded} = 0" in text
     assert f"{held} = 0" in text
     for remedy in (loaded, held):

@@ -208,8 +208,11 @@ def test_names_of_the_same_steel_are_one_material() -> None:
     [
         ({"groove_radius_coefficient": "0.52"}, ["groove_radius_coefficient", "is not a number"]),
         ({"groove_radius_coefficient": 0.4}, ["smaller than the ball", "0.4"]),
-        ({"inner_groove_radius_coefficient": 0.52, "inner_groove_radius_mm": 6.6}, ["is given beside inner_groove"]),
-        ({"inner_groove_radius_mm": 6.6, "outer_groove_radius_mm": 6.6}, ["is given beside inner_groove"]),
+        (
+            {"inner_groove_radius_coefficient": 0.52, "inner_groove_radius_mm": 6.6},
+            ["is given together with inner_groove"],
+        ),
+        ({"inner_groove_radius_mm": 6.6, "outer_groove_radius_mm": 6.6}, ["is given together with inner_groove"]),
         ({"ball_diameter_mm": None}, ["1 error", "ball_diameter_mm: missing"]),
         ({"groove_radius_coeficient": 0.52}, ["Did you mean groove_radius_coefficient?"]),
         ({"ball_material": "Si3N5"}, ["Did you mean si3n4?"]),

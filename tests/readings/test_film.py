@@ -152,7 +152,7 @@ def test_bad_oils_name_every_fault() -> None:
     assert fields == {"temperatures[0]", "viscosities[0]", "density"}
     with pytest.raises(qs.SceneError, match="do not fall"):
         Lubricant((373.15, 313.15), (8.5e-6, 68e-6))
-    with pytest.raises(qs.SceneError, match="no oil temperature"):
+    with pytest.raises(qs.SceneError, match="not an oil temperature"):
         Lubricant.from_grade(68).at(70.0)
     with pytest.raises(qs.SceneError, match="grade"):
         Lubricant.from_grade(1.0)

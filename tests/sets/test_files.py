@@ -195,10 +195,10 @@ ball = []
         (
             PAIR_FILE.replace("[preload]\nrigid_N = 720", "[preload]\nspring_N = 720"),
             "preload.spring_N",
-            "presses no row",
+            "is given, but no row is sprung",
         ),
         (PAIR_FILE.replace('"-x"', '"+x"'), "preload.rigid_N", "has no row to press against"),
-        (PAIR_FILE.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is that of row 1 as well"),
+        (PAIR_FILE.replace("position_mm = 20", "position_mm = 0"), "row 2.position_mm", "is the position of row 1 too"),
         ("effects = 'auto'\n" + PAIR_FILE.partition("[effects]")[0], "effects", "are not chosen for sets"),
         (PAIR_FILE.replace("10000", "1e7"), "operation.speed_rpm", "is too fast"),
         (PAIR_FILE + "[readings.film]\n", "readings.film", "needs an oil"),
@@ -223,7 +223,7 @@ def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     path = written(tmp_path, PAIR_FILE)
     chosen = run(path, "--plot", str(tmp_path / "a.png"), "--accuracy", "1e-3")
     assert chosen.exit_code == 2
-    assert "--accuracy: the effects of a set are those that its file names" in chosen.stderr
+    assert "--accuracy: a set has the effects that its file names" in chosen.stderr
     assert not (tmp_path / "a.png").exists()
     overloaded = PAIR_FILE.replace("rigid_N", "spring_N").replace('"-x"', '"-x"\nsprung = true').replace("200", "-900")
     path = written(tmp_path, overloaded)
@@ -236,6 +236,6 @@ def test_exit_codes_and_what_a_set_has_not(tmp_path: Path) -> None:
     assert shown["message"].startswith("No equilibrium: nothing supports the load in channel axial")
     other = CliRunner().invoke(cli, ["stiffness", str(path), "--vary", "speed_rpm=0,1"])
     assert other.exit_code == 2
-    assert "a table of a single bearing" in other.stderr
-    with pytest.raises(qs.SceneFileError, match="Of a set of rows on one shaft"):
+    assert "makes a set" in other.stderr
+    with pytest.raises(qs.SceneFileError, match="makes a set"):
         qs.load_scene(path)

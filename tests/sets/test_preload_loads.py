@@ -65,7 +65,7 @@ def test_what_comes_back_with_the_speed_is_told() -> None:
     around = back.value + np.array([-2.0, 1.0]) * 20_000 * qs.rpm / 64**2
     below, above = solved(with_load(of, speed=around)).preload_state[:, 1]
     assert (below, above) == ("lost", "maintained")
-    assert "has its preload back at" in speed_sentence(of, back)
+    assert "regains its preload at" in speed_sentence(of, back)
 
 
 def test_what_speed_alone_makes_of_a_preload_is_no_matter_of_loads() -> None:

@@ -74,7 +74,7 @@ def test_the_command_sweeps_a_set(tmp_path: Path) -> None:
     assert picture.stat().st_size > 10_000
     assert qs.open_results(out)["shaft_load_axial"].values == pytest.approx(200.0, rel=1e-15)
     wrong = CliRunner().invoke(cli, ["sweep", str(path), "--vary", "spring_N=1,2"])
-    assert wrong.exit_code == 2 and "whose outer ring it presses" in wrong.stderr
+    assert wrong.exit_code == 2 and "Give sprung = true to each row" in wrong.stderr
 
 
 def test_rows_share_a_panel_and_the_title_names_bearing_and_preload(tmp_path: Path) -> None:

@@ -171,7 +171,7 @@ def test_where_nothing_is_solved_the_reason_stands(results: dict) -> None:
     [
         ("speed", {"x": "speed"}, "Did you mean speed_rpm"),
         ("speed", {"y": ["inner_lod"]}, "Did you mean inner_load"),
-        ("speed", {"kind": "pie"}, "no kind of picture"),
+        ("speed", {"kind": "pie"}, "not a kind of picture"),
         ("speed", {"kind": "distribution"}, "vary at random"),
         ("balls", {"kind": "map"}, "two axes"),
         ("random", {"kind": "lines"}, "need an axis"),

@@ -106,7 +106,7 @@ def test_what_the_command_cannot_do_is_said_at_once(tmp_path: Path) -> None:
     given = ["sweep", "b218", "--vary", "speed_rpm=1,2", "--vary", "sped=1", "--sobol", "100", "--samples", "5"]
     done = CliRunner().invoke(cli, [*given, "--out", str(tmp_path / "a.txt")])
     assert done.exit_code == 2
-    for said in ("power of two", "--samples does not go with", "must end in", "sped"):
+    for said in ("power of two", "--samples cannot be used with", "must end in", "sped"):
         assert said in done.stderr
     assert not list(tmp_path.iterdir())
 

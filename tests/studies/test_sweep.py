@@ -233,7 +233,7 @@ def test_points_none_of_which_is_possible_are_results() -> None:
 def test_a_study_that_is_wrong_at_every_point_is_refused() -> None:
     with pytest.raises(qs.SceneError, match="do not fit"):
         sweep(Study.of(B218, {"ball_count": [40], "speed_rpm": [0, 1]}))
-    with pytest.raises(qs.SceneError, match="tilt it causes must be stated"):
+    with pytest.raises(qs.SceneError, match="so give its moment or its tilt"):
         sweep(Study.of(B218, {"radial_load_y_N": "0:10:3"}))
     with pytest.raises(qs.SceneError, match="leaves the possible"):
         sweep(Study.of(B218, {"ball_diameter_mm": "normal(22,3)"}))
@@ -403,7 +403,9 @@ def test_files_that_are_no_parts_of_a_study_are_named(
     (parts / "notes.txt").write_text("mine")
     (parts / "7.npz").write_bytes(good)
     (parts / "2.part").mkdir()
-    with pytest.raises(qs.SceneError, match=r"no part of this study: 0\.npz, 2\.part, 7\.npz, notes\.txt"):
+    with pytest.raises(
+        qs.SceneError, match=r"files that do not belong to this study: 0\.npz, 2\.part, 7\.npz, notes\.txt"
+    ):
         sweep(study, out=out, resume=True)
     (parts / "2.part").rmdir()
     for name in ("0.npz", "7.npz", "notes.txt"):
@@ -413,7 +415,7 @@ def test_files_that_are_no_parts_of_a_study_are_named(
     assert out.read_bytes() == (tmp_path / "whole.nc").read_bytes()
     parts.mkdir()
     (parts / "notes.txt").write_text("mine")
-    with pytest.raises(qs.SceneError, match="no part of this study"):
+    with pytest.raises(qs.SceneError, match="do not belong to this study"):
         sweep(study, out=out)
     assert (parts / "notes.txt").read_text() == "mine"
 
@@ -429,7 +431,7 @@ def test_what_a_link_points_at_is_replaced(tmp_path: Path, monkeypatch: pytest.M
     assert [file.name for file in target.parent.iterdir()] == ["x.nc"]
     link.unlink()
     link.symlink_to("/dev/null")
-    with pytest.raises(qs.SceneError, match="no file that could be replaced"):
+    with pytest.raises(qs.SceneError, match="is not a file, and cannot be replaced"):
         sweep(study, out=link)
 
 
@@ -516,7 +518,7 @@ def test_files_that_are_no_results_are_refused(tmp_path: Path) -> None:
         qs.open_results(tmp_path / "other.nc")
     later = xarray.Dataset({"x": 1}, attrs={"qsbearing_format": dataset.FORMAT + 1, "qsbearing_version": "9.0"})
     later.to_netcdf(tmp_path / "later.nc", engine="h5netcdf")
-    with pytest.raises(qs.SceneError, match=r"no results file of this version \(made by 9.0\)"):
+    with pytest.raises(qs.SceneError, match=r"not a results file of this version \(made by 9.0\)"):
         qs.open_results(tmp_path / "later.nc")
 
 

@@ -221,28 +221,34 @@ def test_a_result_gives_its_input_again() -> None:
 
 
 WRONG = [
-    ({"limit_temperature_C": 9000}, "thermal.limit_temperature_C = 9000 °C: is no temperature of a bearing"),
+    (
+        {"limit_temperature_C": 9000},
+        "thermal.limit_temperature_C = 9000 °C: is not a plausible temperature of a bearing",
+    ),
     ({"limit_temp_C": 9000}, "Did you mean limit_temperature_C?"),
     ({"fixed": {"ambient_K": 300}}, "thermal.fixed.ambient_K: unknown key"),
     ({"fixed": {}}, "let no heat out of inner_ring, balls, outer_ring, ambient"),
-    ({"friction": "skv"}, "thermal.friction = 'skv': is no model of friction"),
+    ({"friction": "skv"}, "thermal.friction = 'skv': is not a friction model"),
     ({"friction": "skf"}, "Give [readings.friction_estimate]"),
     ({"oil": {"flow_cm3_min": 10}}, "thermal.oil.density_kg_m3: missing"),
     (
         {"fixed": dict.fromkeys(("inner_ring_C", "balls_C", "outer_ring_C", "ambient_C"), 30)},
-        "nothing is left to be found",
+        "so that none is left to find",
     ),
     ({"conductances": None}, "[[thermal.conductances]]: missing"),
-    ({"conductances": [{"between": ["inner_ring", "bals"], "W_per_K": 1}]}, "'bals': is no node"),
+    ({"conductances": [{"between": ["inner_ring", "bals"], "W_per_K": 1}]}, "'bals': is not a node"),
     ({"conductances": [{"between": ["inner_ring", "balls"], "W_per_K": -1}]}, "conductances 1.W_per_K = -1 W/K: is"),
-    ({"conductances": [{"between": ["inner_ring", "balls"], "W_per_K": 1, "row": 3}]}, "is none of the 1 rows"),
+    (
+        {"conductances": [{"between": ["inner_ring", "balls"], "W_per_K": 1, "row": 3}]},
+        "is not a row of the set (1 to 1)",
+    ),
 ]
 
 
 @pytest.mark.parametrize(("changed", "said"), WRONG, ids=[said for _, said in WRONG])
 def test_errors_help(changed: dict[str, Any], said: str) -> None:
     thermal = tables()["thermal"] | changed
-    if said.endswith("rows"):
+    if "row of the set" in said:
         thermal["conductances"] += paths(BETWEEN)
     with pytest.raises(qs.SceneFileError) as raised:
         scene(thermal=thermal)
@@ -251,14 +257,14 @@ def test_errors_help(changed: dict[str, Any], said: str) -> None:
 
 def test_a_number_for_each_case_is_refused() -> None:
     thermal = scene().thermal
-    with pytest.raises(qs.SceneError, match=r"thermal\.fixed\.ambient: is an array\. One network stands for all cases"):
+    with pytest.raises(qs.SceneError, match=r"thermal\.fixed\.ambient: is an array\. All cases share one network"):
         replace(thermal, fixed={"ambient": np.array([300.0, 310.0])})
     with pytest.raises(VariableError, match="make one network for all points"):
         variable_of("flow_cm3_min", "10:20:3")
 
 
 def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:
-    with pytest.raises(qs.SceneError, match="reached by the given temperatures and heats alone"):
+    with pytest.raises(qs.SceneError, match="reached through the given temperatures and heats, without friction"):
         qs.solve(scene(thermal=tables()["thermal"] | {"heats": {"inner_ring_W": 5000}}))
     reversed_load = qs.solve(scene(preload=None, operation={"speed_rpm": 8000, "axial_load_N": -400}))
     assert str(reversed_load.reason) == "open_side" and "open side of the groove" in qs.message(reversed_load)

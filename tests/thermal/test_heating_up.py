@@ -47,7 +47,7 @@ def test_the_course_meets_another_method_and_tends_to_the_steady_state() -> None
     assert found[0, instant] - cold()[0] > 1.5
     assert np.abs(found[:, -1] - nodes(solution)).max() < 1e-3
     assert course.preloads[-1, 0] == pytest.approx(float(solution.load[0]), rel=1e-4)
-    assert course.end == "time" and "never was above" in course.message()
+    assert course.end == "time" and "never exceeds" in course.message()
 
 
 def test_a_cold_heavy_housing_makes_the_preload_overshoot() -> None:
@@ -78,14 +78,19 @@ def test_the_command_shows_the_fold_and_draws_it(tmp_path: Path) -> None:
     picture = tmp_path / "heat.png"
     result = run(tmp_path, heated(), "--plot", picture)
     assert result.exit_code == 0, result.output
-    assert "Thermal runaway of the preload begins at" in result.stdout and "they turn back" in result.stdout
+    assert "Thermal runaway of the preload begins at" in result.stdout and "the curve turns back" in result.stdout
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
 def test_what_is_missing_is_said(tmp_path: Path) -> None:
     result = run(tmp_path, tables(), "--transient", 100)
     assert result.exit_code == 2
-    assert "thermal.heat_capacities.inner_ring: missing" in result.stderr
+    assert "thermal.heat_capacities.inner_ring_J_per_K: missing" in result.stderr
+    assert (
+        "--start -400: is outside -123.15 to 526.85 °C"
+        in run(tmp_path, heated(), "--transient", 9, "--start", -400).stderr
+    )
+    assert "--transient 0: must be above 0 s" in run(tmp_path, heated(), "--transient", 0).stderr
     result = run(tmp_path, tables(thermal=None, effects=None), "--json")
     assert result.exit_code == 2 and "no table [thermal]" in result.stderr
     assert run(tmp_path, tables(), "--start", AMBIENT).exit_code == 2

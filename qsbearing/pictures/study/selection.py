@@ -81,7 +81,7 @@ def select(
     for name in (*(at or {}), *([x] if x else [])):
         if name not in axes:
             meant = near(name, axes, 0.4)
-            raise PictureError(f"{name} is no axis of these results: {', '.join(axes) or 'none'}. {_meant(meant)}")
+            raise PictureError(f"{name} is not an axis of these results: {', '.join(axes) or 'none'}. {_meant(meant)}")
     fixed = {}
     for name, value in (at or {}).items():
         along = results[name].values
@@ -109,7 +109,7 @@ def _kind(results: Dataset, kind: str | None, x: str, other: str) -> Kind:
         is_map = other and results.sizes[other] > MOST_CURVES and not has_samples
         return Kind.MAP if is_map else Kind.LINES
     if kind not in list(Kind):
-        raise PictureError(f"{kind} is no kind of picture: {', '.join(Kind)}")
+        raise PictureError(f"{kind} is not a kind of picture: {', '.join(Kind)}")
     if kind == Kind.MAP and not other:
         raise PictureError("a map needs two axes")
     if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) and not has_samples:
@@ -133,7 +133,7 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
     for name in names:
         if name not in known:
             meant = near(name, known, 0.4)
-            raise PictureError(f"{name} is no result in this file. {_meant(meant) or ', '.join(known)}")
+            raise PictureError(f"{name} is not a result in this file. {_meant(meant) or ', '.join(known)}")
     if not names:
         raise PictureError("no point of these results is solved: status and reason say why")
     panels: dict[str, list[str]] = {}
