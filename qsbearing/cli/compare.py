@@ -65,6 +65,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
 def _tables(found: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
+    from qsbearing.result_keys import printed_unit
 
     parts: list[Block] = []
     others = range(1, len(found.labels))
@@ -75,7 +76,8 @@ def _tables(found: Comparison) -> list[Block]:
             heading = ("", *(found.labels[i] for i in block), "unit")
             rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
             for line in lines:
-                rows.append((line.name, *(_cell(line, i) for i in block), "" if line.unit == "1" else line.unit))
+                unit = "" if line.unit == "1" else printed_unit(line.unit)
+                rows.append((line.name, *(_cell(line, i) for i in block), unit))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
     note = "In brackets: the difference from the first bearing, where it is more than 1 %."
     return [*parts, Paragraph(note, is_apart=True)]

@@ -13,6 +13,7 @@ import numpy as np
 
 from qsbearing.block_statistics import blocks, quantiles
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.result_keys import printed_unit
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -81,7 +82,7 @@ def table(results: Dataset) -> list[Block]:
         row = quantiles(partial(blocks, values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
             unit = str(values.attrs.get("units", ""))
-            spread.append((str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else unit))
+            spread.append((str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else printed_unit(unit)))
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
         Table(("result", *HEADS, "unit"), spread, f"l{'r' * len(HEADS)}l"),
