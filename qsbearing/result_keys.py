@@ -31,8 +31,9 @@ def split(key: str) -> tuple[str, str]:
 
 
 def printed_unit(unit: str) -> str:
-    """A unit as people write it: µm, °C, kg/m³; in keys and attributes it is plain ASCII."""
-    return "°C" if unit == "C" else unit.replace("um", "µm").replace("m2", "m²").replace("m3", "m³")
+    """A unit as people write it: µm, °C, m³; nothing for "1". In keys and attributes it is plain ASCII."""
+    plain = unit.replace("um", "µm").replace("m2", "m²").replace("m3", "m³")
+    return {"1": "", "C": "°C", "Mrev": "million rev"}.get(unit, plain)
 
 
 class Shown(NamedTuple):
@@ -99,7 +100,7 @@ CONTACT = (
 BALL = (
     Shown("centrifugal_force_N", "centrifugal_force", 1.0, "on the ball", "F_c", BALANCE),
     Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm, "on the ball", "M_g", BALANCE),
-    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre around x", r"\omega_m", NO_SLIP),
+    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre round x", r"\omega_m", NO_SLIP),
     Shown("rotation_speed_rpm", "rotation_speed", rpm, "of the ball about its axis", r"\omega_R", NO_SLIP),
     Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
     Shown("groove_deflection_um", "groove_deflection", um),

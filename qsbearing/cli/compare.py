@@ -76,8 +76,7 @@ def _tables(found: Comparison) -> list[Block]:
             heading = ("", *(found.labels[i] for i in block), "unit")
             rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
             for line in lines:
-                unit = "" if line.unit == "1" else printed_unit(line.unit)
-                rows.append((line.name, *(_cell(line, i) for i in block), unit))
+                rows.append((line.name, *(_cell(line, i) for i in block), printed_unit(line.unit)))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
     note = "In brackets: the difference from the first bearing, where it is more than 1 %."
     return [*parts, Paragraph(note, is_apart=True)]

@@ -70,7 +70,7 @@ def _results() -> str:
     ]
 
     def written(key: str) -> str:
-        return printed_unit(split(key)[1]).replace("1", "-")
+        return printed_unit(split(key)[1]) or "-"
 
     return "".join(
         f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {written(shown.key)} | {source} |\n"

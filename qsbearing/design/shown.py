@@ -43,12 +43,12 @@ def tables(found: Found) -> list[Block]:
     for key, value in found.values.items():
         ends = found.ranges.get(key)
         shown = ("", "") if ends is None else (f"{ends[0]:.5g}", f"{ends[1]:.5g}")
-        variables.append((key, f"{value:.6g}", *shown, _unit(found, key)))
+        variables.append((key, f"{value:.6g}", *shown, printed_unit(found.units[key])))
     for name, value in found.results.items():
         asked = [f"{each.sense} {each.value:g}" for each in found.wanted.conditions if each.name == name]
         if name == found.wanted.objective:
             asked.append("largest" if found.wanted.is_maximised else "smallest")
-        results.append((name, f"{value:.6g}", ", ".join(asked), _unit(found, name)))
+        results.append((name, f"{value:.6g}", ", ".join(asked), printed_unit(found.units[name])))
     lines = []
     if found.ranges:
         within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
@@ -114,7 +114,3 @@ def _spread(variable: Variable) -> Any:
 
 def _has_goals(found: Found) -> bool:
     return any(each.sense == "=" for each in found.wanted.conditions)
-
-
-def _unit(found: Found, name: str) -> str:
-    return "" if found.units[name] == "1" else printed_unit(found.units[name])

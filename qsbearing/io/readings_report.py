@@ -13,8 +13,6 @@ from qsbearing.io.tables import digits_of, remarks
 from qsbearing.readings.asked import READINGS
 from qsbearing.result_keys import Shown, printed_unit, split
 
-UNITS = {"1": "", "Mrev": "million rev"}
-"""Units that tables for people write otherwise."""
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
 
@@ -38,7 +36,7 @@ def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
     found = [(shown, values) for shown, values in found if values is not None]
     if not found:
         return None
-    rows = [(shown.plain_name, digits_of(values), _unit(shown)) for shown, values in found]
+    rows = [(shown.plain_name, digits_of(values), printed_unit(split(shown.key)[1])) for shown, values in found]
     return Table(("quantity", "value", "unit"), rows, "lrl", title)
 
 
@@ -55,7 +53,7 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
     for shown, row in cells.items():
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
         spans = [_span(row[side], NOISE * largest) if side in row else ("", "") for side in sides]
-        rows.append((shown.plain_name, *(cell for span in spans for cell in span), _unit(shown)))
+        rows.append((shown.plain_name, *(cell for span in spans for cell in span), printed_unit(split(shown.key)[1])))
     return Table(("quantity", *heading, "unit"), rows, f"l{'r' * len(heading)}l", title)
 
 
@@ -64,8 +62,3 @@ def _span(values: NDArray, noise: float) -> tuple[str, str]:
     values = np.where(np.abs(values) < noise, 0.0, values)
     low, high = digits_of(np.nanmin(values)), digits_of(np.nanmax(values))
     return (low, "") if low == high else (low, high)
-
-
-def _unit(shown: Shown) -> str:
-    unit = split(shown.key)[1]
-    return UNITS.get(unit, printed_unit(unit))

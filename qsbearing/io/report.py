@@ -284,7 +284,7 @@ _SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"an
 
 def _head_of(key: str, side: str = "") -> str:
     _, unit = split(key)
-    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + ("-" if unit == "1" else printed_unit(unit))
+    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + (printed_unit(unit) or "-")
 
 
 def contacts_table(rows: list[Row], count: int) -> Table:

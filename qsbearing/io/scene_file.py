@@ -42,9 +42,6 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-SETS_ARE_READ_BY = (
-    "Of a set of rows on one shaft, which `qsbearing run`, `explain`, `sweep`, `report` and `qs.load_set` read"
-)
 _OPERATION = table_model("operation", OPERATION, {})
 _PRELOAD = table_model("preload", PRELOAD, {})
 
@@ -109,6 +106,12 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     """
     if "spectrum" in document:
         return over_spectrum(document, file, label, scene_of)
+    of_set = [name for name in SET_SECTIONS if name in document]
+    if of_set:
+        cause = "A set of rows on one shaft is read by `qs.load_set` and most commands, such as `qsbearing run`"
+        raise SceneFileError(
+            file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
+        )
     errors: Errors = []
     document, thermal = heated(with_diameters(document), errors)
     _find_unknown_tables(document, errors)
@@ -166,13 +169,9 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             cause = f"Did you mean [{meant}]?" if meant else known
             if name in STUDY_TABLES:
                 meant, cause = "", "Of a study, which `qsbearing sweep` solves"
-            if name in SET_SECTIONS:
-                meant, cause = "", SETS_ARE_READ_BY
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
             if meant:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
-        elif name in SET_SECTIONS:
-            errors.append(FileErrorDetail(name, "unknown key", cause=SETS_ARE_READ_BY))
         else:
             unknown_key(name, name, "", value, errors)
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import with_unit, without_unit, words
 from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, plain
-from qsbearing.result_keys import printed_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -171,4 +170,4 @@ def _patches(axes: Axes, any_outside: bool, any_unsolved: bool) -> None:
 
 def _said(each: Shown, sense: str, level: float) -> str:
     sign = {"<=": "≤", ">=": "≥"}.get(sense, sense)
-    return f"{words(each.name)} {sign} {level:g}" + ("" if each.unit == "1" else f" {printed_unit(each.unit)}")
+    return with_unit(f"{words(each.name)} {sign} {level:g}", each.unit, " ")

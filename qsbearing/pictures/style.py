@@ -215,10 +215,10 @@ def _write_title(
             if abs(value) > 1e-6 * np.abs(solution.load[place]).max():  # a channel without load is not named
                 parts.append(f"{channel.label.replace('tilt', 'moment')} {value:.5g} {unit}")
         else:
-            value, unit = solution.displacement[place][i], "mrad" if channel.is_rotation else "um"
+            value, unit = solution.displacement[place][i], "mrad" if channel.is_rotation else "µm"
             size = mrad if channel.is_rotation else um
             name = channel.label if channel.is_rotation else f"{channel.label} displacement"
-            parts.append(f"{name} {value / size + 0.0:.5g} {unit.replace('um', 'µm')}")
+            parts.append(f"{name} {value / size + 0.0:.5g} {unit}")
     write_above(figure, ", ".join(parts))
 
 

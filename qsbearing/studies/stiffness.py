@@ -27,7 +27,9 @@ def stiffness_of(study: Study, *, mirrored: bool = False) -> dict[str, NDArray]:
     """
     if isinstance(check(study), BearingSet):
         cause = "qs.solve_set(...).stiffness and qs.to_ross take sets"
-        raise SceneFileError(study.file, [FileErrorDetail("[[rows]]", "a table of a single bearing's", cause=cause)])
+        raise SceneFileError(
+            study.file, [FileErrorDetail("[[rows]]", "makes a set; here a single bearing is read", cause=cause)]
+        )
     points = Points(study)
     parts = [_of_chunk(study, points, number, mirrored) for number in range(points.chunk_count)]
     names = max(parts, key=len)

@@ -81,8 +81,8 @@ def table(results: Dataset) -> list[Block]:
             continue
         row = quantiles(partial(blocks, values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
-            unit = str(values.attrs.get("units", ""))
-            spread.append((str(name), *(f"{value:.5g}" for value in row), "" if unit == "1" else printed_unit(unit)))
+            unit = printed_unit(str(values.attrs.get("units", "")))
+            spread.append((str(name), *(f"{value:.5g}" for value in row), unit))
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
         Table(("result", *HEADS, "unit"), spread, f"l{'r' * len(HEADS)}l"),

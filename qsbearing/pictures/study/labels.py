@@ -65,9 +65,10 @@ def words(name: str) -> str:
     return _NAMES.get(name, name.replace("_", " "))
 
 
-def with_unit(text: str, unit: str) -> str:
+def with_unit(text: str, unit: str, between: str = ", ") -> str:
     """A heading with its unit, where it has one."""
-    return text if unit in ("", "1", "balls") else f"{text}, {printed_unit(unit)}"
+    unit = "" if unit == "balls" else printed_unit(unit)
+    return f"{text}{between}{unit}" if unit else text
 
 
 def key_words(values: DataArray) -> str:
@@ -91,8 +92,7 @@ def key_heading(values: DataArray) -> str:
 
 def value_label(values: DataArray, number: float) -> str:
     """One value of a key, with its unit."""
-    unit = str(values.attrs.get("units", ""))
-    return f"{number:.6g}" if unit in ("", "1", "balls") else f"{number:.6g} {printed_unit(unit)}"
+    return with_unit(f"{number:.6g}", str(values.attrs.get("units", "")), " ")
 
 
 LETTERS_PER_INCH = 13.0
