@@ -52,7 +52,9 @@ class _Counted:
     captions: dict[str, int] = field(default_factory=lambda: {"Table": 0, "Figure": 0})
 
     def caption(self, kind: str, text: str) -> list[dict[str, Any]]:
-        if not (text and self.is_numbered):
+        if not text:
+            return []
+        if not self.is_numbered:
             return runs(text)
         self.captions[kind] += 1
         return [{"text": f"{kind} {self.captions[kind]}. ", "styles": ["strong"], "href": None}, *runs(text)]

@@ -14,7 +14,16 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.documents.model import Block, Document, Picture, Section
 
 TEMPLATES = Path(__file__).parent / "templates"
-OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]*")
+OPTION = re.compile(r"(?<![\w-])--?[a-z][\w-]*")
+VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?')
+NARROWEST = 46
+"""Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
+JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
+"""Where a long name may be broken."""
+SHORT = 26
+"""Letters of code in a sentence that stays on one line."""
+QUANTITY = re.compile(r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)")
+"""The space within a number, and before its unit."""
 
 
 def html(document: Document) -> str:
@@ -52,7 +61,8 @@ def _templates() -> Any:
         "markup": Markup,
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
-        "code": lambda text: Markup(_whole_options(str(escape(text)))),
+        "code": lambda text: Markup(_code(str(escape(text)))),
+        "unbroken": lambda text: QUANTITY.sub("\N{NO-BREAK SPACE}", text),
         "closing": _closing,
     }
     return environment
@@ -75,13 +85,41 @@ def _highlighted(text: str, language: str, **_: Any) -> str:
     from pygments.formatters import HtmlFormatter
     from pygments.lexers import get_lexer_by_name
 
-    found = str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
-    return _whole_options(found) if language == "sh" else found
+    if language == "sh":
+        return "".join(f'<span class="command">{_command(line)}\n</span>' for line in text.split("\n"))
+    return str(highlight(text, get_lexer_by_name(language or "text"), HtmlFormatter(nowrap=True))).rstrip("\n")
+
+
+def _command(line: str) -> str:
+    """A command's line as HTML: no line ends within an option or its value, nor between them, if they are short."""
+    from markupsafe import escape
+
+    def short(text: str) -> str:
+        return _whole(str(escape(text))) if len(text) <= NARROWEST else str(escape(text))
+
+    command, mark, remark = line.partition(" # ") if not line.startswith("#") else ("", "", line)
+    shown, after = "", 0
+    for found in VALUED.finditer(command):
+        option, value = found[1], found[2] or ""
+        shown += str(escape(command[after : found.start()]))
+        shown += short(found[0]) if len(found[0]) <= NARROWEST else f"{short(option)} {short(value[1:])}"
+        after = found.end()
+    shown += str(escape(command[after:]))
+    return shown + (f'<span class="c1">{escape(mark + remark)}</span>' if remark else "")
+
+
+def _whole(text: str) -> str:
+    return f'<span class="whole">{text}</span>'
 
 
 def _whole_options(code: str) -> str:
-    """Code as HTML in which no line ends within an option of a command, which browsers break at its hyphens."""
-    return OPTION.sub(r'<span class="whole">\g<0></span>', code)
+    """Code as HTML in which no line ends within an option, which browsers break at its hyphens."""
+    return OPTION.sub(lambda found: _whole(found[0]), code)
+
+
+def _code(text: str) -> str:
+    """Code in a sentence as HTML: whole if it is short, else broken between words and at the joints of names."""
+    return _whole(text) if len(text) <= SHORT else JOINT.sub(r"\g<0><wbr>", _whole_options(text))
 
 
 def _closing(run: dict[str, Any]) -> str:

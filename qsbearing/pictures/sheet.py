@@ -38,8 +38,8 @@ LOADS = Drawing(draw_loads, load_span, (5.6, 5.6), (3.6, 3.8), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (7.0, 4.2), (3.6, 2.9))
 SHAFT_HEIGHT = 3.4
 """Of a shaft in one plane [inches]."""
-PER_LINE = 4
-"""Rows of a set side by side."""
+PER_LINE = 3
+"""Rows of a set side by side: more would be too small to read on a page."""
 
 
 def load_distribution(solution: Solution | SetSolution, index: Index = None) -> Figure:
@@ -113,16 +113,16 @@ def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
         write_title(figure, solution, place)
         return figure
     is_elastic = solution.scene.elastic_rings is not None
-    widths = (1.0, 1.0, 1.25) if is_elastic else (1.0, 1.25)
-    figure = figure_of_size(15.0 if is_elastic else 11.0, 8.2)
-    grid = figure.add_gridspec(2, len(widths), width_ratios=widths, height_ratios=(1.1, 1.0))
+    heights = (4.3, 3.4, 3.9) if is_elastic else (4.3, 3.9)
+    figure = figure_of_size(9.6 if is_elastic else 10.4, sum(heights))
+    grid = figure.add_gridspec(len(heights), 2, width_ratios=(1.0, 1.0 if is_elastic else 1.25), height_ratios=heights)
     loads = figure.add_subplot(grid[0, 0], projection="polar")
-    angles = figure.add_subplot(grid[0, -1])
+    angles = figure.add_subplot(grid[1, :] if is_elastic else grid[0, 1])
     draw_loads(loads, solution, place)
     draw_angles(angles, solution, place)
     if is_elastic:
         draw_shape(figure.add_subplot(grid[0, 1], projection="polar"), solution, place)
-    draw_ellipses(figure.add_subplot(grid[1, :]), solution, place)
+    draw_ellipses(figure.add_subplot(grid[-1, :]), solution, place)
     legend(figure, angles, loads)
     write_title(figure, solution, place)
     return figure
@@ -152,17 +152,12 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     columns = -(-count // lines)
     heights = [drawing.panel[1] for drawing in drawings] * lines
     planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
-    # Both planes side by side where there is room, else below each other.
-    halves = max(len(planes), 1) if columns == PER_LINE else 1
-    heights += [SHAFT_HEIGHT] * (len(planes) // halves)
+    heights += [SHAFT_HEIGHT] * len(planes)
     figure = figure_of_size(max(columns * drawings[0].panel[0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
     drawn: list[Any] = []
     for number, plane in enumerate(planes):
-        line, half = divmod(number, halves)
-        width = columns // halves
-        cell = grid[len(heights) - len(planes) // halves + line, half * width : (half + 1) * width]
-        drawn.append(figure.add_subplot(cell))
+        drawn.append(figure.add_subplot(grid[len(heights) - len(planes) + number, :]))
         draw_deformed_shaft(drawn[-1], solution, place, plane)
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]

@@ -52,12 +52,37 @@ def test_the_judge_sees_what_is_wrong(spoil, fault) -> None:  # type: ignore[no-
 def test_no_line_ends_within_an_option_or_between_a_formula_and_its_full_stop() -> None:
     words = [
         Paragraph(Md("The angle is $\\alpha$. Then `run --plot x.png`, and (see $\\beta$): *so*.")),
-        Code("x --out a", "sh"),
+        Paragraph(Md("Or `qsbearing run a_long_name.toml --plot x.png`.")),
+        Code(f"x --out a -y b --vary {'long' * 10} -z {'long' * 12}", "sh"),
     ]
     text = html(Document("One", "two", [Section("Three", words)]))
     assert [each.split("</math>")[1] for each in WHOLE.findall(text) if "math" in each] == [".", "):"]
-    assert [each for each in WHOLE.findall(text) if "math" not in each] == ["--plot", "--out"]
+    whole = [each for each in WHOLE.findall(text) if "math" not in each]
+    assert whole == ["run --plot x.png", "--plot", "--out a", "-y b", "--vary", "long" * 10, "-z"]
+    assert "a_long_<wbr>name.<wbr>toml" in text
     assert "Then run --plot x.png, and (see β): so." in Page.of(text).text
+
+
+def test_a_command_is_shown_and_copied_as_it_is_written() -> None:
+    lines = 'run "a & b" --out x  # it writes x\n\n# and <this>\nrun --csv y'
+    text = html(Document("One", "two", [Section("Three", [Code(lines, "sh")])]))
+    assert lines + "\n" in Page.of(text).text
+    assert text.count('class="c1"') == 2
+
+
+def test_a_number_is_not_parted_from_its_unit() -> None:
+    text = html(
+        Document("One", "two", [Section("Three", [Paragraph("At 10 000 rpm 5 % of 3 balls, 2 µm, 12 mm high.")])])
+    )
+    assert (
+        "At 10\N{NO-BREAK SPACE}000\N{NO-BREAK SPACE}rpm 5\N{NO-BREAK SPACE}% of 3 balls, 2\N{NO-BREAK SPACE}µm" in text
+    )
+
+
+def test_a_table_or_picture_without_caption_leaves_no_room_for_one() -> None:
+    blocks = [Table(("a",), [["1"]]), Picture(curve().data, "a curve")]
+    text = html(Document("One", "two", [Section("Three", blocks)]))
+    assert "<caption" not in text and "<figcaption" not in text
 
 
 def test_numbers_name_their_columns_where_rows_are_stacked() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.guide.pages import GUIDE, ROOT, run_page
+from tests.guide.pages import GUIDE, ROOT, blocks, run_page
 
 pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
@@ -81,6 +81,14 @@ def test_headings_are_in_order(page: Path) -> None:
     levels = [len(marks) for marks in re.findall(r"^(#+) ", text, flags=re.MULTILINE)]
     assert levels[0] == 1 and levels.count(1) == 1
     assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
+
+
+@pytest.mark.parametrize("page", sorted(GUIDE.glob("*.md")), ids=lambda page: page.stem)
+def test_lines_of_code_fit_on_a_page(page: Path) -> None:
+    """On a tablet. Commands may be longer: their lines are wrapped."""
+    for each in blocks(page):
+        if each.language != "sh":
+            assert [line for line in each.text.splitlines() if len(line) > 79] == []
 
 
 @pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)

@@ -87,6 +87,7 @@ STYLES = {
 def picture(record: Any) -> Figure:
     """Whirl frequencies against speed, critical speed against preload."""
     figure = figure_of_size(8.4, 3.6)
+    figure.get_layout_engine().set(w_pad=0.12)  # type: ignore[union-attr,call-arg]
     left, right = figure.subplots(1, 2)
     for kind, ways in record["whirl_rpm"].items():
         for values in ways.values():
@@ -100,7 +101,7 @@ def picture(record: Any) -> Figure:
         right.semilogx(PRELOADS, values, label=f"stiffness {name}", linewidth=1.4, markersize=5, **STYLES[kind])
     right.set_xticks(PRELOADS, [f"{preload:.0f}" for preload in PRELOADS])
     right.minorticks_off()
-    right.set(xlabel="preload at rest, N", ylabel="forward critical speed, 1000 rpm", ylim=(0, 22))
+    right.set(xlabel="preload at rest, N", ylabel="critical speed, 1000 rpm", ylim=(0, 22))
     right.set_title("first forward critical speed", fontsize=9)
     for axes in (left, right):
         plain(axes)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 
-from fem_check.report.figures.style import HERTZ, PRESSURE, Entry, load_axis, map_of
+from fem_check.report.figures.style import COLOURS, HERTZ, PRESSURE, Entry, load_axis, map_of
 from fem_check.report.rows import quantity
 
 
@@ -26,7 +26,8 @@ def bearing_sector(entry: Entry) -> Figure:
         ("inner max_pressure", "%"),
     )
     loads = sorted({load for states in series.values() for curve in states.values() for load in curve["load_N"]})
-    figure, grid = plt.subplots(2, 3, figsize=(11.0, 6.0), layout="constrained")
+    figure, grid = plt.subplots(3, 2, figsize=(8.6, 8.6), layout="constrained")
+    figure.get_layout_engine().set(h_pad=0.09, w_pad=0.09)  # type: ignore[union-attr,call-arg]  # no title touches the next
     for axes in grid.ravel():  # limits first: a single load has no range of its own
         axes.set(xscale="log", xlim=(0.7 * loads[0], 1.4 * loads[-1]))
         load_axis(axes, loads)
@@ -43,23 +44,23 @@ def bearing_sector(entry: Entry) -> Figure:
                     curve["load_N"],
                     deviation,
                     uncertainty,
-                    color=f"C{index}",
+                    color=COLOURS[index % len(COLOURS)],
                     linestyle="-" if state == "at rest" else "--",
                     marker="o",
                     markersize=3,
                     capsize=3,
                     label=f"{support}, {state}",
                 )
-                axes.set(title=quantity(name), ylabel=f"elements less model, {unit}")
+                axes.set(title=quantity(name), ylabel=f"elements minus model, {unit}")
     for axes in grid.ravel():
         axes.axhline(0.0, **HERTZ)
     handles, labels = grid[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8)
+    figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=9, frameon=False)
     return figure
 
 
 def micrometres(entry: Entry, series: str, state: str, load: float) -> tuple[float, float]:
-    """Axial displacement, elements less model, and its uncertainty [µm]: at speed it passes through zero as the load
+    """Axial displacement, elements minus model, and its uncertainty [µm]: at speed it passes through zero as the load
     falls, where a per cent of it says nothing.
 
     Args:

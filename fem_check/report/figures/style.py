@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 Entry = dict[str, Any]
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000")
+"""Of series, in turn: told apart by every kind of colour vision."""
 FOUND: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
 
 

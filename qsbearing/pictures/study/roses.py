@@ -23,7 +23,7 @@ def draw_roses(chosen: Selection) -> Figure:
         results = results.isel({chosen.other: 0})
     count = results.sizes.get(chosen.x, 1)
     numbers = np.unique(np.linspace(0, count - 1, min(MOST, count)).round().astype(int))
-    figure = figure_of_size(2.7 * numbers.size + 0.4, 3.7)
+    figure = figure_of_size(2.7 * numbers.size + 0.4, 3.9)
     panels = np.atleast_1d(np.array(figure.subplots(1, numbers.size, subplot_kw={"projection": "polar"}), object))
     top = 1.08 * max(float(results[f"{side}_load"].isel({chosen.x: numbers}).max()) for side in ("inner", "outer"))
     unit = str(results["inner_load"].attrs.get("units", "N"))
@@ -43,7 +43,7 @@ def draw_roses(chosen: Selection) -> Figure:
         axes.grid(color="0.85", linewidth=0.6)
         text = value_label(results[chosen.x], float(results[chosen.x].values[number]))
         text = f"{key_words(results[chosen.x])} {text}"
-        axes.set_title(text if (point["status"] == 0) else f"{text}: no solution", fontsize=9, pad=12)
+        axes.set_title(text if (point["status"] == 0) else f"{text}: no solution", fontsize=9)
     figure.supylabel(f"contact load, {unit}", fontsize=9)
     legend(figure, panels[0])
     return figure

@@ -26,7 +26,7 @@ MARKERS = ("v", "s", "^", "D", "o", "*")
 
 def speeds(record: dict[str, Any]) -> Figure:
     """When a model level is enough: errors of the reported results along the speed."""
-    figure, axes = _sheet(record, 2, 3, (10.5, 6.6), "When a model level is enough: errors against the finest level")
+    figure, axes = _sheet(record, 3, 2, (8.8, 9.4), "When a model level is enough: errors against the finest level")
     measured = levels_of(record)
     axes[-1, -1].set_axis_off()  # five quantities in six places
     for each, (group, words) in zip(axes.ravel(), WORDS.items(), strict=False):
@@ -95,6 +95,7 @@ def _sheet(
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, dpi=110, layout="constrained")
+    figure.get_layout_engine().set(h_pad=0.09)  # type: ignore[union-attr,call-arg]  # no title touches the next
     axes = figure.subplots(rows, columns, squeeze=False)
     what = f"{record['bearing']}, {record['scene']}"
     figure.suptitle(f"{title}\n{what}\n{in_a_line(record['machine'])}", fontsize=9)
