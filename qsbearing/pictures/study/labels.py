@@ -21,7 +21,7 @@ _NAMES = {
     "load": "contact load",
     "approach": "elastic approach",
     "max_pressure": "maximum contact pressure",
-    "required_friction": "friction that Mg requires",
+    "required_friction": "friction coefficient that Mg requires",
     "life_basic_reference_rating_life": "basic reference rating life",
     "life_modified_reference_rating_life": "modified reference rating life",
     "life_basic_rating_life": "basic rating life",
