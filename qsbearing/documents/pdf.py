@@ -13,8 +13,6 @@ from qsbearing.documents.data import data
 from qsbearing.documents.model import Document
 
 TEMPLATE = Path(__file__).parent / "templates" / "document.typ"
-EPOCH = 0
-"""When the file says it was made: nothing in it depends on the time, and two of the same content are the same."""
 
 
 def pdf(document: Document, strict: bool = False) -> bytes:
@@ -47,8 +45,7 @@ def _compiled(document: Document, folder: Path, standards: Any = None) -> bytes:
     (folder / "document.json").write_text(json.dumps(found), encoding="utf-8")
     shutil.copyfile(TEMPLATE, folder / "main.typ")
     compiled, said = typst.compile_with_warnings(
-        folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=True, timestamp=EPOCH,
-        pdf_standards=standards or [],
+        folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=True, pdf_standards=standards or [],
     )  # fmt: skip
     for each in said:
         warnings.warn(f"typst: {each}", stacklevel=3)

@@ -376,4 +376,14 @@ def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
         parts = "[...document.querySelectorAll('table.stack')].map(table => table.closest('.table'))"
         cut = f"Math.max(...{parts}.map(part => part.scrollWidth - part.clientWidth))"
         assert browser.value(cut) == 0, "nothing of the Input table lies beyond a phone's page"
+        rows = "[...document.querySelectorAll('table.stack tbody tr:not(.across)')].map(row => [...row.cells].map("
+        rows += "e => [e.className, ...['left', 'top', 'right', 'bottom'].map(k => e.getBoundingClientRect()[k])]))"
+        placed = [[each for each in row if each[1] != each[3]] for row in browser.value(rows)]
+        below = [row for row in placed if row[-1][2] >= row[0][4]]
+        assert len(below) > 20, "cells are below their row's first where there is no room beside it"
+        named = [(row[0], each) for row in placed for each in row if each[0] == "verdict"]
+        assert len(named) > 10
+        for name, verdict in named:
+            assert verdict[1] >= name[3]
+            assert name[2] <= verdict[2] < name[4], "a verdict is beside its row's name"
         assert browser.complaints == []

@@ -43,6 +43,10 @@ def test_a_table_is_sorted_and_filtered(browser: Browser, page: Path) -> None:
     browser.click(heading)
     assert browser.value(NAMES) == ["alpha", "gamma", "beta", "delta"]
     assert browser.value(f"{heading}.closest('th').ariaSort") == "descending"
+    browser.click("document.querySelectorAll('table[data-tools] th button')[2]")
+    assert browser.value(NAMES) == ["beta", "delta", "alpha", "gamma"], "rows alike keep their order"
+    browser.click("document.querySelectorAll('table[data-tools] th button')[2]")
+    assert browser.value(NAMES) == ["alpha", "gamma", "delta", "beta"]
     browser.click("document.querySelector('.tools input')")
     browser.type("ETA")
     assert browser.value(NAMES) == ["beta"]

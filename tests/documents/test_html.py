@@ -1,5 +1,6 @@
 """HTML: sound, complete, and of one piece; read back by a parser that knows nothing of how it was made."""
 
+import dataclasses
 import re
 
 import pytest
@@ -83,6 +84,13 @@ def test_a_table_or_picture_without_caption_leaves_no_room_for_one() -> None:
     blocks = [Table(("a",), [["1"]]), Picture(curve().data, "a curve")]
     text = html(Document("One", "two", [Section("Three", blocks)]))
     assert "<caption" not in text and "<figcaption" not in text
+
+
+def test_a_caption_of_a_picture_is_a_sentence_and_that_of_a_table_a_heading() -> None:
+    table = Table(("a", "b"), [["1", "2"]], caption="A table.")
+    found = html(document(dataclasses.replace(curve(), caption="A line"), table))
+    assert "A line.</figcaption>" in re.sub(r"\s*(</figcaption>)", r"\1", found)
+    assert "A table</span></caption>" in found
 
 
 def test_numbers_name_their_columns_where_rows_are_stacked() -> None:

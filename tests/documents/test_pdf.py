@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from io import BytesIO
 from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Group, Paragraph, Table
+from qsbearing.documents.model import Document, Group, Paragraph, Section, Table
 from qsbearing.documents.pdf import pdf
-from tests.documents.example import NASTY, document
+from tests.documents.example import NASTY, curve, document
 
 pypdf = pytest.importorskip("pypdf")
 
@@ -40,7 +41,9 @@ def test_a_pdf_says_all_and_holds_its_fonts() -> None:
         assert re.sub(r"\s", "", said) in squeezed, said
     assert reader.metadata.title == "One of everything"
     assert [entry.title for entry in reader.outline if not isinstance(entry, list)] == ["Words", "Numbers", "Pictures"]
-    assert f"{len(reader.pages)}of{len(reader.pages)}" in squeezed
+    for number, page in enumerate(reader.pages, 1):
+        assert page.extract_text().split()[-3:] == [str(number), "of", str(len(reader.pages))]
+    assert reader.metadata.creation_date is None, "two of the same content are the same"
     assert "/StructTreeRoot" in reader.trailer["/Root"]  # tagged, for those who listen
 
 
@@ -62,6 +65,22 @@ def test_no_row_of_a_table_is_alone_on_a_page() -> None:
     assert not any(
         page.removesuffix(f"{number}of{len(pages)}").endswith("across") for number, page in enumerate(pages, 1)
     )
+
+
+def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:
+    """However little room is left on the page where its own chapter ends."""
+    lines = [[Paragraph("filler") for _ in range(1 + n % 4)] for n in range(25)]
+    chapters = [
+        Section(f"chapter{n}.", [dataclasses.replace(curve(), caption=f"drawn{n}", width=1.0), *each])
+        for n, each in enumerate(lines)
+    ]
+    whole = Document("Chapters", "Test", chapters, is_numbered=True)
+    pages = [page.extract_text() for page in pypdf.PdfReader(BytesIO(pdf(whole, strict=True))).pages]
+
+    def page_of(text: str) -> int:
+        return next(number for number, page in enumerate(pages[1:]) if text in page)
+
+    assert all(page_of(f"drawn{n}.") <= page_of(f"chapter{n + 1}.") for n in range(24))
 
 
 def test_the_same_document_is_the_same_file() -> None:

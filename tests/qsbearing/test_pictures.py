@@ -19,7 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.patches import Ellipse  # noqa: E402
 
 from qsbearing import pictures  # noqa: E402
-from qsbearing.pictures.style import CHANNEL_LINES, ROW_LINES, STYLE, figure_of_size, legend  # noqa: E402
+from qsbearing.pictures.style import CHANNEL_LINES, ROW_LINES, STYLE, figure_of_size, legend, legend_within  # noqa: E402
 
 EFFECTS: dict[str, Any] = {
     "ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()),
@@ -218,6 +218,18 @@ def test_a_legend_stays_within_a_narrow_sheet() -> None:
     canvas.draw()
     box = figure.legends[0].get_window_extent(canvas.get_renderer())
     assert 0.0 <= box.x0 < box.x1 <= figure.bbox.width
+
+
+def test_a_legend_within_axes_covers_no_curve() -> None:
+    figure = figure_of_size(4.0, 2.5)
+    axes = figure.subplots()
+    for level in (0.0, 0.95, 1.0):
+        axes.plot([0.0, 1.0], [level, 1.0], label=f"from {level}")
+    legend_within(axes)
+    FigureCanvasAgg(figure).draw()
+    drawn = axes.get_legend()
+    assert drawn is not None
+    assert drawn.get_window_extent().y0 > axes.transData.transform((0.0, 1.0))[1]
 
 
 def test_one_case_of_many() -> None:
