@@ -33,7 +33,7 @@ class BallInGroove:
 
     def __post_init__(self) -> None:
         if self.race_name not in RACES:
-            raise ValueError(f"race {self.race_name!r}: must be one of {', '.join(RACES)}")
+            raise ValueError(f"raceway {self.race_name!r}: must be one of {', '.join(RACES)}")
 
     @property
     def _sign(self) -> int:

@@ -259,7 +259,7 @@ def groove_contact(scene: str, race: str) -> BallInGroove:
         SceneProblemError: unknown race, or a scene that does not describe one bearing.
     """
     if race not in RACES:
-        raise SceneProblemError(f"race {race!r}: must be one of {', '.join(RACES)}")
+        raise SceneProblemError(f"raceway {race!r}: must be one of {', '.join(RACES)}")
     return drawing_of(load_scene(scene), scene).groove(race)
 
 
@@ -350,15 +350,15 @@ def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
             raise SceneProblemError(
                 f"scene {source}, {point.label}: the {race} raceway's pressure reaches "
                 f"{pressure / qsbearing.MPa:.0f} MPa; beyond {STATIC_PRESSURE / qsbearing.MPa:.0f} MPa (ISO 76) "
-                "permanent dents exceed about 1e-4 of the ball's diameter, and no elastic contact describes it: take "
-                "less load"
+                "permanent dents exceed about 1e-4 of the ball's diameter, and the contact is not elastic: reduce the "
+                "load"
             )
         radius = float(np.asarray(getattr(bearing, f"{race}_groove_radius")))
         for angle, a in zip(contacts.angle, contacts.semi_major_axis, strict=True):
             if a > 0.0 and (a >= radius or abs(angle) + asin(a / radius) >= 0.5 * pi):
                 raise SceneProblemError(
                     f"scene {source}, {point.label}: the {race} contact, {a / qsbearing.mm:.2f} mm to either side of "
-                    f"{angle / qsbearing.deg:.1f} degrees, leaves its groove: take less load"
+                    f"{angle / qsbearing.deg:.1f} degrees, leaves its groove: reduce the load"
                 )
 
 

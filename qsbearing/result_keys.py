@@ -31,8 +31,9 @@ def split(key: str) -> tuple[str, str]:
 
 
 def printed_unit(unit: str) -> str:
-    """A unit as people write it: µm, °C; nothing for "1". In keys and attributes it is plain ASCII."""
-    return {"1": "", "C": "°C", "Mrev": "million rev"}.get(unit, unit.replace("um", "µm"))
+    """A unit as people write it: µm, °C, m³; nothing for "1". In keys and attributes it is plain ASCII."""
+    plain = unit.replace("um", "µm").replace("m2", "m²").replace("m3", "m³")
+    return {"1": "", "C": "°C", "Mrev": "million rev"}.get(unit, plain)
 
 
 class Shown(NamedTuple):

@@ -46,7 +46,7 @@ SPEED = Quantity(
     ),
 )
 MODULUS = Quantity("Pa", (("Pa", "pascals", 1.0), ("MPa", "megapascals", 1e6), ("GPa", "gigapascals", 1e9)))
-DENSITY = Quantity("kg/m^3", (("kg_m3", "kg/m^3", 1.0), ("g_cm3", "g/cm^3", 1e3), ("kg_mm3", "kg/mm^3", 1e9)))
+DENSITY = Quantity("kg/m³", (("kg_m3", "kg/m³", 1.0), ("g_cm3", "g/cm³", 1e3), ("kg_mm3", "kg/mm³", 1e9)))
 FORCE = Quantity("N", (("N", "newtons", 1.0), ("kN", "kilonewtons", 1e3), ("lbf", "pounds", 4.4482216152605)))
 MOMENT = Quantity(
     "N m", (("Nm", "newton metres", 1.0), ("Nmm", "newton millimetres", 1e-3), ("kNm", "kilonewton metres", 1e3))

@@ -120,7 +120,7 @@ def verdict(
         why = f"needs {entry.needs}; the numbers are estimated {entry.without_parameters}"
         return (DATA_MISSING if is_likely else NOT_ASSESSED), why
     if error is None:
-        return NOT_ASSESSED, f"the {of} states another choice, or has nothing that it acts on"
+        return NOT_ASSESSED, f"the {of} has another choice, or nothing that this one acts on"
     if error > tolerance and entry.hypothesis:
         return NOT_ASSESSED, entry.hypothesis
     return (NEEDED if error > tolerance else NOT_NEEDED), ""

@@ -228,4 +228,4 @@ def _kept(out: str | None) -> str:
         return ""
     from qsbearing.studies.store import folder_of
 
-    return f": finished points are kept in {folder_of(out)}; --resume goes on"
+    return f": finished points are kept in {folder_of(out)}; --resume continues the run"

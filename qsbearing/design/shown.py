@@ -23,15 +23,16 @@ GRID = 81
 
 def heading(found: Found) -> str:
     """How the search ended, in a sentence."""
-    share = f"{100.0 * found.feasible_share:.3g} % of the ranges meet all that is asked for"
+    share = f"{100.0 * found.feasible_share:.3g} % of the ranges meet all goals and limits"
     goals = " (goals within 1 %)" if any(each.sense == "=" for each in found.wanted.conditions) else ""
-    end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all that is asked for."
+    end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all goals and limits."
     if not found.is_feasible:
-        return "No point is feasible. Shown is the nearest: the largest violation, as a part of its limit, is least."
+        nearest = "The nearest point is shown: its largest violation, relative to the limit, is the smallest"
+        return f"No point is feasible. {nearest}."
     if found.wanted.objective:
-        kind = "Largest" if found.wanted.is_maximised else "Least"
+        kind = "Largest" if found.wanted.is_maximised else "Smallest"
         return f"{kind} {found.wanted.objective} found. {end}"
-    return f"All that is asked for is met. {end}"
+    return f"All goals and limits are met. {end}"
 
 
 def tables(found: Found) -> list[Block]:
@@ -46,14 +47,14 @@ def tables(found: Found) -> list[Block]:
     for name, value in found.results.items():
         asked = [f"{each.sense} {each.value:g}" for each in found.wanted.conditions if each.name == name]
         if name == found.wanted.objective:
-            asked.append("largest" if found.wanted.is_maximised else "least")
+            asked.append("largest" if found.wanted.is_maximised else "smallest")
         results.append((name, f"{value:.6g}", ", ".join(asked), printed_unit(found.units[name])))
     lines = []
     if found.ranges:
         within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
         change = f" and {within} stays within 1 %" if within else ""
-        lines.append(f"From, to: how far one may move, the others held, while every limit holds{change}.")
-    lines += [f"Binds: {each}" for each in found.binding]
+        lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
+    lines += [f"Binding: {each}" for each in found.binding]
     lines += [f"Not met: {each}" for each in found.failed]
     lines.append(f"{found.evaluations:,} points, {found.seconds:.2g} s")
     return [

@@ -327,7 +327,7 @@ ENTRY = Entry(
     effect("ring_effects", ElasticRings),
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
-    needs="[effects.elastic_rings] with the rings' widths and diameters and what holds them",
-    without_parameters="for a free outer ring of usual section; a stiff housing leaves less than half",
+    needs="[effects.elastic_rings] with the rings' widths and diameters and how they are held",
+    without_parameters="for a free outer ring of usual section; in a stiff housing they are less than half of that",
     is_bound=True,
 )

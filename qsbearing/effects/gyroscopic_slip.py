@@ -39,7 +39,7 @@ ENTRY = Entry(
     part_of_effect("ball_effects", "friction_coefficient", None),
     indicator=largest(_excess),
     errors=by_friction(_excess),
-    needs="friction_coefficient, beside the gyroscopic moment",
+    needs="friction_coefficient, together with the gyroscopic moment",
     without_parameters="for a coefficient of 0.1",
     saves_time=False,
 )

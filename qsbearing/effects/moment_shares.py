@@ -33,6 +33,6 @@ ENTRY = Entry(
     part_of_effect("ball_effects", "moment_shares", "controlling", "harris"),
     indicator=largest(_moving_friction, 2.0),
     errors=by_friction(_moving_friction),
-    hypothesis="how the raceways share the moment rests on a hypothesis; the model has nothing to decide it by",
+    hypothesis="how the raceways share the moment is a hypothesis, which the model cannot test",
     saves_time=False,
 )

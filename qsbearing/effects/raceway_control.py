@@ -159,6 +159,6 @@ ENTRY = Entry(
     ),
     indicator=largest(_undecided_friction),
     errors=by_friction(_undecided_friction),
-    hypothesis="which raceway a ball follows rests on a hypothesis; the model has nothing to decide it by",
+    hypothesis="which raceway controls a ball is a hypothesis, which the model cannot test",
     saves_time=False,
 )

@@ -324,5 +324,5 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
-    without_parameters="from rotation of the inner ring alone, to a factor of about two, of stiffness three",
+    without_parameters="from the rotation of the inner ring alone, to within a factor of about two (stiffness: three)",
 )

@@ -161,7 +161,7 @@ def asked_for(found: dict[str, Any]) -> str:
     if choices["moment_shares"]:
         text += f"; moment shares: {choices['moment_shares']}"
     if choices["orbit_radius"] == "displaced":
-        text += "; balls on orbits of their own"
+        text += "; each ball on its own orbit"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
         if choices[name] != usual:
             text += f"; {name}: {choices[name]}"
@@ -171,7 +171,7 @@ def asked_for(found: dict[str, Any]) -> str:
 def duration(seconds: float) -> str:
     """How long a solve took."""
     if seconds >= 0.1:
-        return f"{seconds:.2g} s (starting the compiled solver included)"
+        return f"{seconds:.2g} s (including the start of the compiled solver)"
     return f"{seconds * 1e3:.2g} ms"
 
 
@@ -207,7 +207,7 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
                 (shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", printed_unit(split(shown.key)[1]))
             )
         heading = ("", "at rest, cold", "in operation", "")
-        tables.append(Table(heading, rows, "lrrl", "Geometry before it is loaded"))
+        tables.append(Table(heading, rows, "lrrl", "Geometry before loading"))
     if rings is not None:
         states = [(side, *(digits(value, 1e-9) for value in state.values())) for side, state in rings.items()]
         tables.append(Table(RINGS, states, caption="Rings"))
@@ -227,7 +227,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
         for side in ("inner", "outer")
         if elastic[side] is not None
     ]
-    return [Table(heading, rows, caption=f"Rings deflected by their balls{part}")]
+    return [Table(heading, rows, caption=f"Rings deflected by the ball loads{part}")]
 
 
 def temperature_tables(found: dict[str, Any]) -> list[Table]:
@@ -268,7 +268,7 @@ def stiffness_matrix_table(found: dict[str, Any]) -> Table:
         noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
         cells = [digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
         rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
-    return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load by displacement")
+    return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load (row) per displacement (column)")
 
 
 def digits(value: float | None, noise: float) -> str:
@@ -308,7 +308,7 @@ def _ellipses(rows: list[Row], count: int) -> Table:
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
-    title = "Ball inertia and motion" + ("; µ: friction that Mg requires" if gyroscopic else "")
+    title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
     columns: dict[str, list[str]] = {}
     for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
         if any(row.ball[key] is not None for row in rows):

@@ -96,7 +96,7 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
     return [
         Paragraph(head, name),
         Table(heading, rows, caption="Load spectrum"),
-        Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under all of them"),
+        Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under the whole spectrum"),
         *remarks(of_points(found["points"]), is_apart=True),
     ]
 

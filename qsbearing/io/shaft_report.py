@@ -78,7 +78,7 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
     tables = [
-        Table(heading, cells, caption="Shaft: deflection and internal forces (of the part beyond on the part before)")
+        Table(heading, cells, caption="Shaft: deflection and internal forces (of the part after x on the part before)")
     ]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]

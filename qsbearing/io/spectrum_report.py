@@ -75,7 +75,9 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     parts: list[Block] = [Paragraph(head, name), Paragraph(found["message"])]
     parts.append(Table(heading, rows, caption="Load spectrum"))
     if found["duration_h"] is not None:
-        together = f"Life under all of them: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
+        together = (
+            f"Life under the whole spectrum: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
+        )
         parts.append(Paragraph(together, is_apart=True))
     sentences = of_points(found["points"])
     sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]

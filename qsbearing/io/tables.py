@@ -97,7 +97,7 @@ def catalogue_entry(entry: Entry) -> Group:
                 table.add_row("", number.removeprefix(f"{key}."), Text(source, style=_style(source)))
     for key, size in entry.dimensions.items():
         origin = entry.dimensions_source or "catalogue row"
-        table.add_row(key, f"{size:g}", f"{origin}; what needs the bore or the outside diameter takes it from here")
+        table.add_row(key, f"{size:g}", f"{origin}; the default wherever an effect or reading needs this dimension")
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
     return Group(head, Padding(table, (1, 0, 0, 0)))
 
@@ -117,4 +117,4 @@ def _material(value: Any, full: bool = False) -> str:
     if isinstance(value, str):
         return value
     modulus, ratio, density = (value[key] for key in ("elastic_modulus_GPa", "poisson_ratio", "density_kg_m3"))
-    return f"{modulus:g} GPa, {ratio:g},\n{density:g} kg/m3" if full else f"{modulus:.4g} GPa"
+    return f"{modulus:g} GPa, {ratio:g},\n{density:g} kg/m³" if full else f"{modulus:.4g} GPa"

@@ -55,7 +55,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
                 _outline(axes, x[some], np.zeros(FINE), np.zeros(FINE), radius, color="0.8", lw=0.8, ls=line)
                 bent = factor * moved[some, channel], factor * sign * moved[some, slope]
                 _outline(axes, x[some], *bent, radius, color="0.25", lw=1.1, ls=line)
-    for label, colour in (("shaft as drawn (dashed: its bore)", "0.8"), ("shaft as it bends", "0.25")):
+    for label, colour in (("undeformed shaft (dashed: its bore)", "0.8"), ("deformed shaft", "0.25")):
         axes.plot([], [], color=colour, label=label)
     axes.plot(x / mm, factor * moved[:, channel] / mm, color="0.25", lw=0.8, ls="-.", label="centre line")
     top = (0.5 + 0.5 * SHOWN) * widest

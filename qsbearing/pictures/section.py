@@ -83,7 +83,7 @@ def _number(value: Any, place: Place, solution: Solution) -> float:
 
 def _title(solution: Solution, place: Place, number: int) -> str:
     if carry_alike(solution, place):
-        return "Section through a ball: all carry the same"
+        return "Section through a ball: all balls carry the same load"
     azimuth = solution.azimuth[place]
     most = ", the most heavily loaded" if number == most_loaded_ball(solution, place) else ""
     return f"Section through the ball at {np.degrees(azimuth[number]) % 360.0:.4g}°{most}"

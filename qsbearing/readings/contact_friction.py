@@ -193,8 +193,9 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, str]]:
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
             slips = (side.required_friction > np.asarray(mu, float)[..., None]).any(axis=-1)
-            more = f"the gyroscopic moment asks more friction of an {name} contact than the coefficient given"
-            found.append((slips, wrong_model(f"{more}: that ball slips, which is not counted", "limits#hypotheses")))
+            more = f"at an {name} contact the gyroscopic moment requires more friction than the coefficient given"
+            slip = "the ball slips, and the heat of this slip is not included"
+            found.append((slips, wrong_model(f"{more}: {slip}", "limits#hypotheses")))
     return found
 
 
@@ -215,8 +216,8 @@ ENTRY = Reading(
     ),
     needs=NEEDS,
     of_case=(
-        Shown("power_W", "power", 1.0, "power, of the contacts only"),
-        Shown("torque_Nmm", "torque", Nmm, "torque, of the contacts only"),
+        Shown("power_W", "power", 1.0, "power of the contacts only"),
+        Shown("torque_Nmm", "torque", Nmm, "torque of the contacts only"),
     ),
     of_contact=(
         Shown("sliding_power_W", "sliding_power"),

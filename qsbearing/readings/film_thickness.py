@@ -255,7 +255,7 @@ def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArra
     found: list[tuple[Any, str]] = []
     if oil.is_estimated:
         rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
-        found.append((True, check_data(f"{rough}, which is 15 % of the film", CHOICES)))
+        found.append((True, check_data(f"{rough} (15 % of the film thickness)", CHOICES)))
     if factor is not None and inner.thermal_reduction is None:
         hot = f"SKF's inlet shear heating factor is below {WARM_INLET:g}"
         isothermal = wrong_model(f"{hot}: the true film is thinner than this isothermal one", CHOICES)
@@ -263,12 +263,13 @@ def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArra
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.thermal_reduction is not None:
             heated = np.asarray(raceway.thermal_reduction < WARM_INLET).any(axis=-1)
-            much = f"the heat of an {name} contact's inlet takes more than {100 * (1 - WARM_INLET):.0f} % of its film"
-            differ = f"published factors for it differ by {100 * FACTOR_SPREAD:.0f} %"
+            part = f"{100 * (1 - WARM_INLET):.0f} %"
+            much = f"inlet heating reduces the film of an {name} contact by more than {part}"
+            differ = f"published factors of this reduction differ by {100 * FACTOR_SPREAD:.0f} %"
             found.append((heated, good_to_know(f"{much}; {differ}", CHOICES)))
         if raceway.film_parameter is not None:
             thin = np.asarray(raceway.film_parameter < MIXED).any(axis=-1)
-            touched = f"a film parameter is below 1: much of that {name} contact is touched by asperities"
+            touched = f"a film parameter is below 1: asperities touch over much of that {name} contact"
             found.append((thin, good_to_know(touched, CHOICES)))
     return found
 

@@ -201,10 +201,10 @@ def skf_torque(
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
     found: tuple[ArrayLike, str]
     if speed_rating is None:
-        unknown = "SKF's friction holds below the bearing's speed rating, which is not given (speed_rating)"
+        unknown = "SKF's friction model is valid below the bearing's speed rating, which is not given (speed_rating)"
         found = (True, good_to_know(unknown, CHOICES))
     else:
-        above = "the speed is above the bearing's speed rating, below which SKF's friction holds"
+        above = "the speed is above the bearing's speed rating, the limit of SKF's friction model"
         found = (
             n * rpm > np.asarray(speed_rating),
             wrong_model(f"{above}: its torque and heat are extrapolated", CHOICES),

@@ -22,7 +22,7 @@ CONTACTS = FrictionModel(
     "given",
     "viscous, cage and seal friction and the slip of a gyroscopic moment",
     "no limit of n dm of its own; the motion is that of raceway control",
-    "how the heat of sliding divides among the contacts; of the whole bearing's heat a lower bound",
+    "how the heat of sliding is divided among the contacts; for the whole bearing, a lower bound",
 )
 SKF = FrictionModel(
     "SKF",
@@ -36,6 +36,6 @@ PALMGREN = FrictionModel(
     "Palmgren",
     "a load-dependent and a viscous part of the whole bearing; churning as far as f0 of the lubrication includes it",
     "seals",
-    "no range of n dm is published; below nu n = 2000 mm^2/s rpm the viscous torque is constant",
+    "no range of n dm is published; below nu n = 2000 mm²/s rpm the viscous torque is constant",
     "the whole bearing, with f0 of its lubrication",
 )

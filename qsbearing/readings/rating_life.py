@@ -258,7 +258,7 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     if factor is not None:
-        capped = f"aISO is at its limit of {LARGEST:g}: the cap of ISO 281, not a prediction, makes the modified life"
+        capped = f"aISO is at the upper limit of ISO 281, {LARGEST:g}: the modified life is not a prediction"
         found.append((factor >= LARGEST, good_to_know(capped, CHOICES)))
     return Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
@@ -319,21 +319,21 @@ def _found(
         (
             numbers.is_hybrid,
             good_to_know(
-                "ceramic balls are given the dynamic rating and the life modification factor of steel ones", CHOICES
+                "the dynamic rating and the life modification factor of ceramic balls are those of steel balls", CHOICES
             ),
         ),
         (
             largest_pressure(solution) > STATIC_PRESSURE,
             wrong_model(
-                f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no rating life "
-                "that holds",
+                f"the pressure of a contact is above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and the rating "
+                "life is not valid",
                 "limits",
             ),
         ),
     ]
     if from_geometry and rating is Rating.ISO_281:
         covered = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
-        wider = f'{covered}: a wider one bears less (rating = "lundberg_palmgren" knows the grooves)'
+        wider = f'{covered}: a wider groove carries less (rating = "lundberg_palmgren" takes the grooves into account)'
         found.append((wide, wrong_model(wider, CHOICES)))
         gamma = numbers.nominal_gamma
         outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))

@@ -195,13 +195,14 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
         (
             contact < 1.0,
             wrong_model(
-                f"a contact is pressed beyond {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and no elastic contact",
+                f"the pressure of a contact is above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and the contact "
+                "is no longer elastic",
                 "limits",
             ),
         ),
         (
             moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny),
-            wrong_model("the ring carries a moment, which P0 of ISO 76 does not know; contact_safety does", CHOICES),
+            wrong_model("the ring carries a moment, which P0 of ISO 76 does not include; contact_safety does", CHOICES),
         ),
         (
             np.isnan(equivalent) & np.isfinite(radial),

@@ -185,8 +185,8 @@ def _kind(solution: SetSolution) -> str:
         sprung = " and ".join(f"row {number}" for number, row in enumerate(of.rows, 1) if row.sprung)
         slid = float(solution.slide) / um
         return (
-            f"A spring presses {sprung} with {float(np.asarray(preload.spring)):.6g} N, whatever speed, heat and loads "
-            f"do; the outer rings have slid by {slid:.4g} µm."
+            f"A spring presses {sprung} with {float(np.asarray(preload.spring)):.6g} N, independently of speed, heat "
+            f"and loads; the outer rings have slid by {slid:.4g} µm."
         )
     if preload.kind == "axial_displacement":
         pressed = f"pressed together by {float(np.asarray(preload.axial_displacement)) / um:.6g} µm"

@@ -74,7 +74,7 @@ def _alone(folder: Path) -> Iterator[None]:
         except OSError:  # a disk without locks
             is_free = True
         if not is_free:
-            raise refused(folder, "another run is at work on it", "Wait until it has ended, or choose another --out")
+            raise refused(folder, "another run is using it", "Wait until it has ended, or choose another --out")
         try:
             yield
         finally:
@@ -118,7 +118,7 @@ class Store:
             raise refused(self.folder, problem, "Delete that folder, or choose another --out")
         if not is_new and not resume:
             problem = f"an unfinished run has {len(self.finished())} of {self.points.chunk_count} chunks done"
-            raise refused(self.folder, problem, "--resume goes on with it; or delete that folder")
+            raise refused(self.folder, problem, "Continue it with --resume, or delete that folder")
         self._check_files(0 if is_new else self.points.chunk_count)
         try:
             _write(kept, json.dumps(identity).encode())
@@ -192,7 +192,7 @@ class Store:
 
     def _unwritten(self, error: Exception) -> SceneFileError:
         why = error.strerror if isinstance(error, OSError) else ""
-        cause = f"Finished points are kept in {self.folder}: make room, then --resume goes on"
+        cause = f"Finished points are kept in {self.folder}: free some disk space, then continue with --resume"
         return refused(self.out, f"cannot be written: {why or error}", cause)
 
     def get(self, number: int) -> Chunk:

@@ -179,8 +179,8 @@ def _of_each_ball(variable: Variable, count: int) -> list[Variable]:
         VariableError: it is no distribution.
     """
     if isinstance(variable, Axis):
-        problem = "is of every ball, each of which draws its own: give a distribution"
-        raise VariableError(f"{problem}. Of one ball alone: {keys.EACH_BALL}_0")
+        problem = "applies to every ball, and each ball draws its own value: give a distribution"
+        raise VariableError(f"{problem}. For one ball only: {keys.EACH_BALL}_0")
     if not count:
         raise VariableError("needs the bearing's ball_count, a whole number")
     return [replace(variable, key=f"{keys.EACH_BALL}_{ball}") for ball in range(count)]
@@ -198,7 +198,7 @@ def _variables(varied: dict[str, Any], ball_count: int, errors: list[FileErrorDe
         except VariableError as error:
             errors.append(error_of(name, given, error))
     if "ball_count" in found and any(keys.known(key).ball is not None for key in found):
-        problem = "varies beside deviations of the balls, which are of so many and no other number"
+        problem = "cannot vary together with deviations of single balls, which belong to a fixed number of balls"
         errors.append(FileErrorDetail("vary.ball_count", problem))
     return tuple(found.values())
 

@@ -258,7 +258,7 @@ def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path,
     assert " million revolutions, " in found["basic reference rating life"]
     assert found["modified reference rating life"].endswith(" h: aISO 50, at its limit")
     shown = CliRunner().invoke(cli, ["run", str(tmp_path / "light.toml")]).output
-    order = ["basic reference rating life", "factor aISO", "modified reference rating life", "aISO is at its limit"]
+    order = ["basic reference rating life", "factor aISO", "modified reference rating life", "aISO is at the upper"]
     places = [shown.index(words) for words in order]
     assert places == sorted(places)
 

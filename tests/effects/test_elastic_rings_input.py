@@ -266,7 +266,7 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
 def test_the_command_prints_it(tmp_path: Path) -> None:
     path = written(tmp_path, OUTER["free"], INNER["solid"])
     found = CliRunner().invoke(cli, ["run", str(path)])
-    assert "Rings deflected by their balls" in found.output
+    assert "Rings deflected by the ball loads" in found.output
     record = json.loads(CliRunner().invoke(cli, ["run", str(path), "--json"]).output)
     elastic = record["elastic_rings"]
     assert 0.1 < elastic["share_of_axial_displacement"] < 0.3

@@ -295,7 +295,7 @@ def test_files_name_them_and_results_repeat_them(tmp_path: Path) -> None:
     assert scene.ball_diameter_deviations.array == pytest.approx(np.array(BALLS) * 1e-6, rel=1e-15)  # type: ignore[union-attr]
     shown = CliRunner().invoke(cli, ["run", str(file), "--csv", str(table)])
     assert "D - D0" in shown.stdout
-    assert "Geometry before it is loaded" not in shown.stdout, "the bearing's own lengths are what they were"
+    assert "Geometry before loading" not in shown.stdout, "the bearing's own lengths are what they were"
     found = json.loads(CliRunner().invoke(cli, ["run", str(file), "--json"]).stdout)
     assert found["effects"] == ["unequal_balls"]
     assert found["operating_geometry"] is None

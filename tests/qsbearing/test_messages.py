@@ -21,6 +21,7 @@ from qsbearing.contact.hertz import subsurface_shear
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.io import catalogue
+from qsbearing.messages import balls
 from qsbearing.ranked_warning import RankedWarning, good_to_know, in_order, said_of, wrong_model
 from qsbearing.readings.remarks import CHOICES
 
@@ -66,6 +67,14 @@ def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solut
         assert 0 < len(have) < 8
         assert sentence.startswith(f"{len(have)} of 8 cases, the first {have[0]}: ")
         assert sentence.partition(": ")[2] in each[have[0]]
+
+
+def test_balls_are_counted_in_singular_and_plural() -> None:
+    for which, said in (
+        ([True, False, False], "1 ball (no. 0) carries"), ([False, True, True], "2 balls (no. 1 to 2) carry"),
+        ([True, True], "All 2 balls carry"),
+    ):  # fmt: skip
+        assert balls._balls(np.array(which), "carries", "carry") == said
 
 
 @pytest.mark.parametrize("index", [0, (0,), (4, 0), (0, -3), (0, 0, 0)])

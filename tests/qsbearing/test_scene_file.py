@@ -533,8 +533,8 @@ def test_a_small_angle_is_no_slip_in_a_deep_groove_bearing(load: Any) -> None:
         ((208000, 0.3, 7800), "elastic_modulus_GPa", "208000 megapascals = 208 GPa"),
         ((2.08e11, 0.3, 7800), "elastic_modulus_GPa", "pascals = 208 GPa"),
         ((208, 0.5, 7800), "poisson_ratio", ""),
-        ((208, 0.3, 7.8), "density_kg_m3", "7.8 g/cm^3 = 7800 kg/m3"),
-        ((208, 0.3, 7.8e-6), "density_kg_m3", "kg/mm^3 = 7800 kg/m3"),
+        ((208, 0.3, 7.8), "density_kg_m3", "7.8 g/cm³ = 7800 kg/m³"),
+        ((208, 0.3, 7.8e-6), "density_kg_m3", "kg/mm³ = 7800 kg/m³"),
     ],
 )
 def test_materials_that_nothing_is_made_of(errors: Any, numbers: tuple[float, ...], key: str, cause: str) -> None:

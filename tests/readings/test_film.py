@@ -71,7 +71,7 @@ def test_what_the_film_is_warned_of() -> None:
     words = " | ".join(found.warnings)
     assert "estimate" in words
     assert "1 of 2 cases, the first 0: a film parameter" in words
-    assert "1 of 2 cases, the first 1: the heat of an inner contact's inlet" in words
+    assert "1 of 2 cases, the first 1: inlet heating reduces the film of an inner contact" in words
     assert found.inner.thermal_reduction is not None
     assert found.outer.film_parameter == pytest.approx(
         found.outer.minimum_thickness * found.outer.thermal_reduction / np.hypot(0.1e-6, 0.3e-6)

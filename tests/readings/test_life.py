@@ -146,7 +146,7 @@ def test_a_modification_factor_at_its_limit_is_said() -> None:
     assert found.life_modification_factor[0] == 50.0
     assert found.is_at_limit.tolist() == [True, False]
     (said,) = (sentence for sentence in found.warnings if "aISO" in sentence)
-    assert said.startswith("1 of 2 cases, the first 0: aISO is at its limit of 50")
+    assert said.startswith("1 of 2 cases, the first 0: aISO is at the upper limit of ISO 281, 50")
     assert found.duration[0] == pytest.approx(50.0 * found.basic_duration[0])
     plain = qs.readings.life(solution)
     assert plain.is_at_limit is None
@@ -232,7 +232,9 @@ def test_what_the_sources_do_not_cover_is_said() -> None:
     wide = qs.readings.life(solved(resting(B218, axial_load=4e3)), rating="iso_281")  # type: ignore[arg-type]
     assert any("0.52" in sentence for sentence in wide.warnings)
     crushed = qs.readings.life(solved(resting(B218, axial_load=np.array([4e3, 9e5]))))
-    assert any(sentence.startswith("1 of 2 cases, the first 1: a contact") for sentence in crushed.warnings)
+    assert any(
+        sentence.startswith("1 of 2 cases, the first 1: the pressure of a contact") for sentence in crushed.warnings
+    )
     assert qs.readings.life(solved(resting(B218, axial_load=4e3))).warnings == ()
 
 

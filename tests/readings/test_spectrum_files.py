@@ -59,7 +59,7 @@ def test_run_shows_it(tmp_path: Path) -> None:
     found = qs.readings.take_asked(qs.solve(qs.load_scene(file)))["spectrum"]
     shown = CliRunner().invoke(cli, ["run", str(file), "--csv", str(csv)])
     assert shown.exit_code == 0, shown.output
-    for words in ("2 operating points", "Life under all of them", "damage", f"{found.duration / 3600:.5g} h"):
+    for words in ("2 operating points", "Life under the whole spectrum", "damage", f"{found.duration / 3600:.5g} h"):
         assert words in shown.output, words
     assert len(csv.read_text(encoding="utf-8").splitlines()) == 33
     printed = CliRunner().invoke(cli, ["run", str(file), "--json"])

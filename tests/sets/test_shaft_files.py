@@ -192,7 +192,7 @@ def test_the_picture_states_its_scale() -> None:
     assert axes.get_title() == "Shaft in the plane xy: deflection × 2,000"
     assert any("tool: 5.35 µm" in text.get_text() for text in axes.texts)
     (legend,) = figure.legends
-    assert {"shaft as it bends", "centre line"} <= {text.get_text() for text in legend.get_texts()}
+    assert {"deformed shaft", "centre line"} <= {text.get_text() for text in legend.get_texts()}
     rigid = SPINDLE[: SPINDLE.index("[shaft]")] + "[operation]\naxial_load_N = 9\n"
     with pytest.raises(ValueError, match="rigid"):
         pictures.deformed_shaft(qs.solve_set(read(rigid)))

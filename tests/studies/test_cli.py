@@ -82,6 +82,13 @@ def test_bad_input_is_a_sentence(
     assert not list(tmp_path.iterdir())
 
 
+def test_tables_write_units_as_people_do() -> None:
+    """Also those of `find` and `compare`; keys in files stay plain ASCII."""
+    found = run("find", "b218", "--vary", "axial_load_N=1000:2000", "--goal", "ring_displacement_axial=0")
+    for table in (run("sweep", "b218", "--vary", "speed_rpm=0,1"), run("compare", "b218", "7210c"), found):
+        assert " µm" in table.stdout and " um" not in table.stdout, table.output
+
+
 @pytest.mark.parametrize("vary", ["axial_load_N=-1,-2", "ball_count=40,41"])
 @pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
 def test_no_point_solved_is_exit_code_1_and_a_file_that_says_why(vary: str, out: str, tmp_path: Path) -> None:
@@ -107,7 +114,7 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(sweeping, "solved_chunks", interrupted)
     result = run("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / "r.nc")
     assert result.exit_code == 130
-    assert "--resume goes on" in result.stderr
+    assert "--resume continues the run" in result.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["r.nc.parts"]
 
 

@@ -313,7 +313,7 @@ def test_an_interrupted_sweep_goes_on_to_the_identical_file(
         sweep(study, out=tmp_path / "r.nc")
     kept = list((tmp_path / "r.nc.parts").glob("*.npz"))
     assert 0 < len(kept) <= 5
-    with pytest.raises(qs.SceneError, match="--resume goes on"):
+    with pytest.raises(qs.SceneError, match="Continue it with --resume"):
         sweep(study, out=tmp_path / "r.nc")
     with pytest.raises(qs.SceneError, match="another study"):
         sweep(study.replaced(seed=1), out=tmp_path / "r.nc", resume=True)
@@ -349,7 +349,7 @@ def test_two_runs_do_not_share_a_folder(resume: bool, tmp_path: Path) -> None:
     study, out = Study.of(B218, {"speed_rpm": [0, 1]}), tmp_path / "r.nc"
 
     def second(done: int, count: int) -> None:
-        with pytest.raises(qs.SceneError, match="another run is at work"):
+        with pytest.raises(qs.SceneError, match="another run is using it"):
             sweep(study, out=out, resume=resume)
 
     sweep(study, out=out, progress=second).close()
@@ -375,7 +375,7 @@ def test_a_run_that_is_killed_holds_no_lock(tmp_path: Path) -> None:
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as holder:
         assert holder.stdout is not None
         assert holder.stdout.readline() == "locked\n"
-        with pytest.raises(qs.SceneError, match="another run is at work"):
+        with pytest.raises(qs.SceneError, match="another run is using it"):
             sweep(study, out=out)
         holder.kill()
     sweep(study, out=out).close()
@@ -479,7 +479,7 @@ def test_a_disk_that_fills_loses_nothing_finished(tmp_path: Path) -> None:
         done = run(limit, "r.nc")  # first a chunk of 16,384 points is too large, then only the whole file
         assert done.returncode == 2, done.stderr
         assert "cannot be written: File too large" in done.stderr
-        assert "--resume goes on" in done.stderr
+        assert "then continue with --resume" in done.stderr
         assert "Traceback" not in done.stderr
         assert {file.name for file in (tmp_path / "r.nc.parts").iterdir()} <= kept
         assert {file.name for file in tmp_path.iterdir()} == {"whole.nc", "r.nc.parts"}

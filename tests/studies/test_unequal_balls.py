@@ -91,7 +91,7 @@ def test_impossible_sets_of_balls_stay_with_their_reason() -> None:
         ({KEY: "normal(0, 0.1)", f"{KEY}_3": [0.0, 1.0]}, "is varied twice"),
         ({KEY: "normal(0, 200)"}, "leaves the possible"),
         ({f"{KEY}_40": [0.0, 1.0]}, "has 41 numbers; the bearing has 16 balls"),
-        ({KEY: "normal(0, 0.1)", "ball_count": [15, 16]}, "ball_count: varies beside deviations"),
+        ({KEY: "normal(0, 0.1)", "ball_count": [15, 16]}, "ball_count: cannot vary together with deviations"),
         ({"ball_diameter_deviation_mm": "normal(0, 0.1)"}, f"Did you mean {KEY}"),
     ],
 )

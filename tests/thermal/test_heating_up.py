@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.thermal.state import _digits
 from tests.thermal.spindle import AMBIENT, BETWEEN, paths, scene, tables
 from tests.thermal.test_heat import cold, nodes, state_of, surplus
 
@@ -94,3 +95,7 @@ def test_what_is_missing_is_said(tmp_path: Path) -> None:
     result = run(tmp_path, tables(thermal=None, effects=None), "--json")
     assert result.exit_code == 2 and "no table [thermal]" in result.stderr
     assert run(tmp_path, tables(), "--start", AMBIENT).exit_code == 2
+
+
+def test_large_loads_are_written_without_a_power_of_ten() -> None:
+    assert [_digits(load) for load in (11_333.3, 859.03, 0.5)] == ["11330", "859", "0.5"]

@@ -44,7 +44,7 @@ class Cause(IntEnum):
 WORDS = {
     Cause.CONTROL_SWITCHES: "raceway control switches",
     Cause.CONTACT_IS_LOST: "a contact is lost",
-    Cause.BRANCH_ENDS: "the branch ends",
+    Cause.BRANCH_ENDS: "the solution branch ends",
     Cause.UNKNOWN: "jump without visible cause",
 }
 
