@@ -81,7 +81,8 @@ def _trial() -> str:
         f'Of {trial["scenes"]} random operating points, `effects = "auto"` at {trial["tolerance"]:g} kept all results '
         f"within this tolerance at {kept}, and left out at least one effect at {trial['something_left_out']}. The "
         f"largest error is {worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). At {trial['solved_once']} "
-        f"points the indicators were sufficient, with one solution; on average, {trial['solves_mean']:g} solutions were needed."
+        f"points the indicators were sufficient, with one solution; on average, {trial['solves_mean']:g} "
+        "solutions were needed."
     )
 
 
