@@ -18,7 +18,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "squares": {"color": "#0072b2", "marker": "s", "linestyle": "none", "markersize": 5.5, "markerfacecolor": "none"},
     "crosses": {"color": "black", "marker": "x", "linestyle": "none", "markersize": 5.5},
 }
-WIDTH, HEIGHT = 4.6, 3.6
+WIDTH, HEIGHT = 4.6, 3.1
 
 
 def svg(record: dict[str, Any]) -> bytes:

@@ -56,13 +56,13 @@ class Kept:
 
     @property
     def made_with(self) -> str:
-        """Version, commit, date in a line."""
+        """Version, commit, day in a line."""
         version = f"qsbearing {self.version}" if self.version else "version not recorded"
         if not self.provenance:
             return f"{version}; {NOT_RECORDED}"
         commit = (self.provenance["commit"] or "no commit")[:12]
         changed = " with changes that are not committed" if self.provenance["dirty"] else ""
-        return f"{version}, {commit}{changed}, {self.provenance['date']}"
+        return f"{version}, {commit}{changed}, {self.provenance['date'][:10]}"
 
     @property
     def trace(self) -> Trace:

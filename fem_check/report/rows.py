@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -23,7 +24,16 @@ def quantity(name: str) -> str:
     """A quantity as readers call it."""
     for long, short in SHORT.items():
         name = name.replace(long, short)
-    return name.replace("_", " ")
+    return _WORDS.sub(" ", name)
+
+
+_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z])")
+"""Between words; the index of a symbol, as in F_a, stays one."""
+
+
+def as_read(text: str) -> str:
+    """A text of a record as readers see it: without marks of code, micrometres by their sign."""
+    return re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
 
 
 def badge(word: str) -> Badge:
@@ -54,7 +64,7 @@ def cells(row: Row) -> list[Cell]:
     told = row_text.of_row(row)
     return [
         _headed(row["quantity"], row_text.in_unit(row)[1])
-        + (f" (worst at {row['worst_at']})" if row.get("worst_at") else ""),
+        + (f" (worst at {as_read(row['worst_at'])})" if row.get("worst_at") else ""),
         told.reference,
         told.found,
         row_text.deviation(row),
@@ -138,10 +148,11 @@ class _Notes:
 
     def of(self, rows: Sequence[Row]) -> str:
         """The marks of what the rows rest on: where each reference is from, and why its tolerance."""
-        texts = [f"Reference: {row['reference_source']}" for row in rows]
+        texts = [f"Reference: {as_read(row['reference_source'])}" for row in rows]
         for row in rows:
-            if row["why_tolerance"]:
-                texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {row['why_tolerance']}")
+            why = as_read(row["why_tolerance"] or "").removeprefix("a finding: ")
+            if why:
+                texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {why}")
         return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))
 
     @property

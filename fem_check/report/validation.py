@@ -94,7 +94,7 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
     dates = sorted(kept.provenance["date"] for kept in records if kept.provenance)
     return [
         ("Version", listed(kept.version for kept in records)),
-        ("Dates", f"{dates[0]} to {dates[-1]}" if dates else NOT_RECORDED),
+        ("Dates", f"{dates[0][:10]} to {dates[-1][:10]}" if dates else NOT_RECORDED),
         ("Level of the checks", listed(kept.data["level"] for kept in evidence.checks.values())),
         ("Scene", listed(kept.data["scene"] for kept in evidence.checks.values())),
         ("Records", f"{len(records)} files"),

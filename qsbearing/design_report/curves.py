@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, plain
+from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, legend_within, plain
 from qsbearing.scene.operation import CHANNELS, Operation
 from qsbearing.scene.preload import FORCES, Preload
 from qsbearing.scene.scene import Scene
@@ -36,7 +36,7 @@ CURVES = "contact angles, greatest pressures, the axial answer, axial and radial
 def section(solution: Solution) -> Section:
     """Both sweeps; what cannot be varied is said."""
     words = (
-        "Everything else stays as the scene has it. The vertical line is the operating point; angles are those of "
+        "Everything else stays as the scene has it. Angles are those of "
         "the ball with the largest inner load. Points without a solution are left out."
     )
     return Section("Around the operating point", [Paragraph(words), *_speed(solution), *_load(solution)], "curves")
@@ -88,12 +88,15 @@ def shown(
     """The picture of what is swept, sentences, and how many points are left out."""
     lost = int((~np.asarray(swept.converged)).sum())
     alt = f"Curves over {along}: {what}; the operating point is marked."
-    blocks: list[Block] = [picture(figure, alt, f"Over {along}"), *map(Paragraph, said)]
+    blocks: list[Block] = [
+        picture(figure, alt, f"Results over {along}; the dotted line is the operating point"),
+        *map(Paragraph, said),
+    ]
     return [*blocks, Remark(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
 
 
 def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
-    figure = figure_of_size(9.0, 6.0)
+    figure = figure_of_size(9.0, 4.8)
     angles, pressures, displacement, stiffness = figure.subplots(2, 2).ravel()
     solved = swept.converged
     load = np.where(solved[:, None], swept.inner.load, np.nan)
@@ -121,7 +124,7 @@ def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArr
     for channel, name in enumerate(("axial", "radial_y")):
         values = np.where(solved, stiffness[:, channel], np.nan) * um
         axes.plot(along, values, label=CHANNELS[channel].label, **CHANNEL_LINES[name])
-    axes.legend(fontsize=8, frameon=False)
+    legend_within(axes)
 
 
 def finish(panels: Sequence[Axes], names: Sequence[str], own: float, label: str) -> None:

@@ -102,7 +102,7 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], t
     headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
-    blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l"), Bullets(why)]
+    blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l", stack=True), Bullets(why)]
     return Section("Assumptions and effects", blocks, "effects")
 
 

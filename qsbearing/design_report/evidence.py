@@ -50,7 +50,7 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
             rows.append([said, of_set.found(of), *judged(of_set.differences(of))])
     what = "scene" if of is None else "set"
     blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
-    headings = ("what was checked, and how to do it again", "result", f"this {what}", "why")
+    headings = ("check and its command", "result", f"this {what}", "why")
     return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend
+from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.preload_limits import (
@@ -48,8 +48,8 @@ def section(of: BearingSet, limits: Limits) -> Section:
     """
     speeds, loads = limits
     words = (
-        "Everything else stays as the set has it. The dotted line is the operating point; dashed red lines mark where "
-        "a row loses its preload, has too much of it or regains it. Points without a solution are left out."
+        "Everything else stays as the set has it. Dashed red lines mark where a row loses its preload, has too much of "
+        "it or regains it. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
@@ -106,7 +106,7 @@ def _what(change: Change) -> str:
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
-    figure = figure_of_size(9.0, 5.5)
+    figure = figure_of_size(9.0, 4.8)
     panels = list(figure.subplots(2, 2).ravel())
     loads, pressures, displacement, stiffness = panels
     solved = np.asarray(swept.converged)
@@ -140,7 +140,7 @@ def _answer(axes: Axes, along: NDArray, swept: SetSolution) -> str:
         if (i in free) == moves and np.any(np.abs(values[:, i]) > 0.0):
             axes.plot(along, values[:, i], label=CHANNELS[i].label, **line)
     if axes.lines:
-        axes.legend(fontsize=8, frameon=False)
+        legend_within(axes)
     return "displacement of the shaft, µm" if moves else "load on the shaft, N"
 
 

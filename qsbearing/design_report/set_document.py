@@ -93,17 +93,24 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
         picture(
             load_distribution(solution),
             "Polar pictures of the contact loads of all balls around the bearing, one for each row.",
-            "Contact loads",
+            "Contact load of each ball around the bearing, for each row, all to one scale",
         ),
         picture(
             contact_angles(solution),
             "Both contact angles of every ball by its azimuth, for each row.",
-            "Contact angles",
+            "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
         ),
     ]
     if solution.set.shaft is not None:
         said = "The shaft's outline as drawn and as it bends, with bearings, loads and named points."
-        drawn.insert(0, picture(deformed_shaft(solution), said, "Deflection of the shaft"))
+        drawn.insert(
+            0,
+            picture(
+                deformed_shaft(solution),
+                said,
+                "The shaft as drawn (grey) and as it bends (black), the deflection enlarged by the factor in its title",
+            ),
+        )
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),

@@ -54,6 +54,7 @@ class _Counted:
     def caption(self, kind: str, text: str) -> list[dict[str, Any]]:
         if not text:
             return []
+        text = type(text)(text.rstrip(".") + ("." if kind == "Figure" else ""))
         if not self.is_numbered:
             return runs(text)
         self.captions[kind] += 1

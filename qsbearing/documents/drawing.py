@@ -33,10 +33,14 @@ def picture(figure: Any, alt: str, caption: str = "", width: float | None = None
     return Picture(_lean(found.getvalue()), alt, caption, "svg", width)
 
 
-def width_of(svg: bytes) -> float:
-    """Width of a drawing by matplotlib, as part of the text's; more than 1 where letters would become too small."""
+def width_of(svg: bytes, full: float = FULL_WIDTH) -> float:
+    """Width of a drawing by matplotlib, as part of the text's; more than 1 where letters would become too small.
+
+    Args:
+        full: width of a figure that fills the text's [inches].
+    """
     found = re.search(rb'<svg[^>]* width="([\d.]+)pt"', svg)
-    return float(found[1]) / 72.0 / FULL_WIDTH if found else 1.0
+    return float(found[1]) / 72.0 / full if found else 1.0
 
 
 def _lean(svg: bytes) -> bytes:

@@ -30,12 +30,14 @@ class Drawing(NamedTuple):
     size: tuple[float, float]
     """Alone on a sheet [inches]."""
     panel: tuple[float, float]
-    """As one of several [inches]."""
+    """For a row of a set, on a sheet of everything [inches]."""
+    small: tuple[float, float]
+    """Likewise, on a sheet of nothing else [inches]."""
     projection: str | None = None
 
 
-LOADS = Drawing(draw_loads, load_span, (5.6, 5.6), (3.6, 3.8), "polar")
-ANGLES = Drawing(draw_angles, angle_span, (7.0, 4.2), (3.6, 2.9))
+LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
+ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
 SHAFT_HEIGHT = 3.4
 """Of a shaft in one plane [inches]."""
 PER_LINE = 3
@@ -62,7 +64,7 @@ def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Fig
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
-    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 4.6)
+    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 4.1)
     return _alone(draw_ellipses, size, solution, index)
 
 
@@ -150,10 +152,11 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     count = len(solution.rows)
     lines = -(-count // PER_LINE)
     columns = -(-count // lines)
-    heights = [drawing.panel[1] for drawing in drawings] * lines
+    panels = [drawing.panel if len(drawings) > 1 else drawing.small for drawing in drawings]
+    heights = [height for _, height in panels] * lines
     planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
     heights += [SHAFT_HEIGHT] * len(planes)
-    figure = figure_of_size(max(columns * drawings[0].panel[0], 6.0), sum(heights) + 0.7)
+    figure = figure_of_size(max(columns * panels[0][0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
     drawn: list[Any] = []
     for number, plane in enumerate(planes):

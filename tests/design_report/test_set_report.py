@@ -265,7 +265,7 @@ def test_sets_without_a_preload_speed_or_load(tmp_path: Path, undrawn: None) -> 
     held = report_of(tmp_path, rows + "[operation]\naxial_displacement_um = 3\n[preload]\naxial_displacement_um = 8\n")
     assert "No curve over the loads" in held.text
     assert "The rings are held at a fixed distance, pressed together by 8 µm" in held.text
-    assert "Over the preload" in held.text
+    assert "Results over the preload" in held.text
 
 
 def test_no_equilibrium_writes_nothing(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Paragraph
+from qsbearing.documents.model import Group, Paragraph, Table
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, document
 
@@ -42,6 +42,26 @@ def test_a_pdf_says_all_and_holds_its_fonts() -> None:
     assert [entry.title for entry in reader.outline if not isinstance(entry, list)] == ["Words", "Numbers", "Pictures"]
     assert f"{len(reader.pages)}of{len(reader.pages)}" in squeezed
     assert "/StructTreeRoot" in reader.trailer["/Root"]  # tagged, for those who listen
+
+
+def test_no_row_of_a_table_is_alone_on_a_page() -> None:
+    """At whatever height of a page its tables begin."""
+    long = "a cell of more than one line " * 5
+    tables = []
+    for n in range(200):
+        rows = [[f"row{n}.{k}.", long] for k in range(8)]
+        tables.append(Table(("", "text"), [*rows[:4], Group("across"), *rows[4:]]))
+    fillers = [Paragraph("filler " * (n % 37)) for n, _ in enumerate(tables)]
+    blocks = [each for pair in zip(fillers, tables, strict=True) for each in pair]
+    reader = pypdf.PdfReader(BytesIO(pdf(document(*blocks), strict=True)))
+    pages = [re.sub(r"[\s\u200b]", "", page.extract_text()) for page in reader.pages]
+    found = [[page.count(f"row{n}.") for page in pages if f"row{n}." in page] for n in range(len(tables))]
+    assert {sum(each) for each in found} == {8}
+    assert sum(len(each) > 1 for each in found) > 5, "tables that break"
+    assert all(min(each) > 1 for each in found)
+    assert not any(
+        page.removesuffix(f"{number}of{len(pages)}").endswith("across") for number, page in enumerate(pages, 1)
+    )
 
 
 def test_the_same_document_is_the_same_file() -> None:

@@ -168,16 +168,25 @@ def test_footnotes_are_the_rows_own() -> None:
     rows = [
         Row(f"case {number}", "load", "N", 1.0, source, 1.0, None, tolerance, why).as_dict()
         for number, (source, tolerance, why) in enumerate(
-            (("a book", 1.0, "printed digits"), ("a book", None, "not known"), ("a chart", 1.0, "printed digits"))
+            (
+                ("a book", 1.0, "printed digits"),
+                ("a book", None, "a finding: `not` known by 2 um"),
+                ("a chart", 1.0, "printed digits"),
+            )
         )
     ]
     (table,) = agreement(rows, "Agreement")
     texts = dict(table.notes)
     assert [{texts[mark] for mark in line[-1].split()} for line in table.rows] == [
         {"Reference: a book", "Tolerance: printed digits"},
-        {"Reference: a book", "Finding: not known"},
+        {"Reference: a book", "Finding: not known by 2 µm"},
         {"Reference: a chart", "Tolerance: printed digits"},
     ]
+
+
+def test_a_name_keeps_the_indices_of_its_symbols() -> None:
+    assert quantity("inner max_shear_depth") == "inner depth of τmax"
+    assert quantity("F_a/(F_r tan α), poisson_ratio") == "F_a/(F_r tan α), poisson ratio"
 
 
 def test_of_a_long_table_the_rows_nearest_to_their_tolerance_are_shown() -> None:
@@ -400,7 +409,7 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
-    text = read.text[read.text.index("The report formats records") : read.text.index("What is claimed")]
+    text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
     before, _, after = text.partition("In a checkout of the repository")
     assert "python -m tests.reference.table" in after
     assert "fem-check book iso_281_ratings" in before

@@ -71,8 +71,11 @@ def shear_map(entry: Entry) -> Figure:
     seen = (z < 2.2) & (y < 1.35)
     figure, axes = plt.subplots(figsize=(6.0, 4.4), layout="constrained")
     mirrored = Triangulation(np.concatenate([y[seen], -y[seen]]), np.concatenate([z[seen], z[seen]]))
-    picture = axes.tricontourf(mirrored, np.concatenate([tau[seen], tau[seen]]), levels=18, cmap=PRESSURE)
-    figure.colorbar(picture, ax=axes, label="largest shear stress over p0")
+    shown = np.concatenate([tau[seen], tau[seen]])
+    picture = axes.tricontourf(mirrored, shown, levels=18, cmap=PRESSURE)
+    picture.set(edgecolor="face", linewidth=0.4)  # else the page shows light lines between the levels
+    lines = axes.tricontour(mirrored, shown, levels=list(picture.levels)[::4], colors="black", linewidths=0.9)
+    figure.colorbar(picture, ax=axes, label="largest shear stress over p0").add_lines(lines)
     axes.plot(0.0, contact["max_shear_depth_over_b"], "k+", markersize=11, label="theory: largest on the axis")
     axes.legend(loc="lower right")
     axes.invert_yaxis()

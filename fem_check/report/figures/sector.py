@@ -140,7 +140,7 @@ def sector_contacts(entry: Entry) -> Figure:
         )
         middle = y < 1e-9
         along.plot(x[middle], p[middle], "o-", color="#d55e00", markersize=3)
-        along.set(xlabel="across the groove, mm", ylabel="pressure, MPa", title="in the plane of symmetry")
+        along.set(xlabel="across the groove, mm", ylabel="pressure, MPa", title=f"{race} raceway, plane of symmetry")
         right = along.twinx()
         right.plot(x[middle], np.maximum(gap[middle], 0.0), "s--", color="#0072b2", markersize=3)
         right.set_ylabel("gap, µm")

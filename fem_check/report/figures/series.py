@@ -46,7 +46,7 @@ def convergence(entry: Entry) -> Figure:
         label = quantity(name)
         axes.loglog(series["size"], 100.0 * np.asarray(series["rms_error"][name]), "o-", color=colour, label=label)
         axes.loglog(
-            series["size"], 100.0 * np.asarray(series["worst_single_position"][name]), ":", color=colour, linewidth=1
+            series["size"], 100.0 * np.asarray(series["worst_single_position"][name]), ":", color=colour, linewidth=1.6
         )
     axes.set(
         xlabel="element size over semi-axis",

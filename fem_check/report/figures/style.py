@@ -12,6 +12,8 @@ from numpy.polynomial.polynomial import polyval2d, polyvander2d
 from numpy.typing import NDArray
 
 Entry = dict[str, Any]
+INCHES = 11.0
+"""Width of a figure that would fill the page."""
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000")
 """Of series, in turn: told apart by every kind of colour vision."""

@@ -7,17 +7,19 @@ from typing import Any
 from fem_check.book import picture
 from fem_check.book.not_yet import NOT_YET
 from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.figures.style import INCHES
 from fem_check.report.missing import missing
-from fem_check.report.rows import agreement, badge
+from fem_check.report.rows import agreement, as_read, badge
+from qsbearing.documents.drawing import width_of
 from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Picture, Remark, Section, Table
 
 COMPUTED = (
-    "What others have computed and published: standards and their worked examples, catalogues, programs. Complete "
-    "inputs make it binding, but it is somebody's calculation, no measurement."
+    "Results that others have computed and published: standards with their worked examples, catalogues, programs. "
+    "These are calculations, not measurements."
 )
 MEASURED = (
-    "Physical measurements. What their publications leave open is said on each page, and what was fitted, predicted, "
-    "or chosen after seeing the data."
+    "Physical measurements. Each case names the data that its publication leaves out, and the numbers that were "
+    "fitted, predicted, or chosen after seeing the data."
 )
 
 
@@ -38,7 +40,8 @@ def _not_yet() -> Section:
     """Published cases whose documents are not at hand."""
     rows = [[each["document"], each["would_show"], each["at_hand"]] for each in NOT_YET]
     return Section(
-        "Measurements not at hand", [Table(("document", "what it would show", "at hand"), rows, "lll", stack=True)]
+        "Measurements not at hand",
+        [Table(("document", "would show", "at hand"), rows, "lll", "Publications that were not at hand", stack=True)],
     )
 
 
@@ -51,7 +54,7 @@ def _overview(evidence: Evidence, measured: bool) -> list[Block]:
         if (kept.data["kind"] == "M") == measured
     ]
     return (
-        [Table(("case", "kind", "what came out", "verdict"), rows, "llll", stack=True)]
+        [Table(("case", "kind", "result", "verdict"), rows, "llll", "Cases and their results", stack=True)]
         if rows
         else [Remark("No case.")]
     )
@@ -59,7 +62,7 @@ def _overview(evidence: Evidence, measured: bool) -> list[Block]:
 
 def _page(name: str, kept: Kept) -> Section:
     entry = kept.data
-    blocks: list[Block] = [Remark(f"{entry['question']} {entry['summary']}", entry["verdict"])]
+    blocks: list[Block] = [Remark(as_read(f"{entry['question']} {entry['summary']}"), entry["verdict"])]
     blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]))
     if entry["inputs"]:
         inputs = [list(map(str, each)) for each in entry["inputs"]]
@@ -80,11 +83,11 @@ LONGEST = 12
 """Points that a page shows one by one."""
 
 LISTS = {
-    "missing": "What the source does not say",
+    "missing": "Not given by the source",
     "fitted": "Fitted",
     "predicted": "Predicted",
     "chosen_after_seeing": "Chosen after seeing the data",
-    "does_not_show": "What this does not show",
+    "does_not_show": "Not shown by this case",
 }
 
 
@@ -97,7 +100,8 @@ def _picture(kept: Kept) -> list[Block]:
     told = kept.data.get("picture")
     if not told:
         return []
-    return [Picture(picture.svg(kept.data), told["alt"], told["caption"], "svg", 0.62)]
+    drawn = picture.svg(kept.data)
+    return [Picture(drawn, told["alt"], told["caption"], "svg", width_of(drawn, INCHES))]
 
 
 def _cell(value: Any) -> str:
@@ -117,4 +121,5 @@ def _scipy(kept: Kept | None) -> list[Block]:
     ]
     words = f"The same equations, {found['points']} random operating points of B218, left to a library's root finder."
     headings = ("solved by", f"right, of {found['points']}", "median time, ms")
-    return [Section("A library's root finder", [Paragraph(words), Table(headings, rows), kept.trace])]
+    table = Table(headings, rows, caption="A library's root finder and this solver")
+    return [Section("A library's root finder", [Paragraph(words), table, kept.trace])]

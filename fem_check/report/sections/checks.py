@@ -1,4 +1,4 @@
-"""A check's own section: question, verdict, agreement with its footnotes, notes, pictures, and how to run it again."""
+"""A check's own section: question, verdict, pictures, agreement with its footnotes, notes, and how to run it again."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 from fem_check.report.evidence import Kept
 from fem_check.report.figures.drawn import draw_all
-from fem_check.report.rows import agreement
+from fem_check.report.rows import agreement, as_read
 from qsbearing.documents.model import Block, Facts, Paragraph, Remark, Section
 
 
@@ -17,13 +17,13 @@ def section(name: str, kept: Kept) -> Section:
     blocks: list[Block] = [
         Remark(f"{entry['question']} {entry['verdict'].capitalize()} at the {entry['level']} level.", status),
         Facts([*_facts(entry)]),
+        *draw_all(name, entry),
     ]
     findings = [row for row in entry["rows"] if row["verdict"] == "finding"]
     judged = [row for row in entry["rows"] if row["verdict"] != "finding"]
     for rows, caption in ((judged, "Against the reference"), (findings, "Findings, without a tolerance")):
         blocks += agreement(rows, f"{title}. {caption}") if rows else []
-    blocks += [Paragraph(note) for note in entry["notes"]]
-    blocks += draw_all(name, entry)
+    blocks += [Paragraph(as_read(note)) for note in entry["notes"]]
     return Section(title, [*blocks, kept.trace], f"check-{name.replace('_', '-')}")
 
 
@@ -35,5 +35,6 @@ def _facts(entry: dict[str, Any]) -> list[tuple[str, str]]:
         pairs.append(("Elements per semi-axis", str(mesh["elements_per_semi_axis"])))
     if mesh.get("file"):
         pairs.append(("Mesh", mesh["file"]))
-    pairs.append(("Time", f"{entry['seconds']:.3g} s, {entry['peak_memory_MB']} MB"))
+    seconds = f"{entry['seconds']:,.0f}" if entry["seconds"] >= 100.0 else f"{entry['seconds']:.3g}"
+    pairs.append(("Time", f"{seconds} s, {entry['peak_memory_MB']:,} MB"))
     return [*pairs, ("Reference", entry["reference"]), ("Tolerance", entry["tolerance"])]

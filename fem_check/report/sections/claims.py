@@ -29,7 +29,7 @@ def section(evidence: Evidence) -> Section:
                 ("claim", "on record", "verdict", "see"),
                 [[each.text, each.found, each.verdict, each.see] for each in _claims(evidence)],
                 "llll",
-                "What is claimed",
+                "Claims",
                 stack=True,
             ),
             Paragraph(

@@ -1,4 +1,4 @@
-"""What accuracy costs: levels of the model, and elements of a contact."""
+"""The cost of accuracy: levels of the model, and elements of a contact."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from qsbearing.documents.model import Block, Paragraph, Section
 def section(evidence: Evidence) -> Section:
     """Time and memory against accuracy."""
     return Section(
-        "What accuracy costs",
+        "Cost of accuracy",
         [
             Section("Levels of the model", _levels(evidence.model_cost, evidence.auto_accuracy)),
             Section("Elements of one contact", _elements(evidence.cost)),
@@ -54,7 +54,7 @@ def _elements(kept: Kept | None) -> list[Block]:
     figure = cost_picture.draw(found)
     drawn = picture(
         figure, "Worst error against time in double logarithms, a line for every family of elements.",
-        "Error against time, by element family and mesh", 0.7,
+        "Error of one contact against its time, a line for each family of elements", 0.65,
     )  # fmt: skip
     cost_picture.plt.close(figure)
     remark = cost_table.remark(found).replace("`", "")

@@ -20,5 +20,7 @@ def section(evidence: Evidence) -> Section:
         f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
         f"solved: {found['scene']}. As corrected: {found['corrected']}."
     )
-    table = Table(("place", "printed", "correct", "how it shows", "effect on the answer"), rows, "lllll", stack=True)
+    table = Table(
+        ("place", "printed", "correct", "evidence", "effect on the results"), rows, "lllll", "Errors", stack=True
+    )
     return Section("Errors of the source", [Paragraph(words), table, kept.trace], "errata")

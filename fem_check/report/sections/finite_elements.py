@@ -13,12 +13,12 @@ from qsbearing.documents.model import Block, Md, Paragraph, Picture, Section
 VERIFICATION = (
     "Half-spaces and a parabolic gap, where Hertz is exact, so that every per cent of deviation is an error. A row "
     "passes if deviation and uncertainty together stay within a tolerance set before the first run. Contacts of one "
-    "shape are similar at every load: one row stands for all the loads that it names, and says where it is worst."
+    "shape are similar at every load: one row covers all the loads that it names, and says where it is worst."
 )
 COMPARISON = (
-    "Bodies as they are: true grooves, elastic rings, the ball's own position. Here the deviation is the finding, and "
-    "has no tolerance; what has one is the agreement of two methods, the uncertainty of the mesh, and limits. It is "
-    "a comparison of two models, not a measurement."
+    "Bodies as they are: true grooves, elastic rings, the ball's own position. Here the deviation is the result, and "
+    "has no tolerance; tolerances apply to the agreement of two methods, the uncertainty of the mesh, and limits. "
+    "It is a comparison of two models, not a measurement."
 )
 
 
@@ -31,8 +31,8 @@ def _cut_open() -> Picture:
         STRESS.read_bytes(),
         "A ball between its two rings, cut open: stress below both contacts, and the pressure on the ball inside "
         "Hertz's ellipse.",
-        "B218 under 17.8 kN of thrust at 10 000 rpm: von Mises' stress in the plane of symmetry, in logarithms, and "
-        "the pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by "
+        "B218 under 17.8 kN of thrust at 10 000 rpm: von Mises' stress in the plane of symmetry, on a logarithmic "
+        "scale, and the pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by "
         "python -m fem_check.cutaway",
         "png",
         0.85,

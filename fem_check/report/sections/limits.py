@@ -13,7 +13,7 @@ LIMITS = (
     "Rings are rigid but for their contacts unless the effect elastic_rings describes them. A loose or thin housing "
     "lets the outer ring grow: see [the sector with its outside diameter free](#check-bearing-sector), where that "
     "matters more than all else.",
-    "Raceway control is a hypothesis, and so is the friction that carries the gyroscopic moment; each result states "
+    "Raceway control is a hypothesis, and so is the friction that carries the gyroscopic moment; each result gives "
     "the friction coefficient that it needs.",
     "No lubricant film, cage force or friction loss acts on the balls; temperatures are given, not computed.",
     "Contacts are elastic: pressures beyond yield are computed and warned of, not refused.",

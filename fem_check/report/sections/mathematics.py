@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
+from fem_check.report.rows import as_read
 from fem_check.report.sections import checks
 from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
 
@@ -17,9 +18,9 @@ def section(evidence: Evidence) -> Section:
         "Mathematics",
         [
             Paragraph(
-                "Are the equations solved as they stand? The references share no code with the package: the whole "
+                "Are the equations solved correctly? The references share no code with the package: the whole "
                 "system of equations at fifty digits, closed forms derived a second time, and relations that hold "
-                "whatever the numbers are. This is verification: it says nothing of real bearings."
+                "for any numbers. This is verification: it says nothing about real bearings."
             ),
             Section("Fifty-digit solutions", _reference(evidence.reference)),
             *(checks.section(name, evidence.checks[name]) for name in CHECKS if name in evidence.checks),
@@ -33,15 +34,16 @@ def _reference(kept: Kept | None) -> list[Block]:
         return [missing("The comparison with the fifty-digit solutions", "python -m tests.reference.table")]
     rows = [
         [
-            each["case"], each["what"], *(f"{each[name]:.1e}" for name in ("loads", "angles", "displacements")),
-            f"{each['stiffness']:.1e}", Badge(each["verdict"]),
+            each["case"], as_read(each["what"]),
+            *(f"{each[name]:.1e}" for name in ("loads", "angles", "displacements", "stiffness")),
+            Badge(each["verdict"]),
         ]
         for each in kept.data["cases"]
     ]  # fmt: skip
-    headings = ("scene", "what is hard about it", "loads", "angles", "displacements", "stiffness", "verdict")
+    headings = ("scene", "difficulty", "loads", "angles", "displacements", "stiffness", "verdict")
     words = (
-        f"{len(rows)} scenes, each solved with four unknowns a ball by mpmath. Largest relative errors of what "
-        f"`qsbearing.solve` says; the tolerance is {kept.data['tolerance']:g}: {kept.data['why_tolerance']}."
+        f"{len(rows)} scenes, each solved by mpmath with four unknowns per ball. The table shows the largest relative "
+        f"errors of `qsbearing.solve`; the tolerance is {kept.data['tolerance']:g}: {kept.data['why_tolerance']}."
     )
     return [
         Paragraph(words.replace("`", "")),
@@ -58,8 +60,8 @@ def _relations(kept: Kept | None) -> list[Block]:
         for each in kept.data["files"]
     ]
     words = (
-        "Symmetries, limits, energy, derivatives, motion: each test states a relation and holds random or named scenes "
-        "to it, without a number that was computed before."
+        "Symmetries, limits, energy, derivatives, motion: each test checks a relation on random or named "
+        "scenes, without numbers that were computed before."
     )
-    table = Table(("file", "what must hold", "passed", "failed", "verdict"), rows, "llrrl", stack=True)
+    table = Table(("file", "relation", "passed", "failed", "verdict"), rows, "llrrl", "Tests of relations", stack=True)
     return [Paragraph(words), table, kept.trace]

@@ -18,5 +18,9 @@ def section(kept: Kept) -> Section:
         for name, done in kept.data["steps"].items()
     ]
     told = f"One run at commit {kept.data['commit']}, {kept.data['level']} level; pass: the step made its records."
-    blocks: list[Block] = [Paragraph(told), Table(("step", "s", "why not", ""), rows, "lrll", stack=True), kept.trace]
+    blocks: list[Block] = [
+        Paragraph(told),
+        Table(("step", "time, s", "error", "verdict"), rows, "lrll", "Steps", stack=True),
+        kept.trace,
+    ]
     return Section("Release run", blocks, "release-run")

@@ -22,7 +22,7 @@ def section(evidence: Evidence) -> Section:
                 Md(
                     "The report formats records and computes nothing. Beside it, `validation_report.csv` and "
                     "`validation_report.json` have every row for other programs, with references, tolerances and "
-                    "reasons. The finite elements, and the report from the records that they leave, are made by"
+                    "reasons. The finite elements, and the report from the records that they leave, are made by:"
                 )
             ),
             Code("\n".join(lines), "sh"),

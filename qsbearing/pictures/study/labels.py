@@ -25,6 +25,8 @@ _NAMES = {
     "life_basic_reference_rating_life": "basic reference rating life",
     "life_modified_reference_rating_life": "modified reference rating life",
     "life_basic_rating_life": "basic rating life",
+    "life_inner_life": "life of the inner raceway",
+    "life_outer_life": "life of the outer raceway",
     "film_film_parameter": "film parameter",
     "balls_off_inner": "balls off the inner raceway",
     "least_loaded_azimuth": "azimuth of the least loaded ball",
