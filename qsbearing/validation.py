@@ -88,7 +88,7 @@ class ErrorDetail:
 
 
 class SceneError(ValueError):
-    """An input that describes no bearing or no operation; `errors` holds every reason found."""
+    """Invalid input; `errors` holds every reason found."""
 
     def __init__(self, errors: Iterable[ErrorDetail]) -> None:
         self.errors = tuple(errors)

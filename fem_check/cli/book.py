@@ -41,7 +41,7 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
     except book.UnknownCaseError as problem:
         refuse(str(problem))
     except OSError as problem:
-        refuse(f"the book in {out} cannot be written: {problem}")
+        refuse(f"--out {out}: the book cannot be written: {problem.strerror or problem}")
     if as_json:
         for entry in found:
             print(json.dumps(entry))

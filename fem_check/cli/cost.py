@@ -49,7 +49,7 @@ def cost(level: str, out: Path, as_json: bool) -> None:
     except (meshing.MeshError, runner.BadInputError, ValueError) as problem:
         refuse(str(problem))
     except OSError as problem:
-        refuse(f"{path.parent} cannot be written: {problem}")
+        refuse(f"--out {out}: {path.parent} cannot be written: {problem.strerror or problem}")
     if as_json:
         print(json.dumps(found))
         return

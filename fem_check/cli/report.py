@@ -44,7 +44,9 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
         folder = records or (out if records_store.read_all(out) else records_store.FOLDER)
         found = evidence.read(folder)
         written = files.write(found, None if previous is None else evidence.read(previous, alone=True), out)
-    except (records_store.RecordError, OSError) as problem:
+    except records_store.RecordError as problem:
         refuse(str(problem))
+    except OSError as problem:
+        refuse(f"{problem.filename or out}: cannot be read or written: {problem.strerror or problem}")
     print_wrote(written)
     print_text(f"from the records in {printable(str(folder))}\n")

@@ -77,7 +77,7 @@ def run_checks(
     except KeyboardInterrupt:
         refuse("interrupted" + _kept(finished, out))
     except OSError as problem:
-        refuse(f"the records in {out} cannot be written: {problem}")
+        refuse(f"--out {out}: the records cannot be written: {problem.strerror or problem}")
     if not as_json:
         print_text(f"records: {printable(str(out / level))}\n")
     sys.exit(OUT_OF_TOLERANCE if failed else 0)

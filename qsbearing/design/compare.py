@@ -73,12 +73,12 @@ Source = str | os.PathLike[str] | dict[str, Any]
 
 
 def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
-    """Solve several bearings at the same job.
+    """Solve several bearings under the same operating conditions.
 
     Args:
-        sources: scenes by file, catalogue name, or tables; of each the bearing alone is taken.
-        at: a scene file, or tables, whose operation, preload, effects and readings all of them get, its bearing left
-            aside; None: the first source's. A set's rows take each bearing in turn.
+        sources: scenes by file, catalogue name, or tables; only the bearing of each is used.
+        at: a scene file, or tables, whose operation, preload, effects and readings are used for all bearings, its own
+            bearing left out; None: the first source. If it is a set, each bearing in turn is that of its rows.
 
     Raises:
         SceneFileError: everything that is wrong with any of them, at once.

@@ -81,11 +81,11 @@ def find(
     seed: int = 0,
     progress: Callable[[int, int], object] | None = None,
 ) -> Found:
-    """Look for the numbers of a scene that meet goals and limits.
+    """Find values of a scene's keys that meet goals and limits.
 
-    A sample over the whole box finds the basins, SLSQP of scipy the digits. A result of every ball is that of the ball
-    that is worst off: the largest for `<=`, a goal and `minimise`, the smallest for `>=` and `maximise`. Without a
-    result to minimise or maximise, the point with the most margin to its nearest limit.
+    A sample over all ranges finds the regions of good points, and SLSQP of scipy refines the best of them. Of a result
+    of each ball the worst ball counts: the largest for `<=`, a goal and `minimise`, the smallest for `>=` and
+    `maximise`. Without a result to minimise or maximise, the point with the largest margin to its limits is found.
 
     Args:
         source: a scene or set: its file, catalogue name, tables, or the object.

@@ -42,7 +42,7 @@ from qsbearing.effects.parting import by_friction
 
 
 class RacewayControl(StrEnum):
-    """The raceway without spin."""
+    """How the rotation axis of each ball is determined: by a raceway without spin, or by the least friction power."""
 
     OUTER = "outer"
     """Every ball rolls purely on the outer raceway: tan(beta) = sin(ao)/(cos(ao) + g)."""

@@ -50,8 +50,8 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     """The scene of a TOML file, or a built-in example by its name.
 
     Args:
-        source: a path, or the name of a catalogue entry, such as "b218". A file of that very name goes first. A result,
-            as `qsbearing run --json` prints it (.json) or `qsbearing sweep` writes it (.nc), gives its own input.
+        source: a path, or the name of a catalogue entry, such as "b218". A file with this name has precedence. From a
+            result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that it holds is read.
 
     Raises:
         SceneFileError: everything that is wrong with the file, at once.

@@ -15,7 +15,7 @@ from qsbearing.solution.solution import Solution
 
 
 def message(solution: Solution | SetSolution, index: Index = None) -> str:
-    """One sentence on how a case of a bearing or set ended; of several cases without an index, how many ended how.
+    """One sentence on how a case of a bearing or set ended; for several without an index, how many have each status.
 
     Args:
         index: the case, along the solution's case axes; negative numbers count from the end.
@@ -29,13 +29,13 @@ def message(solution: Solution | SetSolution, index: Index = None) -> str:
 
 
 def warnings(solution: Solution | SetSolution, index: Index = None) -> list[RankedWarning]:
-    """Sentences on what to beware of in the numbers of a case of a bearing or set; empty where there is nothing.
+    """Warnings about the results of a case of a bearing or set; an empty list if there are none.
 
-    First what says that the model is wrong for the case, then what to check of the data, then what is good to know;
-    each sentence has its `rank`, and in `see` the page of the guide that has more.
+    Those that say that the model does not describe the case come first, then those on input data to check, then
+    remarks. Each warning is a sentence with a `rank`, and `see` names the page of the guide that explains it.
 
-    Of several cases without an index, one sentence for each kind of warning: how many cases have it, which is the
-    first, and what there is to say about that one.
+    For several cases without an index, there is one sentence for each kind of warning: how many cases have it, which
+    case is the first, and the warning of that case.
 
     Args:
         index: the case, along the solution's case axes; negative numbers count from the end.

@@ -35,7 +35,7 @@ def to_ross(
     Args:
         stiffness: of one case (5, 5), or over the speed (speed, 5, 5); SI, in the order x, y, z, tilt y, tilt z of a
             solution, x being the shaft's axis.
-        speed: of the shaft [rad/s]; rising where there are several. ROSS interpolates by cubics and goes on beyond
+        speed: of the shaft [rad/s]; rising where there are several. ROSS interpolates by cubics and extrapolates beyond
             both ends, ROSS 3 by straight lines: give speeds that span those of the rotor's analysis.
         n: node of the shaft.
         tilt: "included": the whole matrix. "held": ROSS's own element, with the stiffness at a slope of zero.

@@ -40,11 +40,11 @@ _TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, 
 
 @dataclass(frozen=True)
 class Operation:
-    """Speeds and loads on the inner ring; the outer ring is fixed. SI units, radians; arrays span cases.
+    """Speeds and the load on the inner ring; the outer ring stays in its place. SI units, radians; arrays span cases.
 
     x is the bearing axis, y and z are radial, tilts are right-handed about y and z. A channel with neither load nor
     displacement carries no load and is free to move. With a radial load or displacement the tilt that it
-    causes must be stated, free (moment 0) or fixed (tilt 0): the two give very different bearings.
+    causes must be given too, free (moment 0) or fixed (tilt 0): the results differ widely.
 
     Of a bearing alone (`Scene`), moments are about the point of the axis in the plane of the inner groove centres, and
     displacements are those of this point. Of a set's shaft (`BearingSet`) it is the set's reference position, counted

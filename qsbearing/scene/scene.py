@@ -66,7 +66,7 @@ CHOICES: dict[str, type[StrEnum]] = {
 
 @dataclass(frozen=True)
 class Scene(InNotebooks):
-    """All that a solve needs. An effect that is not named here is not evaluated.
+    """All the input of a solve. An effect that is not named here is not simulated.
 
     Raises:
         SceneError: parts that do not fit together; every error, at once.

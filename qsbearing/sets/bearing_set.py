@@ -77,7 +77,7 @@ class BearingSet(InNotebooks):
     """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
 
     The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and
-    tilts are those of the shaft there. A row at x has there the shaft's displacement and, from its tilts,
+    tilts are those of the shaft there. A row at x moves as the shaft does there; from the tilts it gets
 
         y + tilt_z (x - reference),      z - tilt_y (x - reference).
 
@@ -91,7 +91,7 @@ class BearingSet(InNotebooks):
         rigid: the axial load of the rows of either direction together at rest and cold, before fitting; the rings are
             then held;
         mounted: likewise after fitting, at the reference temperature;
-        axial_displacement: how far both directions together are pressed from touching, half of it each; held likewise;
+        axial_displacement: how far both directions together are pressed beyond first contact, half each; also held;
         spring: the force on the outer rings of the sprung rows, which slide together.
     It leaves the shaft's axial channel free for a load or a displacement of its own.
 

@@ -52,7 +52,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
         At most one of each row and state; empty where every row's preload is maintained.
 
     Raises:
-        SceneError: a highest speed that is none, arrays in the set, or rows that all carry in one direction.
+        SceneError: a highest speed that is not positive, arrays in the set, or rows that all carry in one direction.
     """
     found = firsts(speed_changes(of, highest_speed, threads))
     return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in found]
@@ -100,7 +100,7 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
         At most one of each row and state, the least first; empty where all rows keep their preload.
 
     Raises:
-        SceneError: a highest multiple that is none, arrays in the set, no load, or rows that all carry in one
+        SceneError: a highest multiple that is not positive, arrays in the set, no load, or rows that all carry in one
             direction.
     """
     found = firsts(load_changes(of, highest, threads))

@@ -44,7 +44,7 @@ class SetSolution(Plotted):
     """Solved cases of a set. Arrays lead with the case axes: none for a single case.
 
     Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
-    units and radians. Cases that did not converge hold NaN; `qs.message` says why and which row gives way.
+    units and radians. Cases that did not converge hold NaN; `qs.message` says why and which row has no solution.
     """
 
     def __init__(
@@ -107,8 +107,8 @@ class SetSolution(Plotted):
         return "\n".join(lines)
 
     def message(self, index: Index = None) -> str:
-        """A sentence or two on how a case ended, and which row gives way; of several cases without an index, how many
-        ended how.
+        """A sentence or two on how a case ended, and which row has no solution; for several cases without an index, the
+        number of cases with each status.
 
         Raises:
             ValueError: the index does not name one case of this solution.
@@ -272,7 +272,7 @@ class SetSolution(Plotted):
 
     @cached_property
     def points(self) -> dict[str, ShaftPoint]:
-        """The shaft's named points: deflection, compliance, and what gives way there."""
+        """The shaft's named points: deflection, compliance, and the parts that contribute to it."""
         return {} if self.set.shaft is None else {name: self.point(at) for name, at in self.set.shaft.points.items()}
 
     def point(self, position: float) -> ShaftPoint:

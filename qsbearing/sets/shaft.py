@@ -75,7 +75,7 @@ class ShaftSupport:
 
 @dataclass(frozen=True)
 class HousingStiffness:
-    """What an outer ring sits in, as linear springs about the plane of the balls' centres; None is rigid.
+    """The elastic support of an outer ring: linear springs about the plane of the balls' centres; None is rigid.
 
     Raises:
         SceneError: neither a stiffness, nor one that is positive; a matrix beside others, or one that is not symmetric
@@ -124,7 +124,7 @@ def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
 
 @dataclass(frozen=True)
 class Housing:
-    """The body that outer rings are in, as it grows along the shaft; SI units.
+    """The body around the outer rings, which expands along the shaft; SI units.
 
     Raises:
         SceneError: every error, at once.
@@ -154,8 +154,8 @@ class Housing:
 class Spacer:
     """Sleeves between two rows, on the shaft and in the housing; SI units, lengths and temperatures may be arrays.
 
-    Both lengths given, their difference parts the inner rings further than the outer ones: it presses the pair, or
-    releases it. One of them alone only grows.
+    If both lengths are given, their difference moves the inner rings further apart than the outer ones, and so presses
+    or releases the pair. A single length only expands with temperature.
 
     Raises:
         SceneError: every error, at once.
@@ -190,7 +190,7 @@ class Spacer:
 class FloatingGroup:
     """Rows whose outer rings sit in one sleeve that slides along the housing; SI units.
 
-    The housing holds it radially alone: what the rows carry axially adds up to the spring's force.
+    The housing holds the sleeve only radially: the axial loads of its rows add up to the force of the spring.
 
     Raises:
         SceneError: a force that is no number.

@@ -34,7 +34,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
 
     Returns:
         SetSolution: raises nothing for a physical outcome; `status` and `message` say what happened and which row
-        gives way.
+        has no solution.
 
     Raises:
         ValueError: array fields that do not broadcast, a tolerance or thread count out of range.

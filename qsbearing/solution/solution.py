@@ -513,7 +513,7 @@ class Solution(Plotted):
 
 
 def stiffness(scene: Scene, solution: Solution) -> NDArray:
-    """`solution.stiffness`, after a look at whether the solution is one of this scene.
+    """`solution.stiffness`, after a check that the solution belongs to this scene.
 
     Raises:
         ValueError: the solution belongs to another scene.

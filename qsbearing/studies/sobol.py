@@ -52,7 +52,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
         no solution; the attribute `unsolved` counts those.
 
     Raises:
-        SceneFileError: nothing varies at random, an axis is there beside, or the study is wrong; every error at once.
+        SceneFileError: nothing varies at random, a key has listed values, or the study is wrong; every error at once.
         ImportError: xarray is not installed (the `studies` extra).
     """
     import xarray

@@ -225,7 +225,7 @@ class Store:
 
 
 def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
-    """The results of a sweep, read from the disk as they are used, and as often; `.load()` keeps them in memory.
+    """The results of a sweep, read from the disk each time they are used; `.load()` keeps them in memory.
 
     Raises:
         SceneFileError: no file, or none that this version reads.

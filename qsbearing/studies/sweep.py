@@ -48,19 +48,20 @@ def sweep(
     Args:
         executor: anything of the interface of `concurrent.futures`, such as a process pool or the executor of a Dask
             client; None: this machine's cores.
-        out: a netCDF file to write, at the end also over one that is there. Finished chunks are kept beside it until
-            all are there, so that nothing finished is lost, and the memory is bounded whatever the number of points.
-        resume: go on with the chunks that an earlier run left there; the file is the same in the end.
+        out: a netCDF file to write; an existing file is replaced at the end. Finished chunks are kept next to it until
+            all are finished, so that none is lost, and the memory does not grow with the number of points.
+        resume: continue with the chunks that an earlier run left there; the resulting file is the same.
         progress: called after each chunk with the points done and all points.
 
     Returns:
         xarray.Dataset: the results in the units of files, with `units` on each; the varied keys are coordinates.
             `status` and `reason` say of each point how it ended: a point that describes no bearing ("impossible"), or
-            that has no equilibrium, holds NaN and stops nothing. With `out` it is read from there as it is used.
+            that has no equilibrium, holds NaN and does not stop the sweep. With `out`, the results are read from there
+            as they are used.
 
     Raises:
         SceneError: the study is wrong whatever the point; every error, at once. Or `out` cannot be written, or another
-            run is at work on it.
+            run is using it.
         TimeoutError: a Dask cluster has had no worker for a minute.
         ImportError: xarray is not installed (the `studies` extra).
     """

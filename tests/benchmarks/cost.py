@@ -62,9 +62,10 @@ def table(found: dict[str, Any]) -> str:
         lines.append(f"| {' | '.join([level.text, *times, *errors])} |")
     lines += [
         "",
-        "Each line adds to the one above. Errors against the last: displacement, loads and angles / pressures. "
-        f"Processor time, medians of {settings['rounds']} rounds in each of {settings['processes']} processes, in "
-        f"brackets 5 % to 95 % of them; {machine['processor']}, {machine['cores']} cores, Python {machine['python']}, "
+        "Each line adds one effect to the line above. The last four columns give the relative errors against the last "
+        "line: of displacement, loads and angles / of pressures. Times are processor times: medians of "
+        f"{settings['rounds']} rounds in each of {settings['processes']} processes, with the range from 5 % to 95 % of "
+        f"them in brackets. Measured on {machine['processor']}, {machine['cores']} cores, Python {machine['python']}, "
         f"numba {machine['numba']}, load average {machine['load_average']:g} at the start.",
         "",
         _trial(),
@@ -77,10 +78,11 @@ def _trial() -> str:
     trial = json.loads(auto_accuracy.RECORD.read_text(encoding="utf-8"))
     kept, worst = trial["within_tolerance"], trial["worst"][0]
     return (
-        f'Of {trial["scenes"]} random operating points, `effects = "auto"` at {trial["tolerance"]:g} kept every answer '
-        f"within it in {kept} and left something out in {trial['something_left_out']}; the worst is off by "
-        f"{worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). {trial['solved_once']} were decided by "
-        f"indicators alone, with one solve; on average it took {trial['solves_mean']:g}."
+        f'Of {trial["scenes"]} random operating points, `effects = "auto"` at {trial["tolerance"]:g} kept all results '
+        f"within this tolerance at {kept}, and left out at least one effect at {trial['something_left_out']}. The "
+        f"largest error is {worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). At {trial['solved_once']} "
+        f"points the indicators were sufficient, with one solution; on average, {trial['solves_mean']:g} "
+        "solutions were needed."
     )
 
 

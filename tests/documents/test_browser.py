@@ -15,6 +15,11 @@ from tests.documents.example import document
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 
+MATHML = {
+    "mrow", "mi", "mn", "mo", "mtext", "mspace", "mstyle", "mfrac", "msqrt", "msub", "msup", "msubsup", "munder",
+    "munderover",
+}  # fmt: skip
+"""Elements that MathML Core knows: a browser shows others as a row of letters."""
 NAMES = (
     "[...document.querySelectorAll('table[data-tools] tbody tr')].filter(r => r.checkVisibility())"
     ".map(r => r.cells[0].textContent)"
@@ -94,6 +99,9 @@ def test_formulas_of_the_guide_are_drawn_and_links_lead_somewhere(browser: Brows
     browser.open(guide)
     assert browser.value(DEAD) == []
     assert browser.value("document.querySelectorAll('math').length") > 150
+    used = browser.value("[...document.querySelectorAll('math *')].map(e => e.tagName)")
+    assert set(used) <= MATHML
+    assert used.count("mfrac") > 20 and used.count("msub") > 100 and used.count("msqrt") > 0
     assert browser.value(
         "[...document.querySelectorAll('mfrac')].every(e => e.children[0].getBoundingClientRect().bottom"
         " <= e.children[1].getBoundingClientRect().top + 1)"

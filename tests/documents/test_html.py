@@ -65,7 +65,7 @@ def test_no_line_ends_within_an_option_or_between_a_formula_and_its_full_stop() 
 
 
 def test_a_command_is_shown_and_copied_as_it_is_written() -> None:
-    lines = 'run "a & b" --out x  # it writes x\n\n# and <this>\nrun --csv y'
+    lines = 'run "a & b" --out x  # it writes x\n\n# and <this>\nrun --csv y > <z>'
     text = html(Document("One", "two", [Section("Three", [Code(lines, "sh")])]))
     assert lines + "\n" in Page.of(text).text
     assert text.count('class="c1"') == 2

@@ -143,7 +143,7 @@ def test_rings_take_their_seat_from_the_shaft() -> None:
     bores = (20 * qs.mm, 20 * qs.mm, 30 * qs.mm, 30 * qs.mm)
     for row, bore in zip(of.rows, bores, strict=True):
         assert of.effects_of(row) == (qs.RingExpansion(**seat, **given, shaft_bore_diameter=bore),)
-    with pytest.raises(qs.SceneError, match=r"another than shaft\.temperature"):
+    with pytest.raises(qs.SceneError, match=r"differs from shaft\.temperature"):
         replace(of, ring_effects=(qs.RingExpansion(**seat, shaft_temperature=WARM + 5.0),))
 
 
