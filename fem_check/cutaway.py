@@ -137,9 +137,11 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
     plotter.set_background("white")
     most = max(body.pressure.max() for body in found.values())
     bar = {
-        "vertical": False, "width": 0.56, "height": 0.08, "position_x": 0.22, "position_y": 0.02, "color": "black",
-        "fmt": "%.0f", "title_font_size": 17, "label_font_size": 15,
+        "vertical": False, "width": 0.56, "height": 0.08, "position_x": 0.22, "position_y": 0.06, "color": "black",
+        "fmt": "%.0f", "label_font_size": 15,
     }  # fmt: skip
+    # Titles of its own a bar writes over its numbers; a different blank each keeps the two bars apart.
+    words = {"position": "lower_edge", "color": "black", "font_size": 8}
     look = {
         "cmap": LinearSegmentedColormap.from_list("steel", COLOURS),
         "ambient": 0.4,
@@ -153,20 +155,22 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
         # The field falls off as the square of the distance: in logarithms all of it is seen.
         plotter.add_mesh(
             surface, scalars="stress", clim=(LEAST * most, MOST * most), log_scale=True, split_sharp_edges=True,
-            show_scalar_bar=name == "ball", scalar_bar_args=bar | {"title": "von Mises stress, MPa", "n_labels": 3},
+            show_scalar_bar=name == "ball", scalar_bar_args=bar | {"title": "", "n_labels": 3},
             **look,
         )  # fmt: skip
+    plotter.add_text("von Mises stress, MPa", **words)
     plotter.camera_position = [centre + SIDE, centre + DOWN, (0.0, 1.0, 0.0)]
     plotter.subplot(0, 1)
     half = surfaces["ball"]
     for surface in (half, half.reflect((0.0, 0.0, 1.0), point=(0.0, 0.0, 0.0))):
         plotter.add_mesh(
             surface, scalars="pressure", clim=(0.0, most), split_sharp_edges=True, show_scalar_bar=surface is half,
-            scalar_bar_args=bar | {"title": "contact pressure, MPa. Line: Hertz's ellipse", "n_labels": 4}, **look,
+            scalar_bar_args=bar | {"title": " ", "n_labels": 4}, **look,
         )  # fmt: skip
     angle = np.linspace(0.0, 2.0 * np.pi, 181)[:, None]
     line = contact - centre + np.cos(angle) * major + np.sin(angle) * minor
     line *= 1.003 * np.linalg.norm(contact - centre) / np.linalg.norm(line, axis=1)[:, None]
+    plotter.add_text("contact pressure, MPa. Line: Hertz's ellipse", **words)
     plotter.add_mesh(pv.lines_from_points(centre + line), color="black", line_width=3)
     away = (contact - centre) / np.linalg.norm(contact - centre)
     plotter.camera_position = [contact + 13.0 * away + ASIDE, contact, (0.0, 0.0, 1.0)]

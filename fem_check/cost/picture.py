@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fem_check.cost.mesh_choice import choices
 
 MARKS = "os^Dv"
+ASIDE = 10.0
+"""From a point to the middle of its number [pt]."""
 
 
 def draw(record: dict[str, Any]) -> Figure:
@@ -29,11 +34,8 @@ def draw(record: dict[str, Any]) -> Figure:
             linewidth=2.2 if index == 0 else 1.0,
             label=family,
         )
-        for entry in entries if index == 0 else []:
-            where = entry["seconds"]["median"], 100.0 * entry["worst_error"]
-            axes.annotate(
-                str(entry["elements_per_semi_axis"]), where, (-4, -12), textcoords="offset points", fontsize=8
-            )
+        if index == 0:
+            numbers = [entry["elements_per_semi_axis"] for entry in entries]
     chosen = choices(record)
     axes.plot(
         [choice.seconds for choice in chosen],
@@ -61,7 +63,27 @@ def draw(record: dict[str, Any]) -> Figure:
         fontsize=8,
     )
     axes.legend(fontsize=7.5)
+    figure.draw_without_rendering()  # before, points have no place in the picture
+    _number_points(axes, numbers)
     return figure
+
+
+def _number_points(axes: Axes, numbers: Sequence[int]) -> None:
+    """Write a number beside each point of the first line, on the side where the lines are farthest."""
+    lines = []
+    for line in axes.lines:
+        corners = line.get_transform().transform(np.asarray(line.get_xydata()))
+        steps = np.arange(0.0, len(corners) - 0.99, 0.01)
+        lines.append(np.column_stack([np.interp(steps, range(len(corners)), part) for part in corners.T]))
+    around = ASIDE * axes.figure.dpi / 72.0 * np.exp(1j * np.radians(np.arange(0.0, 360.0, 15.0)))
+    offsets = np.column_stack([around.real, around.imag])
+    points = np.asarray(axes.lines[0].get_xydata())
+    for number, (x, y), place in zip(numbers, points, lines[0][::100], strict=True):
+        away = [np.linalg.norm(np.vstack(lines) - place - offset, axis=1).min() for offset in offsets]
+        best = offsets[np.argmax(away)] * 72.0 / axes.figure.dpi
+        axes.annotate(
+            str(number), (x, y), tuple(best), textcoords="offset points", fontsize=8, ha="center", va="center"
+        )
 
 
 def png(record: dict[str, Any]) -> bytes:

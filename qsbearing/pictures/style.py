@@ -141,25 +141,31 @@ def line_style(side: str, count: int) -> dict[str, Any]:
 
 
 def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: float) -> None:
-    """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_angle`'s."""
+    """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_places`'s."""
     from matplotlib.ticker import MaxNLocator
 
     circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
     axes.set_rgrids(circles, [""] * len(circles))
     if not np.isfinite(loads).all() or not azimuth.size:
         return
-    angle = np.radians(label_angle(azimuth, loads, circles, top))
+    angle, labelled = label_places(azimuth, loads, circles, top)
     box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4}
-    for value in circles:
-        axes.text(angle, value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
+    for value in labelled:
+        axes.text(np.radians(angle), value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
 
 
 LABEL = (0.11, 0.05)
 """Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
+CLEAR = 1.2
+"""How far from a curve's points a label's centre is, in `LABEL`: the points are drawn as marks."""
 
 
-def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float) -> float:
-    """At which azimuth [deg] the circles of a polar picture are labelled farthest from its curves.
+def label_places(
+    azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float
+) -> tuple[float, list[float]]:
+    """The azimuth [deg] at which most circles of a polar picture have room for a label, and these circles.
+
+    A circle close to a curve all round has no label: the others show the scale. If none has room, all are labelled.
 
     Args:
         azimuth: of the curves' points, once round [rad].
@@ -173,8 +179,15 @@ def label_angle(azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[fl
     at = np.exp(1j * np.radians(tried))[:, None, None] * (np.asarray(circles) / top)[:, None]
     curves = np.concatenate([np.interp(around, azimuth, load, period=2.0 * np.pi) / top for load in loads])
     between = at - curves * np.tile(np.exp(1j * around), len(loads))
-    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1])
-    return float(tried[np.argmax(np.minimum(away.min(axis=(1, 2)), 3.0))])
+    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1]).min(axis=2)
+    is_clear = away >= CLEAR
+    nearest = np.where(is_clear, away, 3.0).min(axis=1, initial=3.0)
+    if not is_clear.any():
+        nearest = away.min(axis=1, initial=3.0)
+    best = np.argmax(is_clear.sum(axis=1) + nearest / 4.0)
+    return float(tried[best]), [
+        value for value, clear in zip(circles, is_clear[best], strict=True) if clear or not is_clear.any()
+    ]
 
 
 def round_length(most: float) -> float:

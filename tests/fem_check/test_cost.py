@@ -170,6 +170,17 @@ def test_the_errors_kept_are_those_made_here(kept):
         assert found[name] == pytest.approx(entry[name], abs=1e-9)
 
 
+def test_no_number_of_the_picture_is_crossed_by_a_line(kept):
+    figure = picture.draw(kept)
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    boxes = [text.get_window_extent() for text in axes.texts if text.get_text().isdigit()]
+    assert boxes
+    for line in axes.lines:
+        path = line.get_transform().transform_path(line.get_path())
+        assert not any(path.intersects_bbox(box, filled=False) for box in boxes), line.get_label()
+
+
 def test_every_number_of_the_picture_and_the_table_is_there(kept):
     figure = picture.draw(kept)
     figure.canvas.draw()
