@@ -14,16 +14,19 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.documents.model import Block, Document, Picture, Section
 
 TEMPLATES = Path(__file__).parent / "templates"
-OPTION = re.compile(r"(?<![\w-])--?[a-z][\w-]*")
-VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?')
+OPTION = re.compile(r"(?<![\w-])(?:--?|[a-z]+-)[a-z][\w-]*")
+"""An option, or another word with a hyphen, at which browsers would end a line."""
+VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?( \\$)?')
 NARROWEST = 46
 """Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
 JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 """Where a long name may be broken."""
 SHORT = 26
 """Letters of code in a sentence that stays on one line."""
-QUANTITY = re.compile(r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)")
-"""The space within a number, and before its unit."""
+QUANTITY = re.compile(
+    r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)|(?<=\bN) (?=m?m\b)"
+)
+"""The space within a number, before its unit, and within that."""
 
 
 def html(document: Document) -> str:
@@ -62,7 +65,7 @@ def _templates() -> Any:
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
-        "unbroken": lambda text: QUANTITY.sub("\N{NO-BREAK SPACE}", text),
+        "unbroken": lambda text: _unbroken(text),
         "closing": _closing,
     }
     return environment
@@ -91,7 +94,10 @@ def _highlighted(text: str, language: str, **_: Any) -> str:
 
 
 def _command(line: str) -> str:
-    """A command's line as HTML: no line ends within an option or its value, nor between them, if they are short."""
+    """A command's line as HTML: no line ends within an option or its value, nor between them, if they are short.
+
+    The backslash that continues a command stays with them.
+    """
     from markupsafe import escape
 
     def short(text: str) -> str:
@@ -100,7 +106,7 @@ def _command(line: str) -> str:
     command, mark, remark = line.partition(" # ") if not line.startswith("#") else ("", "", line)
     shown, after = "", 0
     for found in VALUED.finditer(command):
-        option, value = found[1], found[2] or ""
+        option, value = found[1], (found[2] or "") + (found[3] or "")
         shown += str(escape(command[after : found.start()]))
         shown += short(found[0]) if len(found[0]) <= NARROWEST else f"{short(option)} {short(value[1:])}"
         after = found.end()
@@ -113,13 +119,18 @@ def _whole(text: str) -> str:
 
 
 def _whole_options(code: str) -> str:
-    """Code as HTML in which no line ends within an option, which browsers break at its hyphens."""
+    """Code as HTML in which no line ends at the hyphen of an option or a command."""
     return OPTION.sub(lambda found: _whole(found[0]), code)
 
 
 def _code(text: str) -> str:
     """Code in a sentence as HTML: whole if it is short, else broken between words and at the joints of names."""
     return _whole(text) if len(text) <= SHORT else JOINT.sub(r"\g<0><wbr>", _whole_options(text))
+
+
+def _unbroken(text: str) -> str:
+    """Text in which no line ends within a quantity, which browsers break before µ too."""
+    return QUANTITY.sub("\N{NO-BREAK SPACE}", text).replace("/µ", "/\N{WORD JOINER}µ")
 
 
 def _closing(run: dict[str, Any]) -> str:

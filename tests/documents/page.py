@@ -84,7 +84,9 @@ class Page(HTMLParser):
             if self._open and self._open[-1] == "style" and re.search(r"url\((?!#)|@import", data):
                 self.faults.append("a style is loaded from elsewhere")
             return
-        data = data.replace("\N{NO-BREAK SPACE}", " ")  # it keeps a number and its unit on one line
+        data = data.replace("\N{NO-BREAK SPACE}", " ").replace(
+            "\N{WORD JOINER}", ""
+        )  # they keep a quantity on one line
         self.text += data
         if self.headings and re.search(r"h[1-6]", " ".join(self._open)):
             level, text = self.headings[-1]

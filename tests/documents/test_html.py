@@ -80,6 +80,25 @@ def test_a_number_is_not_parted_from_its_unit() -> None:
     )
 
 
+def test_a_unit_is_not_parted() -> None:
+    text = html(Document("One", "two", [Section("Three", [Paragraph("In N/µm and N m/rad.")])]))
+    assert "In N/\N{WORD JOINER}µm and N\N{NO-BREAK SPACE}m/rad." in text
+
+
+def test_a_command_is_not_parted_at_its_hyphen() -> None:
+    text = html(
+        Document("One", "two", [Section("Three", [Paragraph("See `fem-check run solution_contacts --scene x`.")])])
+    )
+    assert '<span class="whole">fem-check</span> run' in text
+
+
+def test_a_backslash_stays_with_its_option() -> None:
+    long = 'run \\\n  --vary "ball_diameter_mm=normal(22.225,0.0005)" \\\n  --out x \\\n  y'
+    text = html(Document("One", "two", [Section("Three", [Code(long, "sh")])]))
+    assert "0.0005)&#34; \\</span>" in text
+    assert '<span class="whole">--out x \\</span>' in text
+
+
 def test_a_table_or_picture_without_caption_leaves_no_room_for_one() -> None:
     blocks = [Table(("a",), [["1"]]), Picture(curve().data, "a curve")]
     text = html(Document("One", "two", [Section("Three", blocks)]))
