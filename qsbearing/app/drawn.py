@@ -73,11 +73,14 @@ def _stiffness(axes: Axes, solution: Solution) -> None:
 
 
 def _life(axes: Axes, solution: Solution) -> None:
+    from matplotlib.ticker import LogLocator
+
     swept, along, own = _over_speed(solution)
     hours = np.where(swept.converged, take_asked(swept)["life"].duration, np.nan) / HOUR
     hours[~np.isfinite(hours)] = np.nan
     axes.plot(along, hours, color="black")
     axes.set_yscale("log")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter("{x:,.0f}")  # powers of ten as formulas take longer than all the rest
     axes.yaxis.set_minor_formatter(lambda *_: "")
     _finish(axes, along[own], hours[own : own + 1], "life, h", solution)
@@ -94,7 +97,13 @@ PANELS = {
         _of_point(draw_section), (6.4, 5.4), "Section through the ball that carries most.", room=(0.1, 0.0, 0.8, 0.93)
     ),
     "angles": Panel(_of_point(draw_angles), (5.6, 3.4), "Contact angles of every ball by its azimuth."),
-    "loads": Panel(_of_point(draw_loads), (4.4, 4.2), "Contact loads of all balls around the bearing.", "polar"),
+    "loads": Panel(
+        _of_point(draw_loads),
+        (4.4, 4.2),
+        "Contact loads of all balls around the bearing.",
+        "polar",
+        room=(0.15, 0.08, 0.7, 0.72),
+    ),
     "stiffness": Panel(_stiffness, (5.6, 3.4), "Axial and radial stiffness over the speed, this speed marked."),
     "life": Panel(_life, (5.6, 3.4), "Life over the speed, this speed marked."),
     "ellipses": Panel(

@@ -69,7 +69,7 @@ function show(found) {
 
 function fieldOf({path, words, unit, options, low, high, step, is_needed}) {
   const id = path.join("."), value = at(path), row = make("div", {className: "field"});
-  const label = make("label", {htmlFor: id, title: id}, words + (unit ? ` [${unit}]` : ""));
+  const label = make("label", {htmlFor: id, title: id}, words);
   row.append(label);
   if (options) {
     const input = make(options.length ? "select" : "input", {id});
@@ -168,8 +168,8 @@ function effectOf({effect, what, is_in, can, changes, verdict, why}) {
   box.onchange = async () => { await take("switch", {...now, effect, is_on: box.checked}) || (box.checked = is_in); };
   cell.append(box);
   const name = make("td");
-  name.append(make("label", {htmlFor: box.id}, what));
-  row.append(cell, name, ...changes.map(text => make("td", {className: "r"}, text)), make("td", {}, verdict + (why ? `: ${why}` : "")));
+  name.append(make("label", {htmlFor: box.id}, what), make("small", {}, why));
+  row.append(cell, name, ...changes.map(text => make("td", {className: "r"}, text)), make("td", {}, verdict));
   return row;
 }
 
