@@ -87,7 +87,7 @@ def test_a_unit_is_not_parted() -> None:
 
 def test_a_command_is_not_parted_at_its_hyphen() -> None:
     text = html(
-        Document("One", "two", [Section("Three", [Paragraph("See `fem-check run solution_contacts --scene x`.")])])
+        Document("One", "two", [Section("Three", [Paragraph(Md("See `fem-check run solution_contacts --scene x`."))])])
     )
     assert '<span class="whole">fem-check</span> run' in text
 
