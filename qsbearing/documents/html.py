@@ -17,7 +17,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 OPTION = re.compile(r"(?<![\w-])(?:--?|[a-z]+-)[a-z][\w-]*")
 """An option, or another word with a hyphen, at which browsers would end a line."""
 VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?( \\$)?')
-NARROWEST = 46
+NARROWEST = 47
 """Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
 JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 """Where a long name may be broken."""
