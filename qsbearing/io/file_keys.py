@@ -82,9 +82,12 @@ def path_in_file(path: str) -> str:
 
 
 def with_file_keys(sentence: str, path: str) -> str:
-    """A sentence on a path with every Python name replaced by the file's key, but for words in quotation marks."""
+    """A sentence on a path with every Python name replaced by the file's key, but for words in quotation marks.
+
+    A name that is also an ordinary word, such as spring, counts as a name after a dot only: preload.spring.
+    """
     keys = _key_of_field(_is_of_reading(path))
-    names = "|".join(sorted(keys, key=len, reverse=True))
+    names = "|".join(name if "_" in name else rf"(?<=\.){name}" for name in sorted(keys, key=len, reverse=True))
     return re.sub(rf'(?<!")\b({names})\b(?!")', lambda match: keys[match.group()], sentence)
 
 

@@ -13,8 +13,10 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.io import bearing_table, effects_table, scene_file
+from qsbearing.io.file_errors import translate
 from qsbearing.io.scene_file import load_scene
 from qsbearing.scene import keys as scene_keys
+from qsbearing.validation import ErrorDetail
 
 BEARING = {
     "ball_count": "16",
@@ -686,3 +688,11 @@ def test_a_bad_value_does_not_hide_that_its_channel_is_doubled(load: Any) -> Non
     assert len(problems) == 2
     assert "finite" in problems[0]
     assert "never both" in problems[1]
+
+
+def test_words_of_a_sentence_are_no_keys() -> None:
+    """A name of Python is told as the file's key; the same word in a sentence stays a word."""
+    error = ErrorDetail("preload.spring", "is less than the spring allows", cause="Give preload.spring or axial_load")
+    assert str(translate(error)) == (
+        "preload.spring_N: is less than the spring allows\n    Give preload.spring_N or axial_load_N"
+    )
