@@ -11,7 +11,8 @@ from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
 from qsbearing.io.readings_record import taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution
+from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, section
+from qsbearing.pictures.style import carry_alike
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
 
@@ -49,19 +50,30 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
 def _results(solution: Solution) -> Section:
     drawn = [
         picture(
-            load_distribution(solution),
-            "Polar picture of the contact loads of all balls around the bearing.",
-            "Contact loads by the azimuth of each ball, 0 deg on the y axis",
-        ),
-        picture(
-            contact_angles(solution),
-            "Both contact angles of every ball by its azimuth.",
-            "Contact angles by azimuth; the dotted line is the free contact angle",
-        ),
+            section(solution),
+            "Section through the ball with the largest contact load, with the lines of action of its contacts.",
+            "Section through the ball with the largest contact load: contact angles, loads and pressures. Of the rings "
+            "only the grooves are to scale",
+        )
+    ]
+    if not carry_alike(solution, ()):  # else all is the same around the bearing
+        drawn += [
+            picture(
+                load_distribution(solution),
+                "Polar picture of the contact loads of all balls around the bearing.",
+                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
+            ),
+            picture(
+                contact_angles(solution),
+                "Both contact angles of every ball by its azimuth.",
+                "Contact angles by azimuth; the dotted line is the free contact angle",
+            ),
+        ]
+    drawn.append(
         picture(
             contact_ellipses(solution),
             "Outlines of the contact ellipses to one scale, with their maximum pressures.",
             "Contact ellipses of each ball, with their maximum pressures",
-        ),
-    ]
+        )
+    )
     return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])

@@ -73,6 +73,15 @@ def b218(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def test_pictures_by_azimuth_only_where_balls_differ(spindle: Path, b218: Path) -> None:
+    """A section in any report; of a bearing under thrust alone no circles and level lines."""
+    heads = "Section through the ball", "Contact loads by the azimuth", "Contact angles by azimuth", "Contact ellipses"
+    for path, shown in ((spindle / "out", (1, 1, 1, 1)), (b218, (1, 0, 0, 1))):
+        (page,) = path.glob("*.html")
+        text = page.read_text(encoding="utf-8")
+        assert tuple(len(re.findall(f"<figcaption[^>]*>{head}", text)) for head in heads) == shown
+
+
 @cache
 def page_of(folder: Path, name: str) -> Page:
     """Of one report a folder and name."""
