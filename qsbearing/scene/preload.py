@@ -60,9 +60,10 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
     """Every error of a preload."""
     given = [kind for kind in KINDS if getattr(preload, kind) is not None]
     if len(given) != 1:
-        problem = f"is given together with {', '.join(given[1:])}" if given else "is missing"
-        cause = f"A preload is one of {', '.join(KINDS)}"
-        return [ErrorDetail(f"preload.{given[0] if given else KINDS[0]}", problem, cause=cause)]
+        first, *others = (f"preload.{kind}" for kind in given or KINDS)
+        problem = f"is given together with {', '.join(others)}" if given else "is missing"
+        cause = f"Give one of {', '.join(f'preload.{kind}' for kind in KINDS)}"
+        return [ErrorDetail(first, problem, cause=cause)]
     (kind,) = given
     if kind == "axial_displacement":
         return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)

@@ -18,7 +18,7 @@ from tests.documents.browser import Browser, installed
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 
-KEY = r"document.getElementById('key').innerText.replaceAll('\u00a0', ' ')"
+KEY = r"document.getElementById('key').innerText.replaceAll('\u00a0', ' ').replaceAll('\u2060', '')"
 LOAD = "document.getElementById('operation.axial_load_N')"
 SLIDER = "document.querySelector('[data-slides=\"operation.axial_load_N\"]')"
 DIAMETER = "document.getElementById('bearing.ball_diameter_mm')"

@@ -267,7 +267,7 @@ def test_files_have_it_and_results_say_it(tmp_path: Path, key: str, value: float
             "spring_N = 5\n",
             {"operation.axial_displacement_um": "together with a preload"},
         ),
-        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given together with rigid_N"}),
+        ("", "rigid_N = 500\nspring_N = 2\n", {"preload.spring_N": "is given together with preload.rigid_N"}),
         ("", "", {"preload.spring_N": "is missing"}),
         ("", "rigid_kN = 0.5\n", {"preload.rigid_kN": "rigid_N = 500"}),
         ("", "rigid_N = -5\n", {"preload.rigid_N": "is negative"}),
