@@ -150,7 +150,7 @@ class _Notes:
         """The marks of what the rows rest on: where each reference is from, and why its tolerance."""
         texts = [f"Reference: {as_read(row['reference_source'])}" for row in rows]
         for row in rows:
-            why = as_read(row["why_tolerance"] or "").removeprefix("a finding: ")
+            why = re.sub("^a finding(: |$)", "", as_read(row["why_tolerance"] or ""))
             if why:
                 texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {why}")
         return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))

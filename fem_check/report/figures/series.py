@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from fem_check.report.figures.style import HERTZ, Entry, load_axis
+from fem_check.report.figures.style import COLOURS, HERTZ, Entry, load_axis
 from fem_check.report.rows import quantity
 
 
@@ -14,6 +14,7 @@ def load_series(entry: Entry) -> Figure:
     """Deviation from Hertz over the load, one mesh."""
     series = entry["pictures"]["load_series"]
     figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
+    axes.set_prop_cycle(color=COLOURS)
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max_shear_stress"):
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
         axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=quantity(name))
@@ -42,7 +43,7 @@ def convergence(entry: Entry) -> Figure:
     series = entry["pictures"]["convergence"]
     figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
     for index, name in enumerate(("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")):
-        colour = f"C{index}"
+        colour = COLOURS[index]
         label = quantity(name)
         axes.loglog(series["size"], 100.0 * np.asarray(series["rms_error"][name]), "o-", color=colour, label=label)
         axes.loglog(
@@ -91,6 +92,7 @@ def conformity(entry: Entry) -> Figure:
     """Worst deviation over load for each groove."""
     series = entry["pictures"]["conformity"]
     figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    axes.set_prop_cycle(color=COLOURS)
     for coefficient, curve in series["curves"].items():
         worst = np.max(np.abs(np.asarray(list(curve.values()))), axis=0)
         axes.loglog(series["load_N"], worst, "o-", markersize=3, label=f"f = {coefficient}")

@@ -15,7 +15,7 @@ Entry = dict[str, Any]
 INCHES = 11.0
 """Width of a figure that would fill the page."""
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9")
 """Of series, in turn: told apart by every kind of colour vision."""
 FOUND: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
 
