@@ -139,7 +139,8 @@ def _through(plan: Plan, numbers: list[int], executor: Executor, workers: int) -
                     break
             if not running:
                 return
-            for future in _done(running, executor):
+            # Those that failed last: what was solved beside them is not lost.
+            for future in sorted(_done(running, executor), key=lambda each: each.exception() is not None):
                 yield running.pop(future), future.result()
     finally:
         for future in running:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import subprocess
 import sys
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import ALL_COMPLETED, FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -294,9 +294,12 @@ def test_a_file_holds_what_memory_holds(tmp_path: Path, whole: object) -> None:
     assert [file.name for file in tmp_path.iterdir()] == ["r.nc"]
 
 
+@pytest.mark.parametrize("looked", [FIRST_COMPLETED, ALL_COMPLETED])
 def test_an_interrupted_sweep_goes_on_to_the_identical_file(
-    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, looked: str
 ) -> None:
+    """Also where other chunks have failed by the time that the finished ones are looked at."""
+    monkeypatch.setattr(sweeping, "FIRST_COMPLETED", looked)
     study = Study.of(COMBINED, MANY, samples=20)
     sweep(study, out=tmp_path / "whole.nc").close()
     solve = chunks.solve_points
