@@ -145,7 +145,10 @@ def ending(found: dict[str, Any]) -> list[Block]:
     """How the case of a record ended."""
     status = found["status"].replace("_", " ").capitalize()
     if found["status"] != "converged":
-        return [Remark(status, "fail", status, "red"), Paragraph(found["message"])]
+        message = found["message"]
+        if message.startswith(status):
+            return [Remark(message, "fail", status, "red")]
+        return [Remark(status, "fail", status, "red"), Paragraph(message)]
     took = f"{status} in {found['iterations']} iterations, {duration(found['seconds'])}"
     told = f"{took}; largest imbalance {found['residual']:.1e} of the largest force"
     return [Remark(told, "pass", status, "green")]

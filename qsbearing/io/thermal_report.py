@@ -73,12 +73,22 @@ SHOWN = 12
 
 def speeds_table(found: dict[str, Any]) -> Table:
     """Of the record of steady states over speed."""
-    fold = found["fold"]
-    rows = [(f"{each['speed_rpm']:.5g}", each, "") for each in _thinned(found["states"])]
-    if fold is not None:
-        place = max(range(len(rows)), key=lambda number: float(rows[number][1]["speed_rpm"]))
-        rows.insert(place + 1, (f"{fold['speed_rpm']:.5g}", fold, "the curve turns back"))
+    states, fold = along_curve({**found, "states": _thinned(found["states"])})
+    rows = [
+        (f"{each['speed_rpm']:.5g}", each, "the curve turns back" if number == fold else "")
+        for number, each in enumerate(states)
+    ]
     return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
+
+
+def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
+    """The states of the record of steady states over speed with the fold among them, and the fold's place."""
+    states, fold = list(found["states"]), found["fold"]
+    if fold is None:
+        return states, None
+    fastest = max(range(len(states)), key=lambda number: float(states[number]["speed_rpm"]))
+    place = fastest + (fold["power_W"] > states[fastest]["power_W"])  # the power grows along the curve
+    return [*states[:place], fold, *states[place:]], place
 
 
 def course_table(found: dict[str, Any]) -> Table:

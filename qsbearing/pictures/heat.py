@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.io.thermal_report import hottest, instant
+from qsbearing.io.thermal_report import along_curve, hottest, instant
 from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain, write_above
 
 if TYPE_CHECKING:
@@ -24,11 +24,9 @@ def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
         title: names the bearing.
     """
     figure, axes = _two("speed, rpm", title)
-    states, fold = found["states"], found["fold"]
-    speeds = [each["speed_rpm"] for each in states]
-    at_fold = len(speeds) if fold is None else speeds.index(max(speeds)) + 1
-    marked = states if fold is None else [*states[:at_fold], fold, *states[at_fold:]]
-    _draw(axes, marked, [each["speed_rpm"] for each in marked], None if fold is None else at_fold)
+    fold = found["fold"]
+    states, at_fold = along_curve(found)
+    _draw(axes, states, [each["speed_rpm"] for each in states], at_fold)
     for each in axes:
         each.axvline(own, color=GREY, linewidth=0.8, linestyle=":", label="the scene's speed")
         if fold is not None:

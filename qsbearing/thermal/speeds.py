@@ -27,6 +27,9 @@ TURN, SHARPEST, FARTHEST = 0.12, 0.25, 1.0
 COARSE = 0.005
 """A step that is not small."""
 MOST_POINTS = 200
+BEND, SHORT = 0.1, 0.02
+"""Of the curve of temperature over speed, both from 0 to 1: an angle [rad] that is seen as a kink, and the length of a
+chord too short for that."""
 
 
 class _Curve:
@@ -103,13 +106,33 @@ def follow_speeds(heated: Heated, until: float) -> SpeedCurve:
     at_limit = _where(curve, points, lambda y: curve.hottest(y) - limit)
     kept = [point for point in points if curve.hottest(point) <= limit]
     crossing = next((point for point in kept if point[-1] >= 1.0), None)
-    states = [curve.state(point) for point in kept]
+    states = [curve.state(point) for point in _smooth(curve, kept)]
     return SpeedCurve(
         (*states, *([] if at_limit is None else [curve.state(at_limit)])),
         None if fold is None else curve.state(fold),
         None if at_limit is None else curve.state(at_limit),
         None if crossing is None else curve.state(crossing),
     )
+
+
+def _smooth(curve: _Curve, points: list[NDArray]) -> list[NDArray]:
+    """These points with more of the curve between them, until it bends little from chord to chord."""
+    cold = float(curve.cold.max())
+    room = curve.heated.system.thermal.limit_temperature - cold
+    while len(points) > 2:
+        most = max(point[-1] for point in points)
+        chords = np.diff([(point[-1] / most, (curve.hottest(point) - cold) / room) for point in points], axis=0)
+        heading = np.unwrap(np.arctan2(chords[:, 1], chords[:, 0]))
+        bend = np.pad(np.abs(np.diff(heading)), 1)
+        is_coarse = (np.maximum(bend[:-1], bend[1:]) > BEND) & (np.hypot(*chords.T) > SHORT)
+        finer = points[:1]
+        for before, after, coarse in zip(points, points[1:], is_coarse, strict=False):
+            between = curve.corrected(0.5 * (before + after), after - before) if coarse else None
+            finer += [after] if between is None else [between, after]
+        if len(finer) == len(points) or len(finer) > MOST_POINTS:
+            return points
+        points = finer
+    return points
 
 
 def _angle(one: NDArray, other: NDArray) -> float:

@@ -18,6 +18,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
+from qsbearing.io.thermal_report import along_curve, speeds_record
 from qsbearing.studies.variables import VariableError, variable_of
 from qsbearing.thermal.state import ThermalState
 from tests.thermal.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
@@ -150,6 +151,20 @@ def test_the_preload_runs_away_where_states_followed_from_below_end() -> None:
     assert max(each.factor for each in curve.states) < 1.0
     below = qs.solve(replace(of, operation=replace(of.operation, speed=0.999 * low)))
     assert 0.9 < float(state_of(below).feedback) < 1.0
+
+
+def test_the_curve_over_speed_has_no_kink_and_the_fold_in_its_place() -> None:
+    """Drawn over the whole of its speeds and temperatures, it turns in short steps only; heat grows along it."""
+    found = speeds_record(state_of(qs.solve(scene(operation={"speed_rpm": 9_000}))))
+    states, fold = along_curve(found)
+    assert states[fold] == found["fold"]
+    assert np.diff([each["power_W"] for each in states]).min() > 0.0
+    at = np.array([(each["speed_rpm"], max(each["temperatures_C"].values())) for each in states])
+    chords = np.diff((at - at.min(axis=0)) / np.ptp(at, axis=0), axis=0)
+    length, heading = np.hypot(*chords.T), np.unwrap(np.arctan2(chords[:, 1], chords[:, 0]))
+    bend = np.abs(np.diff(heading))
+    assert bend.sum() > 0.5 * np.pi
+    assert np.maximum(length[1:], length[:-1])[bend > 0.2].max(initial=0.0) < 0.03
 
 
 def test_a_bearing_that_only_gets_hot_does_not_run_away() -> None:
