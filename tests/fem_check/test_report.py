@@ -200,6 +200,25 @@ def test_the_name_of_a_case_with_several_rows_is_above_them() -> None:
     assert not isinstance(table.rows[0], Group)
 
 
+def test_parts_of_deviations_are_a_table() -> None:
+    """Where the reason of each finding side by side lists them; else the reasons are footnotes."""
+    why = "a finding: gap's shape +0.1 ± 0.2 %, finite bodies and mesh -1.287 ± 0.180 %"
+    rows = [
+        Row(case, name, "1", 1.0, "a book", 1.1, 0.1, None, why).as_dict()
+        for case in ("one", "two", "three")
+        for name in ("max_pressure", "approach")
+    ]
+    beside, parts = agreement(rows)
+    assert [text for _, text in beside.notes] == ["Reference: a book"]
+    assert list(parts.headings) == ["quantity", "gap's shape, %", "finite bodies and mesh, %"]
+    assert parts.rows[:2] == [Group("one"), ["p0", "+0.1 ± 0.2", "-1.287 ± 0.180"]]
+    rows = [row | {"why_tolerance": why.replace("gap", row["quantity"])} for row in rows]
+    assert [len(row) for row in agreement(rows)[1].rows] == [5, 5, 5], "a row for each case, if its quantities differ"
+    rows[0]["why_tolerance"] = "a finding: 3 ± 1 % of something, more or less"
+    (beside,) = agreement(rows)
+    assert "Finding: 3 ± 1 % of something, more or less" in [text for _, text in beside.notes]
+
+
 def test_a_name_keeps_the_indices_of_its_symbols() -> None:
     assert quantity("inner max_shear_depth") == "inner depth of τmax"
     assert quantity("F_a/(F_r tan α), poisson_ratio") == "F_a/(F_r tan α), poisson ratio"
@@ -350,6 +369,20 @@ def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
     assert done.exit_code == 2
     assert "no records in" in done.stderr
     assert not (tmp_path / "report").exists()
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page, encoding="utf-8")
+    cut = (
+        "[...document.querySelectorAll('.table')].filter(t => [...t.querySelectorAll('.badge')].some("
+        "b => b.getBoundingClientRect().right > t.getBoundingClientRect().right + 1)).map(t => t.ariaLabel)"
+    )
+    with Browser() as browser:
+        browser.open(path, width=1280)
+        assert browser.value("document.querySelectorAll('.table .badge').length") > 1000
+        assert browser.value(cut) == []
 
 
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
