@@ -22,7 +22,7 @@ from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import agreement, quantity
+from fem_check.report.rows import agreement, as_read, quantity
 from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Group
@@ -91,8 +91,8 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
     for (name, row), cells in zip(kept, table[1:], strict=True):
         check, case, what, reference, value, difference, tolerance, verdict = cells
         deviation = difference.split(" ± ")[0]
-        assert (check, case, verdict) == (name, row["case"], row["verdict"])
-        assert what.startswith(quantity(row["quantity"]))
+        assert (check, case, verdict) == (name, as_read(row["case"]), row["verdict"])
+        assert what.startswith(quantity(as_read(row["quantity"])))
         factor = UNITS.get(row["unit"], (1.0, ""))[0]
         assert float(value.split(" ± ")[0]) == pytest.approx(row["found"] * factor, rel=1e-5, abs=1e-300)
         assert float(reference) == pytest.approx(row["reference"] * factor, rel=1e-5, abs=1e-300)
@@ -214,9 +214,9 @@ def test_parts_of_deviations_are_a_table() -> None:
     assert parts.rows[:2] == [Group("one"), ["p0", "+0.1 ± 0.2", "-1.287 ± 0.180"]]
     rows = [row | {"why_tolerance": why.replace("gap", row["quantity"])} for row in rows]
     assert [len(row) for row in agreement(rows)[1].rows] == [5, 5, 5], "a row for each case, if its quantities differ"
-    rows[0]["why_tolerance"] = "a finding: 3 ± 1 % of something, more or less"
+    rows[0]["why_tolerance"] = "a finding: in 3 cases: the ball adds +3 ± 1 %"
     (beside,) = agreement(rows)
-    assert "Finding: 3 ± 1 % of something, more or less" in [text for _, text in beside.notes]
+    assert "Finding: in 3 cases: the ball adds +3 ± 1 %" in [text for _, text in beside.notes]
 
 
 def test_a_name_keeps_the_indices_of_its_symbols() -> None:
