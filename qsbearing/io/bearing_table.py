@@ -11,6 +11,7 @@ from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, translate
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
 from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.scene.keys import (
@@ -155,9 +156,13 @@ def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
 
 def _find_missing(present: set[str], errors: Errors) -> None:
     """Keys that a bearing needs, from the file or its catalogue entry."""
-    for name in (*(key.name for key in BEARING[:5]), *MATERIALS):
+    for key in BEARING[:5]:
+        if key.name not in present:
+            cause = "A whole number" if key.name == "ball_count" else f"A number in {printed_unit(key.unit)}"
+            errors.append(FileErrorDetail(f"bearing.{key.name}", "missing", cause=cause))
+    for name in MATERIALS:
         if name not in present:
-            cause = "'steel', 'silicon nitride', or a table" if name in MATERIALS else ""
+            cause = "'steel', 'silicon nitride', or a table"
             errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
     if not present & {"free_contact_angle_deg", "diametral_clearance_mm"}:
         errors.append(

@@ -90,7 +90,8 @@ def read_text(path: Path, most: int = LARGEST_FILE) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        cause = "Saved as UTF-16? Save it again as UTF-8" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ""
+        coding = "UTF-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "Latin-1 (ANSI)"
+        cause = f"Saved as {coding}? Save it again as UTF-8"
         line = data[: error.start].count(b"\n") + 1
         raise refused(path, f"is not UTF-8 text (byte {error.start + 1}, line {line})", cause) from None
 
@@ -104,4 +105,6 @@ def _line_of(text: str, message: str) -> str:
     line = lines[int(number) - 1].strip()
     comma = DECIMAL_COMMA.search(line)
     hint = f". Decimals take a point: {comma[1]}.{comma[2]}" if comma else ""
+    if "Cannot declare" in message and line.startswith("["):
+        hint = ". This table is in the file already: put all its keys in one place"
     return f"line {number}: {line[:80]}{hint}"

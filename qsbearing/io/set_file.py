@@ -179,7 +179,14 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
 
 def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
     """Errors of a table within a row."""
-    return [replace(each, key=f"{path}.{each.key.removeprefix('effects.')}") for each in errors]
+    return [
+        replace(
+            each,
+            key=f"{path}.{each.key.removeprefix('effects.')}",
+            cause=each.cause.replace("Write it as [", "Write it as [rows."),
+        )
+        for each in errors
+    ]
 
 
 def _errors_of_readings(of: BearingSet) -> Errors:

@@ -10,6 +10,7 @@ import pytest
 from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import document as whole_guide
 from qsbearing.documents.html import html
+from qsbearing.documents.model import Document, Section, Table
 from tests.documents.browser import DEAD, OVERFLOWS, WIDE, Browser, installed, layout_faults
 from tests.documents.example import document
 
@@ -81,6 +82,18 @@ def test_a_page_is_whole_without_scripts(browser: Browser, page: Path) -> None:
 def test_no_page_is_wider_than_its_window(browser: Browser, page: Path, width: int) -> None:
     browser.open(page, width=width)
     assert browser.value(WIDE) <= width
+
+
+def test_a_table_that_stacks_on_a_phone_is_not_cut_on_a_tablet(browser: Browser, tmp_path: Path) -> None:
+    head = ("case", "quantity", "computed by the model", "reference", "deviation, largest", "allowed by it", "verdict")
+    long = "123.456 N/mm² ± 0.0012 " * 2
+    row = ["a case", "outer load", long, long, "0.00123456 of 12", "0.00123456", "pass"]
+    page = tmp_path / "wide.html"
+    table = Table(head, [row], "llrrrrl", stack=True)
+    page.write_text(html(Document("One", "two", [Section("Three", [table])])), encoding="utf-8")
+    browser.open(page, width=768)
+    box = "document.querySelector('table').parentElement"
+    assert browser.value(f"{box}.scrollWidth") <= browser.value(f"{box}.clientWidth")
 
 
 @pytest.fixture(scope="module")

@@ -192,6 +192,7 @@ ball = []
         ("rows = 3\n", "[[rows]]", "is not a list of tables"),
         ("rows = [3]\n[bearing]\nname = '7210C'\n", "row 1", "is not a table"),
         ("[[rows]]\nposition_mm = 0\ncarries = '+x'\n", "row 1.bearing", "missing"),
+        ("[[rows]]\nbearing = '7210C'\n", "row 1.bearing", "Write it as [rows.bearing]"),
         (
             PAIR_FILE.replace("[preload]\nrigid_N = 720", "[preload]\nspring_N = 720"),
             "preload.spring_N",

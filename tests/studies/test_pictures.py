@@ -246,6 +246,18 @@ def test_labels_of_curves_do_not_cover_each_other_or_other_curves() -> None:
         assert int(np.argmin(away)) == number, "each is nearest to its own curve"
 
 
+def test_a_label_leaves_the_beginning_of_its_curve_free() -> None:
+    """The stiffness for the middle load is flat only near the axis."""
+    study = qs.Study.of("b218", {"speed_rpm": "0:15000:61", "axial_load_N": "2000,8000,20000"})
+    figure = study.plot()
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    for axes in figure.axes:
+        left = axes.get_window_extent(canvas.get_renderer()).x0
+        assert axes.texts
+        assert min(text.get_window_extent(canvas.get_renderer()).x0 for text in axes.texts) > left + 10.0
+
+
 @pytest.mark.parametrize("count", [9, 61])
 def test_a_label_hides_neither_a_marked_point_nor_the_minimum(count: int) -> None:
     figure = figure_of_size(3.7, 3.3)

@@ -111,6 +111,8 @@ WITH_MARKERS = 25
 """Up to so many points a curve shows each of them."""
 HALF_LETTER, HALF_HEIGHT = 0.0105, 0.028
 """Of a label, as parts of a panel of 3 inches: half the width of a letter, and half the height of a line."""
+ROOM = np.array([0.45, 0.49])
+"""Half the width and height of a panel that labels may fill: one at the axis hides the beginning of its curve."""
 CLOSEST = 0.75
 """Of half a label: one nearer than this to another curve or label says of neither which it is."""
 
@@ -134,7 +136,7 @@ def label_curves(axes: Axes, labels: list[tuple[NDArray, NDArray, str, str]]) ->
         free = nearest(curve / half, [each / half for i, each in enumerate(curves) if i != number])
         for there, extent in taken:
             free = np.minimum(free, CLOSEST * (np.abs(curve - there) / (half + extent)).max(axis=1))  # no overlap
-        inside = np.all(np.abs(curve - 0.5) <= 0.49 - half, axis=1)
+        inside = np.all(np.abs(curve - 0.5) <= ROOM - half, axis=1)
         # Flat stretches are easier to read on than steep ones, and the middle is easier to find.
         slope = np.abs(np.gradient(curve[:, 1]) / np.maximum(np.abs(np.gradient(curve[:, 0])), 1e-9))
         worth = np.minimum(free, 2.0) - 0.15 * np.minimum(slope, 3.0) - 0.4 * np.abs(curve[:, 0] - 0.5)
