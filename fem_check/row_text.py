@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import floor, isfinite, log10
 from typing import Any, NamedTuple
 
@@ -9,6 +10,7 @@ Row = dict[str, Any]
 
 UNITS = {
     "m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, ""), "relative": (100.0, "%"),
+    "deg": (1.0, "°"), "degrees": (1.0, "°"), "kg/m3": (1.0, "kg/m³"), "N/mm^1.8": (1.0, "N/mm¹·⁸"),
 }  # fmt: skip
 """Of a record's unit: the factor to the unit that readers see, and its name."""
 
@@ -31,7 +33,21 @@ def number(value: float | None, digits: int = 6, signed: bool = False) -> str:
     """A number of a record, shortened."""
     if value is None:
         return ""
-    return f"{value:+.{digits}g}" if signed else f"{value:.{digits}g}"
+    if value == 0.0:
+        return "0"
+    return short_exponents(f"{value:+.{digits}g}" if signed else f"{value:.{digits}g}")
+
+
+def scientific(value: float, digits: int) -> str:
+    """A small error by its power of ten, with so many digits; zero is 0."""
+    if value == 0.0 or 0.1 <= abs(value) < 10.0:
+        return number(value, digits)
+    return short_exponents(f"{value:.{digits - 1}e}")
+
+
+def short_exponents(text: str) -> str:
+    """Powers of ten without the zeros that a program writes: 1e-7 for 1e-07."""
+    return re.sub(r"(?<=\d)e([+-]?)0*(\d+)\b", lambda found: f"e{found[1].strip('+')}{found[2]}", text)
 
 
 def in_unit(row: Row) -> tuple[float, str]:

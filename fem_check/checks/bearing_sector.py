@@ -444,7 +444,7 @@ def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
         for name, value in largest_uncertainty(series[key]).items()
     ]
     return (
-        f"Largest uncertainty of any case with the outside diameter {key} at the level {level}, meshes and positions "
+        f"Largest uncertainty of any case with the outside diameter {key} at the {level} level, meshes and positions "
         f"of the contact's edge together: {'; '.join(parts)}."
     )
 
@@ -476,17 +476,16 @@ def bearing_note(scene: str) -> str:
 
 
 NOTE = (
-    "The axial "
-    "displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and largest "
-    "pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is exact: what "
-    "the mesh does to both cancels. Without the step 'gyroscopic moment', model and elements have the centrifugal "
-    "force alone."
+    "The axial displacement is that of the rigid bore; the ball's position is the mean of its material. Ellipse and "
+    "largest pressure are over those of Hertz's parabola on the same bodies, mesh, load and place, where Hertz is "
+    "exact: an error of the mesh that is common to both cancels. Cases that do not name the gyroscopic moment have "
+    "the centrifugal force alone, in the model and in the elements."
 )
 
 
 CHECK = Check(
     name="bearing_sector",
-    question="One ball between two elastic rings: where does the quasi-static model stop being true?",
+    question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
     kind=Kind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
     tolerance="a 1.5, b 2, p0 2.5 % (release 0.9, 1.3, 1.5); half-spaces: load 0.2 %, angle 0.1 deg; statics 0.1 %",

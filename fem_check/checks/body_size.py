@@ -95,7 +95,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 
 CHECK = Check(
     name="body_size",
-    question="Do clamped boxes, growing, tend to the approach that the exact far field gives?",
+    question="As clamped boxes grow, does the approach in them tend to that of the exact far field?",
     kind=Kind.VERIFICATION,
     reference="the limit of clamped boxes, which do not use the far field",
     tolerance="0.5 %",

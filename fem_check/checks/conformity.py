@@ -93,12 +93,14 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         curve = {name: [100.0 * (each[name] - 1.0) for each in every] for name in boundary_element.QUANTITIES}
         curves[f"{coefficient:g}"] = curve
         worst = [max(abs(curve[name][i]) for name in curve) for i in range(len(LOADS))]
+        limits = []
         for limit in LIMITS:
             load = load_at_error(worst, limit)
             at = LOADS[-1] if load is None else load
             pressure = 1e-6 * hertz(groove.problem(at)).max_pressure
-            within = "stays within {:g} % up to" if load is None else "is off by {:g} % at"
-            reached.append(f"f = {coefficient:g}: it {within.format(limit)} {at:.0f} N ({pressure:.0f} MPa).")
+            within = f"within {limit:g} % up to" if load is None else f"off by {limit:g} % at"
+            limits.append(f"{within} {at:.0f} N ({pressure:.0f} MPa)")
+        reached.append(f"with f = {coefficient:g}, {' and '.join(limits)}")
     series["curves"] = curves
     bodies = half_space_contact.condensed_bodies(base.problem(LOAD), ELEMENTS[level][-2])
     entry = {
@@ -108,8 +110,8 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     }
     notes = [
         f"The gap's shape alone, on half-spaces; reference: {boundary_element.SOURCE}. What finite bodies "
-        "add to the approach is about the same for every groove and stands under true_geometry.",
-        "Hertz's worst quantity over the load: " + " ".join(reached),
+        "add to the approach is about the same for every groove: see true_geometry.",
+        f"The worst of Hertz's quantities is, {'; '.join(reached)}.",
     ]
     return Findings(rows, entry, bodies.race.solver, {"conformity": series}, notes)
 

@@ -89,7 +89,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 f"shortfall of the order of {name}",
                 "1",
                 0.0,
-                f"the order {ORDERS[name]} that the uncertainties of every contact take for granted; found {order:.2f}",
+                f"the order {ORDERS[name]} that the uncertainties of every contact assume; found {order:.2f}",
                 max(0.0, ORDERS[name] - order),
                 None,
                 0.0,
@@ -116,9 +116,9 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 
 CHECK = Check(
     name="convergence_order",
-    question="Do the errors fall with the element size at the order that the uncertainties take for granted?",
+    question="Do the errors fall with the element size at the order that the uncertainties assume?",
     kind=Kind.VERIFICATION,
-    reference="the orders that the uncertainties take for granted: 1.5 in the approach, 2.5 in ellipse and pressure",
+    reference="the orders that the uncertainties assume: 1.5 in the approach, 2.5 in ellipse and pressure",
     tolerance="no shortfall of the order",
     run=run,
     largest_dofs=groove_contacts.largest_dofs,

@@ -367,9 +367,10 @@ def largest_dofs(level: Level) -> int:
 
 CHECK = Check(
     name="elastic_ring",
-    question="Do elastic rings give way as a ring of finite elements does, and do the balls share the load likewise?",
+    question="Do elastic rings deflect as a ring of finite elements does, "
+    "and do the balls share the load in the same way?",
     kind=Kind.VERIFICATION,
-    reference="closed forms of the model; bending of a thin ring; qs.solve",
+    reference="closed forms of the model; bending of a thin ring; qsbearing.solve",
     tolerance="compliances 0.2 % (release 0.02 %); ball loads and displacements 0.3 % (0.1 %); one pitch 10 %",
     run=run,
     largest_dofs=largest_dofs,

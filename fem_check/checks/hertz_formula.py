@@ -1,4 +1,4 @@
-"""Does `qsbearing.contact.hertz`, used by the bearing model, agree with the references from the circle to k = 50?"""
+"""Does `qsbearing.contact.hertz`, used by the bearing model, agree with the references from a circle to a/b = 50?"""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 
 CHECK = Check(
     name="hertz_formula",
-    question="Does qsbearing.contact.hertz agree with an independent closed form, from the circle to k = 50?",
+    question="Does qsbearing.contact.hertz agree with an independent closed form, from a circle to a/b = 50?",
     kind=Kind.VERIFICATION,
     reference="Hertz in Carlson's integrals; Boussinesq's stresses integrated",
     tolerance="1e-8 (shear 1e-7, its depth 1e-4)",

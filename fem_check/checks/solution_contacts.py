@@ -422,7 +422,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
         more, study = contact_rows(f"{name}, ceramic balls", points, scene, level, progress)
         rows += more + collapsed(mechanics_rows(points, scene), f"{name}, ceramic balls: {stands_for(points)}")
-        rows += collapsed(product_rows(progress), f"{name} and what else solve offers: {product_scenes.COUNT}")
+        rows += collapsed(product_rows(progress), f"{name} and other scenes for solve: {product_scenes.COUNT}")
     if study is None:
         return Findings(rows)
     return Findings(rows, groove_contacts.mesh_entry(study), study.bodies.race.solver)
@@ -457,9 +457,10 @@ def product_rows(progress: Progress) -> Iterator[Row]:
 
 CHECK = Check(
     name="solution_contacts",
-    question="Is what qsbearing solves right: contacts, motion, equilibrium and stiffness, with every effect, in sets?",
+    question="Are the contacts, motion, equilibrium and stiffness found by qsbearing right, with every effect "
+    "and in sets?",
     kind=Kind.VERIFICATION,
-    reference="closed forms and an equilibrium of its own from the drawing, no code of qsbearing; finite elements",
+    reference="closed forms and a separate equilibrium from the drawing, with no code of qsbearing; finite elements",
     tolerance="closed forms, equilibrium 1e-8 (shear 1e-7, its depth 1e-4, stiffness 1e-5); catalogue 0.02 %; finite "
     "elements: quick 0.3 %, release 0.02 to 0.05 %",
     run=run,

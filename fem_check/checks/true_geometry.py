@@ -244,13 +244,13 @@ NOTES = [
     "outside diameter. The ring's segment is one ball pitch wide between planes of symmetry. Another convention moves "
     "the finite bodies' part of the approach, nothing else. The ball's part is nearly linear in load; the ring's "
     "changes with the contact angle and with the distance of the shoulder, 70° from the groove's bottom.",
-    "Boundary elements know half-spaces with the exact gap, so they decide the gap's shape: there pressure and gap "
-    "count along the contact's axis. In the true contact the pressure acts along the normal of the surface that the "
-    "deformed bodies share; that changes every quantity about as much as the gap's shape does, and no half-space "
-    "reference knows it.",
-    "Largest pressure: read from the pressure. Ratios are of results on the same mesh; each row's uncertainty "
-    "is the largest change from the coarser meshes to the finest; of the gap's part of the approach and of the ball's "
-    "equator it is the meshes' scatter, pooled over all loads (GUM 4.2.4).",
+    "Boundary elements solve half-spaces with the exact gap, so they are the reference for the effect of the gap's "
+    "shape: in them pressure and gap lie along the contact's axis. In the true contact the pressure acts along the "
+    "normal of the surface that the deformed bodies share; that changes every quantity about as much as the gap's "
+    "shape does, and no half-space reference includes it.",
+    "The largest pressure is read off the pressure field. Ratios are of results on the same mesh; each row's "
+    "uncertainty is the largest change from the coarser meshes to the finest; of the gap's part of the approach and "
+    "of the ball's equator it is the meshes' scatter, pooled over all loads (GUM 4.2.4).",
 ]
 
 
@@ -325,7 +325,7 @@ def series(solved: list[Solved]) -> dict[str, object]:
 
 CHECK = Check(
     name="true_geometry",
-    question="True sphere and groove, true bodies: how far is Hertz from them, at which load, and why?",
+    question="How far is Hertz from a true sphere in a true groove, in true bodies; at which load, and why?",
     kind=Kind.MODEL_COMPARISON,
     reference="boundary elements on half-spaces with the exact gap; a pressed elastic sphere in a series",
     tolerance="gap's shape: approach and a 0.1 %, b 0.2 %, p0 0.05 % of boundary elements; ball's equator 1 %",

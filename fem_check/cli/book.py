@@ -8,9 +8,13 @@ from pathlib import Path
 
 import click
 
+from fem_check import row_text
 from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_wrote
 from qsbearing.documents.model import Badge, Table
+
+KINDS = {"M": "measured", "C": "computed", "B": "program"}
+"""Of a case, in a word: a measurement, a published calculation, a result of another program."""
 
 
 @click.command("book", short_help="Compare qsbearing with published results and measurements.")
@@ -46,7 +50,10 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
         for entry in found:
             print(json.dumps(entry))
     else:
-        rows = [(entry["case"], entry["kind"], Badge(entry["verdict"]), entry["summary"]) for entry in found]
+        rows = [
+            (entry["case"], KINDS[entry["kind"]], Badge(entry["verdict"]), row_text.short_exponents(entry["summary"]))
+            for entry in found
+        ]
         print_table([Table(("case", "kind", "", "found"), rows, "llll", "Published cases")])
         print_wrote([page])
     sys.exit(OUT_OF_TOLERANCE if any(entry["verdict"] == "fail" for entry in found) else 0)

@@ -25,6 +25,6 @@ def list_checks() -> None:
     ]
     for heading, rows, title in (
         (("check", "question"), checks, "Checks (fem-check run)"),
-        (("case", "kind"), book, "Published cases (fem-check book)"),
+        (("case", "title and kind"), book, "Published cases (fem-check book)"),
     ):
         print_table([Table(heading, rows, "ll", title, faint=range(1, len(rows), 2))])

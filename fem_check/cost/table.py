@@ -6,6 +6,7 @@ from typing import Any
 
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import choices
+from fem_check.row_text import scientific
 from qsbearing.documents.model import Table
 
 SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))
@@ -36,7 +37,7 @@ def mesh_choices(record: dict[str, Any]) -> Table:
     """What each accuracy costs, uncertainty included."""
     rows: list[tuple[str, ...]] = [
         (
-            f"{choice.accuracy:.1e}",
+            scientific(choice.accuracy, 2),
             ", ".join(map(str, choice.sequence)),
             f"{choice.seconds:.2g} s",
             f"{choice.peak_memory_MB:.0f}",

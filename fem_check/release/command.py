@@ -19,8 +19,20 @@ REASONS = 5
 
 
 @click.command("release")
-@click.option("--level", type=click.Choice(["quick", "release"]), default="release", show_default=True)
-@click.option("--out", default="release_results", show_default=True, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--level",
+    type=click.Choice(["quick", "release"]),
+    default="release",
+    show_default=True,
+    help="release has finer meshes and takes much longer.",
+)
+@click.option(
+    "--out",
+    default="release_results",
+    show_default=True,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder of results.",
+)
 @click.option(
     "--previous",
     metavar="DIR|TAG",

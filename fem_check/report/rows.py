@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from fem_check import row_text
-from qsbearing.documents.model import Badge, Cell, Table
+from qsbearing.documents.model import Badge, Cell, Group, Table
 
 Row = dict[str, Any]
 
@@ -32,8 +32,11 @@ _WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z])")
 
 
 def as_read(text: str) -> str:
-    """A text of a record as readers see it: without marks of code, micrometres by their sign."""
-    return re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
+    """A text of a record as readers see it: without marks of code, units and powers by their signs."""
+    text = re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
+    text = re.sub(r"(?<=\d) deg\b", "°", text)
+    text = re.sub(r"\^([23])(?![\d.])", lambda found: "²³"[int(found[1]) - 2], text)
+    return row_text.short_exponents(text)
 
 
 def badge(word: str) -> Badge:
@@ -56,6 +59,8 @@ HEADINGS = ("quantity", "reference", "found", "deviation, %", "tolerance", "verd
 ALIGN = "lrrrrl"
 MOST_ROWS = 100
 """Of one table's rows that are shown one by one."""
+LONGEST_NAME = 80
+"""Of a case in a column beside its quantities."""
 NOTES = "notes"
 
 
@@ -63,8 +68,7 @@ def cells(row: Row) -> list[Cell]:
     """The cells of a row below `HEADINGS`."""
     told = row_text.of_row(row)
     return [
-        _headed(row["quantity"], row_text.in_unit(row)[1])
-        + (f" (worst at {as_read(row['worst_at'])})" if row.get("worst_at") else ""),
+        _headed(row["quantity"], row_text.in_unit(row)[1]) + _worst_at(row),
         told.reference,
         told.found,
         row_text.deviation(row),
@@ -73,8 +77,15 @@ def cells(row: Row) -> list[Cell]:
     ]
 
 
+def _worst_at(row: Row) -> str:
+    """Where the quantity is worst, without the name of the case, which stands beside it."""
+    case = re.sub(r"^nearest of \d+: ", "", row["case"])
+    place = re.sub(r":\s*(?=[,:]|$)", "", quantity(as_read(row.get("worst_at") or "").replace(as_read(case), "")))
+    return f" (worst at {place.strip()})" if place.strip() else ""
+
+
 def _headed(name: str, unit: str) -> str:
-    return quantity(name) + (f", {unit}" if unit else "")
+    return quantity(as_read(name)) + (f", {unit}" if unit else "")
 
 
 def _difference_headed(row: Row) -> str:
@@ -85,8 +96,9 @@ def _difference_headed(row: Row) -> str:
 def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     """The rows as tables, the source and the reason of each as its footnotes.
 
-    Cases that have the same quantities side by side share one table, with deviations in its cells. More than
-    `MOST_ROWS` rows are condensed, and the caption says so.
+    Cases that have the same quantities side by side share one table, with deviations in its cells. Where cases have
+    several rows, or long names, the name is a row above them. More than `MOST_ROWS` rows are condensed, and the
+    caption says so.
     """
     if len(rows) > MOST_ROWS:
         caption = f"{caption} (of {len(rows)} rows; all are in the CSV file)"
@@ -97,14 +109,27 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     shapes: dict[tuple[str, ...], list[str]] = {}
     for case, own in cases.items():
         shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
-    found, lines, notes = [], [], _Notes()
+    found: list[Table] = []
+    alone: list[str] = []
     for heads, names in shapes.items():
         if len(names) >= 3 and len(heads) >= 2:
-            found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
+            beside = [(name, cases[name]) for name in names]
+            found += [_side_by_side(heads, beside, caption), *_parts_of(beside, caption)]
         else:
-            lines += [[name, *cells(row), notes.of([row])] for name in names for row in cases[name]]
-    table = Table(("case", *HEADINGS, NOTES), lines, f"l{ALIGN}l", caption, stack=True, notes=notes.listed)
-    return ([table] if lines else []) + found
+            alone += names
+    return ([_row_by_row([(name, cases[name]) for name in alone], caption)] if alone else []) + found
+
+
+def _row_by_row(cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
+    notes = _Notes()
+    lines: list[list[Cell] | Group] = []
+    are_many = sum(len(rows) for _, rows in cases) >= 2 * len(cases)
+    if are_many or any(len(name) > LONGEST_NAME for name, _ in cases):
+        for name, rows in cases:
+            lines += [Group(as_read(name)), *([*cells(row), notes.of([row])] for row in rows)]
+        return Table((*HEADINGS, NOTES), lines, f"{ALIGN}l", caption, stack=True, notes=notes.listed)
+    lines += [[as_read(name), *cells(row), notes.of([row])] for name, rows in cases for row in rows]
+    return Table(("case", *HEADINGS, NOTES), lines, f"l{ALIGN}l", caption, stack=True, notes=notes.listed)
 
 
 def _condensed(rows: Sequence[Row]) -> list[Row]:
@@ -135,9 +160,38 @@ def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], 
     lines: list[list[Cell]] = []
     notes = _Notes()
     for name, rows in cases:
-        lines.append([name, *map(row_text.difference, rows), badge(verdict(rows)), notes.of(rows)])
+        lines.append([as_read(name), *map(row_text.difference, rows), badge(verdict(rows)), notes.of(rows)])
     headings = ("case", *heads, "verdict", NOTES)
     return Table(headings, lines, "l" + "r" * len(heads) + "ll", title, stack=True, notes=notes.listed)
+
+
+_PART = re.compile(r"([^,:\d]+) ([+-]\d\S* ± \S+) ([^\s,]+)(?:, |$)")
+
+
+def _parts(row: Row) -> list[tuple[str, str]]:
+    """Name with unit and value of each part that the reason of a finding lists; empty if it says anything else."""
+    why = as_read(row["why_tolerance"] or "").removeprefix("a finding: ")
+    found = _PART.findall(why) if row["verdict"] == "finding" else []
+    return [(f"{name}, {unit}", value) for name, value, unit in found] if not _PART.sub("", why) else []
+
+
+def _parts_of(cases: Sequence[tuple[str, list[Row]]], caption: str) -> list[Table]:
+    """The parts of deviations side by side: a row of each quantity, or of each case if these have others."""
+    every = [_parts(row) for _, rows in cases for row in rows]
+    names = [[name for name, _ in parts] for parts in every]
+    if not all(every):
+        return []
+    lines: list[list[Cell] | Group] = []
+    if all(each == names[0] for each in names):
+        headings = ["quantity", *names[0]]
+        for case, rows in cases:
+            lines.append(Group(as_read(case)))
+            lines += [[_headed(row["quantity"], ""), *(value for _, value in _parts(row))] for row in rows]
+    else:
+        headings = ["case", *(name for row in cases[0][1] for name, _ in _parts(row))]
+        lines += [[as_read(case), *(value for row in rows for _, value in _parts(row))] for case, rows in cases]
+    title = f"{caption}: parts of the deviation" if caption else "Parts of the deviation"
+    return [Table(headings, lines, caption=title, stack=True)]
 
 
 class _Notes:
@@ -151,7 +205,7 @@ class _Notes:
         texts = [f"Reference: {as_read(row['reference_source'])}" for row in rows]
         for row in rows:
             why = re.sub("^a finding(: |$)", "", as_read(row["why_tolerance"] or ""))
-            if why:
+            if why and not _parts(row):
                 texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {why}")
         return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))
 

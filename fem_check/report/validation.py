@@ -36,7 +36,6 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
         "qsbearing and fem_check",
         "Validation report",
         [
-            reproducing.section(evidence),
             claims.section(evidence),
             mathematics.section(evidence),
             book.computed(evidence),
@@ -46,14 +45,15 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             costs.section(evidence),
             errata.section(evidence),
             limits.section(evidence),
+            reproducing.section(evidence),
             *([release.section(evidence.gate)] if evidence.gate else []),
             *([previous.section(evidence, before)] if before else []),
             every_row.section(evidence),
         ],
         Md(
             "How far the quasi-static model of angular-contact ball bearings can be trusted, and the evidence for it. "
-            "Every number comes from a record; each section names its record, the command that makes it again, and "
-            "the version that it was made with."
+            "Every number comes from a record; each section names its record, the command that makes it, and "
+            "the version that made it."
         ),
         [verdict(evidence), Facts(_facts(evidence))],
         is_numbered=True,

@@ -67,6 +67,21 @@ def test_no_row_of_a_table_is_alone_on_a_page() -> None:
     )
 
 
+def test_notes_are_on_the_page_of_the_last_row() -> None:
+    """Whole, wherever the page ends."""
+    tables = []
+    for n in range(30):
+        rows = [[f"row{n}-{k}.", "word " * 20] for k in range(14)]
+        notes = [(mark, f"note{n}{mark}. {'word ' * 30}") for mark in "abcd"]
+        tables.append(Table(("", "text"), rows, notes=notes))
+    reader = pypdf.PdfReader(BytesIO(pdf(Document("Notes", "Test", [Section("Tables", tables)]), strict=True)))
+    pages = [re.sub(r"[\s\u200b]", "", page.extract_text()) for page in reader.pages]
+    assert any(f"row{n}-0." in page and f"row{n}-13." not in page for page in pages for n in range(30)), "some break"
+    for n in range(30):
+        (last,) = [page for page in pages if f"row{n}-13." in page]
+        assert all(f"note{n}{mark}." in last for mark in "abcd")
+
+
 def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:
     """However little room is left on the page where its own chapter ends."""
     lines = [[Paragraph("filler") for _ in range(1 + n % 4)] for n in range(25)]

@@ -22,10 +22,10 @@ from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import agreement, quantity
+from fem_check.report.rows import agreement, as_read, quantity
 from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Document
+from qsbearing.documents.model import Document, Group
 from qsbearing.documents.pdf import pdf
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
@@ -91,8 +91,8 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
     for (name, row), cells in zip(kept, table[1:], strict=True):
         check, case, what, reference, value, difference, tolerance, verdict = cells
         deviation = difference.split(" ± ")[0]
-        assert (check, case, verdict) == (name, row["case"], row["verdict"])
-        assert what.startswith(quantity(row["quantity"]))
+        assert (check, case, verdict) == (name, as_read(row["case"]), row["verdict"])
+        assert what.startswith(quantity(as_read(row["quantity"])))
         factor = UNITS.get(row["unit"], (1.0, ""))[0]
         assert float(value.split(" ± ")[0]) == pytest.approx(row["found"] * factor, rel=1e-5, abs=1e-300)
         assert float(reference) == pytest.approx(row["reference"] * factor, rel=1e-5, abs=1e-300)
@@ -117,11 +117,12 @@ def test_a_column_says_the_unit_of_its_own_cells() -> None:
         for name, (unit, reference, found) in columns.items()
     ]
     (table,) = agreement(rows, "Agreement")
-    assert table.headings[1:4] == ("load, %", "rms deviation", "angle, deg")
+    assert table.headings[1:4] == ("load, %", "rms deviation", "angle, °")
     assert table.rows[0][1:4] == ["+1.5", "0.006", "0.02"]
     assert "per cent" not in table.caption
     rows[1]["reference"] = 1.0  # what is per cent in one case and a difference in the others shares no column
-    assert [len(each.rows) for each in agreement(rows)] == [9]
+    rows_and_names = 9 + 3
+    assert [len(each.rows) for each in agreement(rows)] == [rows_and_names]
 
 
 def test_every_record_is_named_with_its_command(read: Page) -> None:
@@ -140,7 +141,7 @@ def test_the_pdf_holds_its_fonts_and_says_the_verdict(paper: Document) -> None:
     assert "Validationreport" in first or "VALIDATIONREPORT" in first
     assert re.sub(r"\s", "", "rows of agreement, each one quantity compared with its reference") in first
     assert len(reader.pages) <= PAGES
-    assert "Reproducing this report" in reader.pages[1].extract_text()
+    assert "Claims and evidence" in reader.pages[1].extract_text()
 
 
 def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:
@@ -182,6 +183,40 @@ def test_footnotes_are_the_rows_own() -> None:
         {"Reference: a book", "Finding: not known by 2 µm"},
         {"Reference: a chart", "Tolerance: printed digits"},
     ]
+
+
+def test_the_name_of_a_case_with_several_rows_is_above_them() -> None:
+    rows = [
+        Row(case, name, "m", 1.0, "a book", 1.0, 0.1, 1.0, "a reason", worst_at=worst).as_dict()
+        for case in ("a ball of 10 um", "a ring")
+        for name, worst in (("max_pressure", f"max_shear_stress: {case}"), ("approach", case), ("load", "Q = 5 N"))
+    ]
+    one, two, *_ = agreement([*rows, *(row | {"quantity": f"{row['quantity']} again"} for row in rows[:1])])[0].rows
+    assert one == Group("a ball of 10 µm")
+    assert two[0] == "p0, µm (worst at τmax)", "the case is named above"
+    (table,) = agreement([row | {"case": "x" * 90, "quantity": f"{n}"} for n, row in enumerate(rows[:1])])
+    assert isinstance(table.rows[0], Group), "long names leave no width for numbers"
+    (table,) = agreement(rows[:1])
+    assert not isinstance(table.rows[0], Group)
+
+
+def test_parts_of_deviations_are_a_table() -> None:
+    """Where the reason of each finding side by side lists them; else the reasons are footnotes."""
+    why = "a finding: gap's shape +0.1 ± 0.2 %, finite bodies and mesh -1.287 ± 0.180 %"
+    rows = [
+        Row(case, name, "1", 1.0, "a book", 1.1, 0.1, None, why).as_dict()
+        for case in ("one", "two", "three")
+        for name in ("max_pressure", "approach")
+    ]
+    beside, parts = agreement(rows)
+    assert [text for _, text in beside.notes] == ["Reference: a book"]
+    assert list(parts.headings) == ["quantity", "gap's shape, %", "finite bodies and mesh, %"]
+    assert parts.rows[:2] == [Group("one"), ["p0", "+0.1 ± 0.2", "-1.287 ± 0.180"]]
+    rows = [row | {"why_tolerance": why.replace("gap", row["quantity"])} for row in rows]
+    assert [len(row) for row in agreement(rows)[1].rows] == [5, 5, 5], "a row for each case, if its quantities differ"
+    rows[0]["why_tolerance"] = "a finding: in 3 cases: the ball adds +3 ± 1 %"
+    (beside,) = agreement(rows)
+    assert "Finding: in 3 cases: the ball adds +3 ± 1 %" in [text for _, text in beside.notes]
 
 
 def test_a_name_keeps_the_indices_of_its_symbols() -> None:
@@ -337,6 +372,20 @@ def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page, encoding="utf-8")
+    cut = (
+        "[...document.querySelectorAll('.table')].filter(t => [...t.querySelectorAll('.badge')].some("
+        "b => b.getBoundingClientRect().right > t.getBoundingClientRect().right + 1)).map(t => t.ariaLabel)"
+    )
+    with Browser() as browser:
+        browser.open(path, width=1280)
+        assert browser.value("document.querySelectorAll('.table .badge').length") > 1000
+        assert browser.value(cut) == []
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) -> None:
     path = tmp_path / "report.html"
     path.write_text(page, encoding="utf-8")
@@ -374,15 +423,16 @@ def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
     assert page.faults == []
     assert "4,321" in page.text
     assert "gate/quick/hard_cases/table.json" in page.text
-    assert ["benchmarks", "2.0", "no time", "error"] in [row for table in page.tables for row in table]
+    assert "benchmarks: no time" in page.text
+    assert ["benchmarks", "2.0", "error"] in [row for table in page.tables for row in table]
 
 
 def test_records_without_a_commit_are_named(records: Path) -> None:
     """Beside others that state theirs."""
     change(records, "patch_test", lambda entry: entry.pop("provenance", None))
     text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
-    assert re.search(r"of \d+ records do not state their commit", text)
-    assert "quick/patch_test.json" in text.split("do not state their commit")[1][:600]
+    assert re.search(r"of \d+ records do not name their commit", text)
+    assert "quick/patch_test.json" in text.split("do not name their commit")[1][:600]
 
 
 def test_what_is_no_measurement_is_not_called_validation(read: Page) -> None:
@@ -409,8 +459,9 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
-    text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
+    text = read.text[read.text.index("The report formats records") : read.text.index("Every row of agreement #")]
     before, _, after = text.partition("In a checkout of the repository")
     assert "python -m tests.reference.table" in after
-    assert "fem-check book iso_281_ratings" in before
-    assert "fem-check book iso_281_ratings" not in after
+    assert "fem-check book" in before
+    assert "fem-check book" not in after
+    assert text.count("fem-check book") == 1, "one command makes all published cases"

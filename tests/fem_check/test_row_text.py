@@ -26,7 +26,7 @@ def row(
         (0.5, 0.0999, ("+0.50", "0.10")),
         (0.0004, 0.019, ("+0.000", "0.019")),
         (-42.857, None, ("-43", "")),
-        (2.5e-7, 1e-9, ("+2.5e-07", "1e-09")),
+        (2.5e-7, 1e-9, ("+2.5e-7", "1e-9")),
         (0.25, 0.0, ("+0.25", "0")),
     ],
 )
@@ -38,7 +38,7 @@ def test_a_deviation_has_the_digits_of_its_uncertainty(
 
 def test_of_a_reference_that_is_zero_there_is_no_per_cent() -> None:
     angle = row_text.of_row(row(0.0, 0.0145, "deg", None, 2.0))
-    assert angle == ("0", "0.0145", "", "", "0.02 deg")
+    assert angle == ("0", "0.0145", "", "", "0.02 °")
     assert row_text.difference(row(0.0, 0.0145, "deg", None, 2.0)) == "0.0145"
     length = row_text.of_row(row(0.0, 3e-9, "m", 1e-7, 5e-7))
     assert length == ("0", "0.003 ± 0.001", "", "", "0.005 µm")
@@ -49,6 +49,13 @@ def test_a_deviation_that_is_the_quantity_itself_is_read_in_per_cent() -> None:
     told = row_text.of_row(row(0.0, -0.00356, "relative", None, 0.57))
     assert told == ("0", "-0.356", "", "", "0.57 %")
     assert row_text.in_unit(row(0.0, 0.0, "relative", None, None))[1] == "%"
+
+
+def test_powers_of_ten_are_short_and_zero_has_no_digits() -> None:
+    assert [row_text.number(value, 2) for value in (1e-6, 2.6e9, 0.0, 0.25)] == ["1e-6", "2.6e9", "0", "0.25"]
+    assert row_text.number(0.0, 2, signed=True) == "0"
+    assert [row_text.scientific(value, 1) for value in (2.0, 0.0, 9e-16, 3e4)] == ["2", "0", "9e-16", "3e4"]
+    assert row_text.short_exponents("within 3.4e-05, case e-01, 1e-10") == "within 3.4e-5, case e-01, 1e-10"
 
 
 def test_other_rows_have_per_cent() -> None:

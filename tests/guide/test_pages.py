@@ -83,6 +83,13 @@ def test_headings_are_in_order(page: Path) -> None:
     assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
 
 
+@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+def test_thousands_are_parted_by_commas(page: Path) -> None:
+    """As the program prints them: a space, which a line end may replace, makes two numbers of one."""
+    text = re.sub(r"^```.*?^```$|`[^`]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    assert re.findall(r"\b[0-9]{1,3} [0-9]{3}\b", text) == []
+
+
 @pytest.mark.parametrize("page", sorted(GUIDE.glob("*.md")), ids=lambda page: page.stem)
 def test_lines_of_code_fit_on_a_page(page: Path) -> None:
     """On a tablet. Commands may be longer: their lines are wrapped."""

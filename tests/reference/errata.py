@@ -161,7 +161,7 @@ def effects() -> dict[str, str]:
         "(19.3)": "dm/2 in its place: " + difference(right, solve(replace(outer, lever=DM / 2), start)),
         "(19.16), (19.17)": f"diametral clearance {clearance[0]:.4f} mm from α°, {clearance[1]:.4f} mm from this αo",
         "ωR, Mg": difference(right, solve(replace(outer, sense_of_moment=-1.0), start)),
-        "conclusion": f"from 100 to 10 000 rpm αi changes by {turned[0]:+.2f}°, αo by {turned[1]:+.2f}°",
+        "conclusion": f"from 100 to 10,000 rpm αi changes by {turned[0]:+.2f}°, αo by {turned[1]:+.2f}°",
     }
 
 
@@ -188,7 +188,7 @@ def record() -> dict[str, Any]:
         "provenance": provenance.of_run("python -m tests.reference.errata"),
         "source": "Wang, Yan, Zhang, Hong, Research on the Dynamic Properties of Ball Bearings Based on the "
         "Quasi-Static Method, Springer, chapter 19",
-        "scene": "B218, 17 800 N axial, 6 000 N radial, free to tilt, 10 000 rpm, outer control unless said; "
+        "scene": "B218, 17,800 N axial, 6,000 N radial, free to tilt, 10,000 rpm, outer control unless said; "
         "contact of the ball at azimuth 0",
         "corrected": ", ".join(
             f"{name.partition(',')[0]} {value:.4g}{name.partition(',')[2]}" for name, value in right.items()

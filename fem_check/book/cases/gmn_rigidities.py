@@ -144,7 +144,7 @@ def run() -> Result:
         rows,
         [
                 Panel(
-                    "printed rigidity, N/µm", "predicted over printed, less 1, %",
+                    "printed rigidity, N/µm", "predicted over printed minus 1, %",
                     [
                         Series("series S", "dots", printed[is_s].ravel(), deviation[is_s].ravel()),
                         Series("series KH", "squares", printed[~is_s].ravel(), deviation[~is_s].ravel()),
@@ -163,7 +163,8 @@ def run() -> Result:
             ],
         Points(
             "All bearings with C_ax of at least 40 N/µm at the flat angle and heavy preload. The three rigidities at "
-            "25 degrees are printed ones, at light, medium and heavy preload; judged: those of the gated rows above.",
+            "25 degrees are printed ones, at light, medium and heavy preload; judged: those of the "
+            "rows above that have a tolerance.",
             ["bearing", "f fitted", "f of C_0", "rms of fit, %", "judged", "C_ax light, N/µm", "medium", "heavy",
              "predicted is off by, %", "medium, %", "heavy, %"],
             points,

@@ -43,7 +43,7 @@ def run() -> Result:
                 ratio[0],
                 SOURCE,
                 5e-4 + 2e-4,
-                "half of the last printed digit, and what the load changes of the angle",
+                "half of the last printed digit, and the change of the angle under load",
             ),
             compared(
                 case,
@@ -76,7 +76,7 @@ def run() -> Result:
                 100.0 * thrust.inner.load[0] * BALLS * np.sin(a),
                 SOURCE,
                 1e-4,
-                "what 0.01 N changes of the angle",
+                "the change of the angle under 0.01 N",
             )
         )
         drift.append(Series(f"{angle:.0f}°", next(styles), Fr, ratio))
@@ -99,7 +99,7 @@ def run() -> Result:
                     apart,
                     SOURCE,
                     1e-3,
-                    "what the load changes of the angle",
+                    "the change of the angle under load",
                 )
             )
     return Result(

@@ -60,7 +60,7 @@ def run() -> Result:
     simple = {"inner": contact(-1.0, False), "outer": contact(1.0, False)}
     load, simple_load = largest_load(*exact.values()), largest_load(*simple.values())
     Q = float(solution.inner.load[0])
-    rounding = "rounding of two evaluations; the small axial and angular way of the solver's ball"
+    rounding = "rounding of two evaluations; the solver's ball also moves a little axially and in angle"
     forms = "the textbook's simple ellipse is up to 3 % off, which changes film and load by less than 1 %"
     rows = [
         compared("heaviest ball", "load", "N", load, Q, SECOND, 1e-6 * load, rounding),
@@ -119,7 +119,7 @@ def run() -> Result:
     pressed = order[solution.inner.load[order] > 0.0]
     return Result(
         f"Heaviest ball {Q:.1f} N; minimum film {1e6 * found.inner.minimum_thickness[0]:.4f} µm inside and "
-        f"{1e6 * found.outer.minimum_thickness[0]:.4f} µm outside, as computed a second time.",
+        f"{1e6 * found.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
         rows,
         [
             Panel(

@@ -86,7 +86,7 @@ def run() -> Result:
             constant,
             TABLE,
             0.01,
-            "39.9 and lambda = 0.95 have two and three digits; the table is 0.8 % higher, for a reason not stated",
+            "39.9 and lambda = 0.95 have three and two digits; the table is 0.8 % higher, for a reason not stated",
         ),
         compared(
             f"all {gamma.size} values of fc",
@@ -131,7 +131,7 @@ def run() -> Result:
     wider = dynamic_rating.lundberg_palmgren_factor(gamma, 0.52, 0.53) / RADIAL_FACTOR
     return Result(
         f"All {gamma.size} values of f_c follow the formula within {100 * np.abs(shape).max():.2f} % once the table's "
-        f"constant, {100 * (1 / constant - 1):.1f} % higher, is taken out.",
+        f"constant, which is {100 * (1 / constant - 1):.1f} % higher, is divided out.",
         rows,
         [
             Panel(
@@ -150,7 +150,7 @@ def run() -> Result:
                     Series("f = 0.52 and 0.52", "dots", gamma, ratio),
                     Series("f = 0.52 and 0.53", "squares", gamma, wider),
                 ],
-                title="which grooves the table means",
+                title="which grooves the table assumes",
             ),
         ],
         Points(

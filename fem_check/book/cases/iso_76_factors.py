@@ -88,8 +88,8 @@ def run() -> Result:
     gammas = np.concatenate([np.arange(printed.size) / 100 for printed, _ in kinds.values()])
     panels.append(
         Panel(
-            "D cos α / dₘ", "computed less printed, N/mm²", [Series("all factors", "dots", gammas, apart)],
-            title="what is left: rounding", levels=[-PRINT, 0.0, PRINT],
+            "D cos α / dₘ", "computed minus printed, N/mm²", [Series("all factors", "dots", gammas, apart)],
+            title="difference: rounding", levels=[-PRINT, 0.0, PRINT],
         )
     )  # fmt: skip
     return Result(

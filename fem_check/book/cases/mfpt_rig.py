@@ -79,7 +79,7 @@ def run() -> Result:
                 inner[-1],
                 SOURCE,
                 None,
-                "a finding: the cage slips, which this model leaves out",
+                "a finding: the cage slips, which the model leaves out",
             ),
             compared(
                 f"{load:.0f} lb",
@@ -89,7 +89,7 @@ def run() -> Result:
                 slow[i],
                 SOURCE,
                 None,
-                "a finding: what no slip leaves out",
+                "a finding: the slip that the model leaves out",
             ),
             compared(
                 f"{load:.0f} lb",

@@ -166,7 +166,7 @@ def run() -> Result:
         rows,
         panels,
         Points(
-            "Every record; inner ratios also as Z less them.",
+            "Every record; for inner ratios also Z minus the ratio.",
             ["bearing", "defect", "measured", "as of the outer raceway", "computed, least", "computed, largest"],
             points,
         ),

@@ -49,23 +49,20 @@ def _overview(evidence: Evidence, measured: bool) -> list[Block]:
     if not evidence.book:
         return [missing("The validation book", "fem-check book")]
     rows = [
-        [kept.data["title"], kept.data["kind_text"], kept.data["summary"], badge(kept.data["verdict"])]
+        [kept.data["title"], as_read(kept.data["summary"]), badge(kept.data["verdict"])]
         for kept in evidence.book.values()
         if (kept.data["kind"] == "M") == measured
     ]
-    return (
-        [Table(("case", "kind", "result", "verdict"), rows, "llll", "Cases and their results", stack=True)]
-        if rows
-        else [Remark("No case.")]
-    )
+    caption = f"{'Measurements' if measured else 'Calculations of others'}, and the result of each case"
+    return [Table(("case", "result", "verdict"), rows, "lll", caption, stack=True)] if rows else [Remark("No case.")]
 
 
 def _page(name: str, kept: Kept) -> Section:
     entry = kept.data
     blocks: list[Block] = [Remark(as_read(f"{entry['question']} {entry['summary']}"), entry["verdict"])]
-    blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]))
+    blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", as_read(source)) for source in entry["sources"])]))
     if entry["inputs"]:
-        inputs = [list(map(str, each)) for each in entry["inputs"]]
+        inputs = [[as_read(str(cell)) for cell in each] for each in entry["inputs"]]
         blocks.append(Table(("input", "value", "from"), inputs, "lll", f"{entry['title']}. Inputs", stack=True))
     blocks += _lists(entry)
     blocks += _picture(kept)
@@ -92,7 +89,7 @@ LISTS = {
 
 
 def _lists(entry: dict[str, Any]) -> list[Block]:
-    items = [f"{heading}: {'; '.join(entry[key])}" for key, heading in LISTS.items() if entry.get(key)]
+    items = [f"{heading}: {as_read('; '.join(entry[key]))}" for key, heading in LISTS.items() if entry.get(key)]
     return [Bullets(items)] if items else []
 
 

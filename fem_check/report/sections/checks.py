@@ -15,7 +15,7 @@ def section(name: str, kept: Kept) -> Section:
     entry, title = kept.data, name.replace("_", " ").capitalize()
     status = "fail" if entry["verdict"] == "fail" else "pass"
     blocks: list[Block] = [
-        Remark(f"{entry['question']} {entry['verdict'].capitalize()} at the {entry['level']} level.", status),
+        Remark(f"{as_read(entry['question'])} {entry['verdict'].capitalize()} at the {entry['level']} level.", status),
         Facts([*_facts(entry)]),
         *draw_all(name, entry),
     ]
@@ -37,4 +37,4 @@ def _facts(entry: dict[str, Any]) -> list[tuple[str, str]]:
         pairs.append(("Mesh", mesh["file"]))
     seconds = f"{entry['seconds']:,.0f}" if entry["seconds"] >= 100.0 else f"{entry['seconds']:.3g}"
     pairs.append(("Time", f"{seconds} s, {entry['peak_memory_MB']:,} MB"))
-    return [*pairs, ("Reference", entry["reference"]), ("Tolerance", entry["tolerance"])]
+    return [*pairs, ("Reference", as_read(entry["reference"])), ("Tolerance", as_read(entry["tolerance"]))]

@@ -42,16 +42,18 @@ def section(evidence: Evidence) -> Section:
                     "scenes are judged as a whole and are not counted as rows."
                 )
             ),
-            Table(
-                ("level of evidence", "kind", "rows", "pass", "fail", "findings", "judged as a whole", "not on record"),
-                _levels(evidence),
-                "llrrrrll",
-                "Levels of evidence, and the rows of agreement of each",
-                stack=True,
-            ),
+            _levels_table(_levels(evidence)),
             *scatter(evidence),
         ],
     )
+
+
+def _levels_table(lines: list[list[Cell]]) -> Table:
+    """Without the column of what is missing where nothing is."""
+    headings = ("level of evidence", "kind", "rows", "pass", "fail", "findings", "judged as a whole", "not on record")
+    count = len(headings) if any(line[-1] for line in lines) else len(headings) - 1
+    caption = "Levels of evidence, and the rows of agreement of each"
+    return Table(headings[:count], [line[:count] for line in lines], "llrrrrll"[:count], caption, stack=True)
 
 
 def unmet(evidence: Evidence) -> list[str]:
@@ -78,10 +80,10 @@ def _claims(evidence: Evidence) -> list[Claim]:
         rows.append(Claim(text, found or "", verdict, Md(link), against or f"{text} On record: {found}."))
 
     found, good = _fifty_digits(evidence.reference)
-    claim("The equations are solved to their last digits.", found, good, "[mathematics](#mathematics)")
+    claim("The equations are solved to rounding error.", found, good, "[mathematics](#mathematics)")
     found, good = _contacts(evidence)
     claim(
-        "Every contact that a solution reports is Hertz's, as closed forms and finite elements have it.", found, good,
+        "Every contact of a solution agrees with Hertz: with closed forms and with finite elements.", found, good,
         "[solution contacts](#check-solution-contacts)" if "solution_contacts" in evidence.checks else "",
     )  # fmt: skip
     found, good = _sector(evidence)
@@ -90,12 +92,17 @@ def _claims(evidence: Evidence) -> list[Claim]:
         "[bearing sector](#check-bearing-sector)" if "bearing_sector" in evidence.checks else "", "finding",
     )  # fmt: skip
     found, good = _book(evidence)
-    claim("Published points are met within stated tolerances.", found, good, "[the book](#computed-by-others)")
+    claim("Published results are reproduced within their tolerances.", found, good, "[the book](#computed-by-others)")
     found, good = _wrong(evidence.campaigns)
-    claim("No random scene ends wrongly, or is refused without a certificate.", found, good, "[scenes](#robustness)")
+    claim(
+        "No random scene ends with a wrong result, or is refused without a certificate.",
+        found,
+        good,
+        "[scenes](#robustness)",
+    )
     found, good = _unsolved(evidence.campaigns)
     claim(
-        "Of random scenes no more than allowed end without a solution or a refusal.",
+        "No more random scenes than allowed end without a solution or a refusal.",
         found,
         good,
         "[limits](#robustness)",
@@ -111,7 +118,8 @@ def _fifty_digits(kept: Kept | None) -> tuple[str | None, bool]:
         return None, False
     cases = kept.data["cases"]
     worst = max(max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in cases)
-    return f"{len(cases)} scenes, largest relative error {worst:.1e}", all(each["verdict"] == "pass" for each in cases)
+    found = f"{len(cases)} scenes, largest relative error {row_text.scientific(worst, 2)}"
+    return found, all(each["verdict"] == "pass" for each in cases)
 
 
 def _contacts(evidence: Evidence) -> tuple[str | None, bool]:
@@ -137,7 +145,7 @@ def _sector(evidence: Evidence) -> tuple[str | None, bool]:
         own = [row for row in rows if name == row["quantity"].removeprefix("inner ").removeprefix("outer ")]
         if not own:
             continue
-        unit = "deg" if own[0]["unit"] == "deg" else row_text.difference_unit(own[0])
+        unit = "°" if own[0]["unit"] == "deg" else row_text.difference_unit(own[0])
         differences = [
             row["deviation_percent"] if unit == "%" else row_text.in_unit(row)[0] * (row["found"] - row["reference"])
             for row in own

@@ -31,7 +31,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
         "Errors of angles, loads, pressures, displacement and stiffness against the speed, a line for every level.",
         "Errors of every level against the finest, over the speed. A peak at a single speed: there two levels choose "
         "another controlling raceway for one of the balls",
-        0.85,
+        1.0,
     )
     blocks = [*tables.report(kept.data), speeds, kept.trace]
     if auto is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.missing import missing
+from fem_check.report.rows import as_read
 from qsbearing.documents.model import Cell, Paragraph, Section, Table
 
 
@@ -14,7 +15,7 @@ def section(evidence: Evidence) -> Section:
         return Section("Errors of the source", [missing("What they do", "python -m tests.reference.errata")], "errata")
     found = kept.data
     rows: list[list[Cell]] = [
-        [each["place"], each["printed"], each["correct"], each["shows"], each["effect"]] for each in found["errors"]
+        [as_read(each[name]) for name in ("place", "printed", "correct", "shows", "effect")] for each in found["errors"]
     ]
     words = (
         f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "

@@ -31,7 +31,7 @@ def _cut_open() -> Picture:
         STRESS.read_bytes(),
         "A ball between its two rings, cut open: stress below both contacts, and the pressure on the ball inside "
         "Hertz's ellipse.",
-        "B218 under 17.8 kN of thrust at 10 000 rpm: von Mises' stress in the plane of symmetry, on a logarithmic "
+        "B218 under 17.8 kN of thrust at 10,000 rpm: von Mises' stress in the plane of symmetry, on a logarithmic "
         "scale, and the pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by "
         "python -m fem_check.cutaway",
         "png",

@@ -6,6 +6,7 @@ from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import as_read
 from fem_check.report.sections import checks
+from fem_check.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
 
 CHECKS = ("hertz_formula",)
@@ -35,7 +36,7 @@ def _reference(kept: Kept | None) -> list[Block]:
     rows = [
         [
             each["case"], as_read(each["what"]),
-            *(f"{each[name]:.1e}" for name in ("loads", "angles", "displacements", "stiffness")),
+            *(scientific(each[name], 2) for name in ("loads", "angles", "displacements", "stiffness")),
             Badge(each["verdict"]),
         ]
         for each in kept.data["cases"]
@@ -43,7 +44,7 @@ def _reference(kept: Kept | None) -> list[Block]:
     headings = ("scene", "difficulty", "loads", "angles", "displacements", "stiffness", "verdict")
     words = (
         f"{len(rows)} scenes, each solved by mpmath with four unknowns per ball. The table shows the largest relative "
-        f"errors of `qsbearing.solve`; the tolerance is {kept.data['tolerance']:g}: {kept.data['why_tolerance']}."
+        f"errors of `qsbearing.solve`; the tolerance is {number(kept.data['tolerance'])}: {kept.data['why_tolerance']}."
     )
     return [
         Paragraph(words.replace("`", "")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -43,9 +44,9 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
         for each in found
     )
     return [
-        ("Commits", listed((each["commit"] or "")[:12] for each in found)),
         ("Machines", "; ".join(machines) or NOT_RECORDED),
         ("Packages", _packages(records)),
+        ("Commits", listed((each["commit"] or "")[:12] for each in found)),
     ]
 
 
@@ -75,7 +76,7 @@ def _mixed(evidence: Evidence) -> list[Block]:
     if unknown:
         names = ", ".join(kept.name for kept in unknown)
         said.append(
-            f"{len(unknown)} of {len(records)} records do not state their commit, so that their numbers cannot be "
+            f"{len(unknown)} of {len(records)} records do not name their commit, so that their numbers cannot be "
             f"traced to a version: {names}."
         )
     if any(kept.provenance.get("dirty") for kept in records):
@@ -84,8 +85,12 @@ def _mixed(evidence: Evidence) -> list[Block]:
 
 
 def _others(evidence: Evidence) -> list[Block]:
-    """The commands of the other records, by where they run."""
-    seen = {kept.command: kept for kept in evidence.all() if not kept.command.startswith("fem-check run ")}
+    """The commands of the other records, by where they run; one makes all published cases."""
+    seen = {
+        re.sub("^(fem-check book) .*", r"\1", kept.command): kept
+        for kept in evidence.all()
+        if not kept.command.startswith("fem-check run ")
+    }
     found: list[Block] = []
     for words, inside in (
         ("The other records:", False),

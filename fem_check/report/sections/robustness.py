@@ -7,6 +7,7 @@ from collections import Counter
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import as_read
+from fem_check.row_text import scientific
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
 
 GOOD = ("within 1e-9", "explained by its condition", "as expected")
@@ -38,7 +39,7 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
             found["envelope"], f"{found['count']:,}",
             *(f"{classes.get(name, 0):,}" for name in ("converged", "no_equilibrium", "not_converged")),
             str(sum(found["failures"].values())), str(found["iterations_of_converged"]["median"]),
-            f"{found['largest']['imbalance']:.0e}",
+            scientific(found["largest"]["imbalance"], 1),
             Badge("met" if met else "not met", "pass" if met else "fail"),
         ])  # fmt: skip
     headings = (
@@ -65,11 +66,11 @@ def _hard_cases(kept: Kept | None) -> list[Block]:
         return [missing("The table of hard cases", "python -m tests.hard_cases.table")]
     rows: list[list[Cell]] = []
     for each in kept.data["cases"]:
-        errors = [f"{each[key]:.0e}" if key in each else "" for key in ("loads", "angles", "displacements")]
+        errors = [scientific(each[key], 1) if key in each else "" for key in ("loads", "angles", "displacements")]
         verdict = each["verdict"]
         rows.append([
             each["case"], as_read(each["what"]), each["status"].replace("_", " "), str(each["iterations"]), *errors,
-            f"{each['unavoidable']:.0e}" if "unavoidable" in each else "",
+            scientific(each["unavoidable"], 1) if "unavoidable" in each else "",
             Badge(verdict, "pass" if verdict in GOOD else "fail"),
         ])  # fmt: skip
     tally = Counter(each["verdict"] for each in kept.data["cases"])

@@ -26,9 +26,8 @@ MARKERS = ("v", "s", "^", "D", "o", "*")
 
 def speeds(record: dict[str, Any]) -> Figure:
     """When a model level is enough: errors of the reported results along the speed."""
-    figure, axes = _sheet(record, 3, 2, (8.8, 9.4), "When a model level is enough: errors against the finest level")
+    figure, axes = _sheet(record, 2, 3, (11.0, 6.2), "When a model level is enough: errors against the finest level")
     measured = levels_of(record)
-    axes[-1, -1].set_axis_off()  # five quantities in six places
     for each, (group, words) in zip(axes.ravel(), WORDS.items(), strict=False):
         each.set(title=words.capitalize(), xlabel="dm n, mm rpm", ylabel="relative error")
         listed = [row for row in record["errors"] if row["dm_n_mm_rpm"] and row["speed"] != OWN]
@@ -40,7 +39,8 @@ def speeds(record: dict[str, Any]) -> Figure:
             each.plot(along, np.array([row[group] for row in rows], float), **style)
         each.set_xscale("log")
         each.set_xlim(along[0], along[-1])
-    _legend(figure, axes[0, 0])
+    axes[-1, -1].set_axis_off()  # five quantities in six places: the legend has the last
+    axes[-1, -1].legend(*axes[0, 0].get_legend_handles_labels(), loc="center", fontsize=8, frameon=False)
     return figure
 
 

@@ -57,7 +57,7 @@ def _levels(record: dict[str, Any]) -> Table:
 
 def _speeds(record: dict[str, Any]) -> Table:
     named = [row for row in select(record["errors"], level=levels_of(record)[0].name) if row["speed"] is not None]
-    heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:g}"]) for row in named)]
+    heading = ["", *("\n".join([*wrap(row["speed"], 11), f"{row['dm_n_mm_rpm']:,.0f}"]) for row in named)]
     cells = []
     for level in levels_of(record):
         rows = [row for row in select(record["errors"], level=level.name) if row["speed"] is not None]
@@ -68,7 +68,10 @@ def _speeds(record: dict[str, Any]) -> Table:
 def _scaling(record: dict[str, Any]) -> Table:
     heading = ["cases", "µs a case", "of the last", "MB"]
     measured = select(record["measured"], part="cases")
-    rows = [(row["name"], _micro(row), _ratio(row), f"{row['memory_MB']:.0f}") for row in measured]
+    rows = [
+        (row["name"], *(text.replace("\n", " ") for text in (_micro(row), _ratio(row))), f"{row['memory_MB']:.0f}")
+        for row in measured
+    ]
     return Table(heading, rows, caption="Scaling: cases in one call, one thread")
 
 
