@@ -85,7 +85,7 @@ def _worst_at(row: Row) -> str:
 
 
 def _headed(name: str, unit: str) -> str:
-    return quantity(name) + (f", {unit}" if unit else "")
+    return quantity(as_read(name)) + (f", {unit}" if unit else "")
 
 
 def _difference_headed(row: Row) -> str:
@@ -113,7 +113,8 @@ def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
     alone: list[str] = []
     for heads, names in shapes.items():
         if len(names) >= 3 and len(heads) >= 2:
-            found.append(_side_by_side(heads, [(name, cases[name]) for name in names], caption))
+            beside = [(name, cases[name]) for name in names]
+            found += [_side_by_side(heads, beside, caption), *_parts_of(beside, caption)]
         else:
             alone += names
     return ([_row_by_row([(name, cases[name]) for name in alone], caption)] if alone else []) + found
@@ -164,6 +165,35 @@ def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], 
     return Table(headings, lines, "l" + "r" * len(heads) + "ll", title, stack=True, notes=notes.listed)
 
 
+_PART = re.compile(r"([^,:\d]+) ([+-]\d\S* ± \S+) ([^\s,]+)(?:, |$)")
+
+
+def _parts(row: Row) -> list[tuple[str, str]]:
+    """Name with unit and value of each part that the reason of a finding lists; empty if it says anything else."""
+    why = as_read(row["why_tolerance"] or "").removeprefix("a finding: ")
+    found = _PART.findall(why) if row["verdict"] == "finding" else []
+    return [(f"{name}, {unit}", value) for name, value, unit in found] if not _PART.sub("", why) else []
+
+
+def _parts_of(cases: Sequence[tuple[str, list[Row]]], caption: str) -> list[Table]:
+    """The parts of deviations side by side: a row of each quantity, or of each case if these have others."""
+    every = [_parts(row) for _, rows in cases for row in rows]
+    names = [[name for name, _ in parts] for parts in every]
+    if not all(every):
+        return []
+    lines: list[list[Cell] | Group] = []
+    if all(each == names[0] for each in names):
+        headings = ["quantity", *names[0]]
+        for case, rows in cases:
+            lines.append(Group(as_read(case)))
+            lines += [[_headed(row["quantity"], ""), *(value for _, value in _parts(row))] for row in rows]
+    else:
+        headings = ["case", *(name for row in cases[0][1] for name, _ in _parts(row))]
+        lines += [[as_read(case), *(value for row in rows for _, value in _parts(row))] for case, rows in cases]
+    title = f"{caption}: parts of the deviation" if caption else "Parts of the deviation"
+    return [Table(headings, lines, caption=title, stack=True)]
+
+
 class _Notes:
     """Footnotes of a table, in the order in which its rows need them."""
 
@@ -175,7 +205,7 @@ class _Notes:
         texts = [f"Reference: {as_read(row['reference_source'])}" for row in rows]
         for row in rows:
             why = re.sub("^a finding(: |$)", "", as_read(row["why_tolerance"] or ""))
-            if why:
+            if why and not _parts(row):
                 texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {why}")
         return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))
 

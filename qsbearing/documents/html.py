@@ -19,6 +19,7 @@ OPTION = re.compile(r"(?<![\w-])(?:--?|[a-z]+-)[a-z][\w-]*")
 VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?( \\$)?')
 NARROWEST = 47
 """Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
+LONG_NAME = re.compile(r"\w{18,}")
 JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 """Where a long name may be broken."""
 SHORT = 26
@@ -65,7 +66,7 @@ def _templates() -> Any:
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
-        "unbroken": lambda text: _unbroken(text),
+        "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
         "closing": _closing,
     }
     return environment
@@ -131,6 +132,11 @@ def _code(text: str) -> str:
 def _unbroken(text: str) -> str:
     """Text in which no line ends within a quantity, which browsers break before µ too."""
     return QUANTITY.sub("\N{NO-BREAK SPACE}", text).replace("/µ", "/\N{WORD JOINER}µ")
+
+
+def _jointed(text: str) -> str:
+    """Text whose long names may break after an underscore, so that the column of names leaves room for the others."""
+    return LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
 
 
 def _closing(run: dict[str, Any]) -> str:

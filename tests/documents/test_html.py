@@ -64,6 +64,14 @@ def test_no_line_ends_within_an_option_or_between_a_formula_and_its_full_stop() 
     assert "Then run --plot x.png, and (see β): so." in Page.of(text).text
 
 
+def test_a_long_name_in_a_table_may_break() -> None:
+    """Else the column of names takes the room of the others."""
+    table = Table(("name", "is"), [["a_long_name_of_a_scene", "a_short & one"]])
+    text = html(Document("One", "two", [Section("Three", [table])]))
+    assert "a_<wbr>long_<wbr>name_<wbr>of_<wbr>a_<wbr>scene" in text
+    assert "a_short &amp; one" in text
+
+
 def test_a_command_is_shown_and_copied_as_it_is_written() -> None:
     lines = 'run "a & b" --out x  # it writes x\n\n# and <this>\nrun --csv y > <z>'
     text = html(Document("One", "two", [Section("Three", [Code(lines, "sh")])]))

@@ -22,7 +22,7 @@ from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import agreement, quantity
+from fem_check.report.rows import agreement, as_read, quantity
 from fem_check.row_text import UNITS, passes_through_zero
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Group
@@ -91,8 +91,8 @@ def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
     for (name, row), cells in zip(kept, table[1:], strict=True):
         check, case, what, reference, value, difference, tolerance, verdict = cells
         deviation = difference.split(" ± ")[0]
-        assert (check, case, verdict) == (name, row["case"], row["verdict"])
-        assert what.startswith(quantity(row["quantity"]))
+        assert (check, case, verdict) == (name, as_read(row["case"]), row["verdict"])
+        assert what.startswith(quantity(as_read(row["quantity"])))
         factor = UNITS.get(row["unit"], (1.0, ""))[0]
         assert float(value.split(" ± ")[0]) == pytest.approx(row["found"] * factor, rel=1e-5, abs=1e-300)
         assert float(reference) == pytest.approx(row["reference"] * factor, rel=1e-5, abs=1e-300)
@@ -198,6 +198,25 @@ def test_the_name_of_a_case_with_several_rows_is_above_them() -> None:
     assert isinstance(table.rows[0], Group), "long names leave no width for numbers"
     (table,) = agreement(rows[:1])
     assert not isinstance(table.rows[0], Group)
+
+
+def test_parts_of_deviations_are_a_table() -> None:
+    """Where the reason of each finding side by side lists them; else the reasons are footnotes."""
+    why = "a finding: gap's shape +0.1 ± 0.2 %, finite bodies and mesh -1.287 ± 0.180 %"
+    rows = [
+        Row(case, name, "1", 1.0, "a book", 1.1, 0.1, None, why).as_dict()
+        for case in ("one", "two", "three")
+        for name in ("max_pressure", "approach")
+    ]
+    beside, parts = agreement(rows)
+    assert [text for _, text in beside.notes] == ["Reference: a book"]
+    assert list(parts.headings) == ["quantity", "gap's shape, %", "finite bodies and mesh, %"]
+    assert parts.rows[:2] == [Group("one"), ["p0", "+0.1 ± 0.2", "-1.287 ± 0.180"]]
+    rows = [row | {"why_tolerance": why.replace("gap", row["quantity"])} for row in rows]
+    assert [len(row) for row in agreement(rows)[1].rows] == [5, 5, 5], "a row for each case, if its quantities differ"
+    rows[0]["why_tolerance"] = "a finding: in 3 cases: the ball adds +3 ± 1 %"
+    (beside,) = agreement(rows)
+    assert "Finding: in 3 cases: the ball adds +3 ± 1 %" in [text for _, text in beside.notes]
 
 
 def test_a_name_keeps_the_indices_of_its_symbols() -> None:
@@ -350,6 +369,20 @@ def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
     assert done.exit_code == 2
     assert "no records in" in done.stderr
     assert not (tmp_path / "report").exists()
+
+
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page, encoding="utf-8")
+    cut = (
+        "[...document.querySelectorAll('.table')].filter(t => [...t.querySelectorAll('.badge')].some("
+        "b => b.getBoundingClientRect().right > t.getBoundingClientRect().right + 1)).map(t => t.ariaLabel)"
+    )
+    with Browser() as browser:
+        browser.open(path, width=1280)
+        assert browser.value("document.querySelectorAll('.table .badge').length") > 1000
+        assert browser.value(cut) == []
 
 
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")

@@ -42,16 +42,18 @@ def section(evidence: Evidence) -> Section:
                     "scenes are judged as a whole and are not counted as rows."
                 )
             ),
-            Table(
-                ("level of evidence", "kind", "rows", "pass", "fail", "findings", "judged as a whole", "not on record"),
-                _levels(evidence),
-                "llrrrrll",
-                "Levels of evidence, and the rows of agreement of each",
-                stack=True,
-            ),
+            _levels_table(_levels(evidence)),
             *scatter(evidence),
         ],
     )
+
+
+def _levels_table(lines: list[list[Cell]]) -> Table:
+    """Without the column of what is missing where nothing is."""
+    headings = ("level of evidence", "kind", "rows", "pass", "fail", "findings", "judged as a whole", "not on record")
+    count = len(headings) if any(line[-1] for line in lines) else len(headings) - 1
+    caption = "Levels of evidence, and the rows of agreement of each"
+    return Table(headings[:count], [line[:count] for line in lines], "llrrrrll"[:count], caption, stack=True)
 
 
 def unmet(evidence: Evidence) -> list[str]:
