@@ -183,3 +183,8 @@ def test_a_hollow_mark_has_no_filling() -> None:
     drawn = picture(figure, "A line.").data.decode()
     assert "fill: none; stroke: #1f77b4" in drawn
     assert "fill-opacity: 0;" not in drawn
+
+
+def test_a_heading_keeps_the_letter_of_its_raceway_or_axis() -> None:
+    table = Table(("ball", "angle o\ndeg", "radial y", "load of a ball"), [["0", "1", "2", "3"]])
+    assert WHOLE.findall(html(document(table)))[-2:] == ["angle o", "radial y"]
