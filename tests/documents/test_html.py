@@ -173,7 +173,7 @@ def test_colours_have_contrast_enough_to_be_read() -> None:
 
 
 def test_a_hollow_mark_has_no_filling() -> None:
-    """A transparent one is drawn by no reader of PDF that smooths lines as Ghostscript does."""
+    """Ghostscript, when it smooths lines, draws nothing of a mark whose filling is transparent."""
     from matplotlib.figure import Figure
 
     from qsbearing.documents.drawing import picture
