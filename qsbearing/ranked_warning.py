@@ -49,7 +49,11 @@ class RankedWarning(str):
     @property
     def line(self) -> str:
         """As people read it: how much it matters, the sentence, and where the guide says more."""
-        return f"{self.rank.words}: {self}" + (f" (see qsbearing guide {self.see})" if self.see else "")
+        said = f"{self.rank.words}: {self}"
+        if not self.see:
+            return said
+        end = "." if said.endswith(".") else ""
+        return f"{said.removesuffix(end)} (see qsbearing guide {self.see}){end}"
 
 
 def wrong_model(text: str, see: str) -> RankedWarning:

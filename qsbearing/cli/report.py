@@ -13,7 +13,7 @@ import click
 
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
-from qsbearing.cli.scene import load_one, solve
+from qsbearing.cli.scene import load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,6 +33,9 @@ MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 def report(scene: str, out: str) -> None:
     """Solve SCENE, a bearing or a set of rows, and write its design report to DIR, as one HTML page and one PDF.
 
+    Of a file with [[spectrum]] it opens with the life under all operating points, and shows the one that does most
+    damage.
+
     It contains key results and warnings, the input, assumptions, the effects that are simulated or left out and why,
     results with pictures, readings, curves around the operating point, and the evidence that applies.
 
@@ -41,7 +44,7 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report needs", NEEDED, "report")
-    asked = load_one(scene)
+    asked = load_scene_or_set(scene)
     from qsbearing.io.scene_file import is_file, text_of
 
     path = Path(scene)
@@ -91,9 +94,14 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
     from qsbearing.scene.scene import Scene
 
     solution = solve(asked)
-    if not solution.converged:
-        note(message(solution))
+    if not solution.converged.all():
+        first = int(solution.converged.argmin())
+        note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
         sys.exit(UNSOLVED)
+    if "spectrum" in asked.readings:
+        from qsbearing.design_report import spectrum
+
+        return lambda: spectrum.document(solution, asked, solve, source, command)
     if isinstance(asked, Scene):
         from qsbearing.design_report.document import document
 

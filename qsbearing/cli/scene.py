@@ -45,7 +45,8 @@ def load_one(source: str) -> Scene | BearingSet:
 def _of_one_point(asked: Asked, source: str) -> Asked:
     if "spectrum" in asked.readings:
         refuse(
-            f"{source}: [[spectrum]] has several operating points; only `qsbearing run` solves them: leave it out here"
+            f"{source}: [[spectrum]] has several operating points, which only `qsbearing run` and `report` solve: "
+            "leave it out here"
         )
     return asked
 

@@ -194,4 +194,4 @@ def _close(one: Any, other: Any) -> bool:
 
 
 def _number(value: float) -> str:
-    return f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.4g}"
+    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.4g}"

@@ -30,13 +30,13 @@ FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
 SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 """Parts of the scene's own speed and loads."""
 
-CURVES = "contact angles, greatest pressures, the axial answer, axial and radial stiffness"
+CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
 
 
 def section(solution: Solution) -> Section:
     """Both sweeps; what cannot be varied is said."""
     words = (
-        "Everything else stays as the scene has it. Angles are those of "
+        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
         "the ball with the largest inner load. Points without a solution are left out."
     )
     return Section("Around the operating point", [Paragraph(words), *_speed(solution), *_load(solution)], "curves")
@@ -96,7 +96,7 @@ def shown(
 
 
 def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
-    figure = figure_of_size(9.0, 4.8)
+    figure = figure_of_size(9.0, 4.4)
     angles, pressures, displacement, stiffness = figure.subplots(2, 2).ravel()
     solved = swept.converged
     load = np.where(solved[:, None], swept.inner.load, np.nan)
@@ -113,7 +113,7 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
     axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
     displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("contact angle, deg", "greatest pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
+    names = ("contact angle, deg", "maximum pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
     finish((angles, pressures, displacement, stiffness), names, own, label)
     legend(figure, angles)
     return figure

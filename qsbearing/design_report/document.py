@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from qsbearing import messages
-from qsbearing.design_report import curves, effects, evidence, inputs
+from qsbearing.design_report import curves, effects, evidence, heat, inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.drawing import picture
@@ -11,7 +11,7 @@ from qsbearing.documents.model import Document, Section
 from qsbearing.io import report
 from qsbearing.io.readings_record import taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, section
+from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
@@ -38,6 +38,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             inputs.section(scene, source, asked.thermal),
             effects.section(solution, asked, tolerance),
             _results(solution),
+            *heat.sections(solution.thermal),
             *([Section("Readings", readings_tables(found))] if found else []),
             curves.section(solution),
             evidence.section([solution]),
@@ -48,15 +49,16 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
 
 
 def _results(solution: Solution) -> Section:
+    are_alike = carry_alike(solution, ())
+    which = "a ball" if are_alike else "the ball with the largest contact load"
     drawn = [
         picture(
             section(solution),
-            "Section through the ball with the largest contact load, with the lines of action of its contacts.",
-            "Section through the ball with the largest contact load: contact angles, loads and pressures. Of the rings "
-            "only the grooves are to scale",
+            f"Section through {which}, with the lines of action of its contacts.",
+            f"Section through {which}: contact angles, loads and pressures. Of the rings only the grooves are to scale",
         )
     ]
-    if not carry_alike(solution, ()):  # else all is the same around the bearing
+    if not are_alike:  # else all is the same around the bearing
         drawn += [
             picture(
                 load_distribution(solution),
@@ -73,7 +75,16 @@ def _results(solution: Solution) -> Section:
         picture(
             contact_ellipses(solution),
             "Outlines of the contact ellipses to one scale, with their maximum pressures.",
-            "Contact ellipses of each ball, with their maximum pressures",
+            "Contact ellipses of the balls, with their maximum pressures",
         )
     )
+    if solution.scene.elastic_rings is not None:
+        drawn.append(
+            picture(
+                ring_shape(solution),
+                "Grooves of the elastic rings around the bearing, as they move away from the balls.",
+                "Grooves of the elastic rings around the bearing, their movement far enlarged, to the scale of the bar "
+                "at 0 deg",
+            )
+        )
     return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])

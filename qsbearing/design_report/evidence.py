@@ -21,8 +21,8 @@ MEANING = (
 )
 WORDS = (
     "Nothing here is a measurement unless it says so: contact angles, loads and stiffness at speed have not been "
-    "compared with any. The validation report, `fem-check report`, has all numbers. Commands that begin with `python` "
-    "or `pytest` run in a checkout of the repository."
+    "compared with measurements. The validation report, `fem-check report`, has all numbers. Commands that begin with "
+    "`python` or `pytest` run in a checkout of the repository."
 )
 
 

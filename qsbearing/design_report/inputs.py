@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
-from qsbearing.effects import RingExpansion
+from qsbearing.effects import ElasticRings, RingExpansion
 from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.file_keys import reading_tables
@@ -19,7 +19,7 @@ from qsbearing.io.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
 from qsbearing.material import BY_NAME, Material
 from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, Key
+from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, SEATS, Key
 from qsbearing.scene.scene import CHOICES, Scene
 from qsbearing.thermal.network import Thermal
 from qsbearing.units import zero_celsius
@@ -31,6 +31,8 @@ FOLLOWS = {
     "free_contact_angle_deg": "follows from the clearance",
 }
 """Of a catalogue entry, which gives one of the two."""
+ELASTIC = {field: key for key, field in SEATS.items()}
+"""Keys of what elastic rings touch, by its field."""
 HEADINGS = ("key of a scene file", "value", "unit", "from")
 
 
@@ -45,7 +47,10 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
         ("Bearing", bearing_lines(scene.bearing, "scene")),
         ("Operation", numbers(OPERATION, scene.operation)),
         ("Preload", numbers(PRELOAD, scene.preload)),
-        ("Effects and choices", [*effect_lines((*scene.ring_effects, *scene.ball_effects)), *choice_lines(scene)]),
+        (
+            "Effects and choices",
+            [*effect_lines((*scene.ring_effects, *scene.ball_effects), heat), *choice_lines(scene)],
+        ),
         ("Readings", reading_lines(scene.readings)),
         *thermal_groups(heat),
     )
@@ -120,8 +125,10 @@ def _material(name: str, material: Material) -> list[Line]:
     return [(f"{name}.{line[0]}", *line[1:3], origin) for line in numbers(MATERIAL, material)]
 
 
-def effect_lines(effects: Iterable[Any]) -> list[Line]:
-    """Effects with their numbers and choices."""
+def effect_lines(effects: Iterable[Any], heat: Thermal | None = None) -> list[Line]:
+    """Effects with their numbers and choices; temperatures of nodes are not given, but found by the heat balance."""
+    nodes = {node for each in heat.conductances for node in each.between} if heat is not None else set()
+    of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
     found: list[Line] = []
     for effect in effects:
         found.append((effect.name, "on", "", ""))
@@ -135,11 +142,13 @@ def effect_lines(effects: Iterable[Any]) -> list[Line]:
             elif key is not None and np.ndim(value):
                 found.append(_list(key, np.asarray(value, float)))
             elif key is not None:
+                origin = "heat balance" if each.name in of_nodes else ""
                 found.append(
-                    (f"{effect.name}.{key.name}", _text(key.in_file(float(value))), printed_unit(key.unit), "")
+                    (f"{effect.name}.{key.name}", _text(key.in_file(float(value))), printed_unit(key.unit), origin)
                 )
             elif isinstance(value, str):
-                found.append((each.name, str(value), "", ""))
+                name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name
+                found.append((name, str(value), "", ""))
         if isinstance(effect, RingExpansion) and effect.is_warm:
             found += [
                 (
@@ -218,4 +227,4 @@ def _key(keys: tuple[Key, ...], field: str) -> Key | None:
 
 
 def _text(value: float) -> str:
-    return f"{value:.9g}"
+    return f"{value:.7g}"

@@ -33,7 +33,8 @@ def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
     """
     lever = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
     ring = ring_lines(solution, "inner ring", lever)
-    lines = [*contact_lines(solution), *ring, *_preload_lines(solution), *_life_lines(readings)]
+    heat = _heat_lines(solution)
+    lines = [*contact_lines(solution), *ring, *_preload_lines(solution), *heat, *_life_lines(readings)]
     return Table(HEADINGS, lines, "ll")
 
 
@@ -44,7 +45,11 @@ def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, An
         readings: what each row was asked to be read off, by name.
     """
     lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
-    lines: list[Line | Group] = [*ring_lines(solution, "shaft", lever), *_system_life_lines(readings)]
+    lines: list[Line | Group] = [
+        *ring_lines(solution, "shaft", lever),
+        *_heat_lines(solution),
+        *_system_life_lines(readings),
+    ]
     for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
         axial = f"{_number(float(solution.axial_loads[number]))} N"
         if solution.preload_unmounted is not None and solution.preload_mounted is not None:
@@ -129,6 +134,10 @@ def _channels(
     return ", ".join(found)
 
 
+def _heat_lines(solution: Solution | SetSolution) -> list[Line]:
+    return [] if solution.thermal is None else [("heat balance", solution.thermal.message())]
+
+
 def _life_lines(readings: Mapping[str, Any]) -> list[Line]:
     life = readings.get("life")
     if life is None:
@@ -164,4 +173,4 @@ def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[Line]:
 
 def _number(value: float, digits: int = 4) -> str:
     """So many digits, without an exponent where it is long."""
-    return f"{value:,.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"
+    return f"{value:.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"

@@ -37,7 +37,7 @@ BEYOND = 1.15
 Mark = tuple[float, str]
 """Where a row no longer keeps its preload, along the curve, and what happens there."""
 
-CURVES = "axial load and greatest pressure of each row, displacement and stiffness of the shaft"
+CURVES = "axial load and maximum pressure of each row, displacement and stiffness of the shaft"
 
 
 def section(of: BearingSet, limits: Limits) -> Section:
@@ -48,8 +48,8 @@ def section(of: BearingSet, limits: Limits) -> Section:
     """
     speeds, loads = limits
     words = (
-        "Everything else stays as the set has it. Dashed red lines mark where a row loses its preload, has too much of "
-        "it or regains it. Points without a solution are left out."
+        "All other inputs are those of the operating point, temperatures among them. Dashed red lines mark "
+        "where a row loses its preload, has too much of it or regains it. Points without a solution are left out."
     )
     blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
@@ -106,7 +106,7 @@ def _what(change: Change) -> str:
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
-    figure = figure_of_size(9.0, 4.8)
+    figure = figure_of_size(9.0, 4.4)
     panels = list(figure.subplots(2, 2).ravel())
     loads, pressures, displacement, stiffness = panels
     solved = np.asarray(swept.converged)
@@ -118,7 +118,7 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
         pressures.plot(along, np.where(solved, greatest, np.nan) / MPa, **style)
     answer = _answer(displacement, along, swept)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("axial load of each row, N", "greatest pressure of each row, MPa", answer)
+    names = ("axial load of each row, N", "maximum pressure of each row, MPa", answer)
     finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
     inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
     for place, what in inside:

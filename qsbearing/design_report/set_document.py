@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from qsbearing import messages
-from qsbearing.design_report import effects, evidence, set_curves, set_inputs
+from qsbearing.design_report import effects, evidence, heat, set_curves, set_inputs
 from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
@@ -41,6 +41,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
             set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
             effects.section_of_set(solution),
             _results(solution, found, changes),
+            *heat.sections(solution.thermal),
             *(_row(solution, number, of_row) for number, of_row in enumerate(found)),
             set_curves.section(of, changes),
             evidence.section(solution.rows, of),
@@ -122,7 +123,7 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     row = solution.rows[number]
     drawn = picture(
         contact_ellipses(row),
-        f"Outlines of the contact ellipses of row {number + 1} to one scale, with their greatest pressures.",
+        f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
     )
     said = remarks(messages.warnings(row))

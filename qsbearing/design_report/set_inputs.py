@@ -47,14 +47,19 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
     """
     reference = "midway between the first and the last row" if of.reference_position is None else "as given"
     shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
-    named = [*effect_lines((*of.ring_effects, *of.ball_effects)), *choice_lines(of)]
+    # At temperatures that are found, each row has the ring effects below.
+    rings = of.ring_effects if heat is None or any(row.ring_effects is None for row in of.rows) else ()
+    named = [*effect_lines((*rings, *of.ball_effects)), *choice_lines(of)]
     rows = grouped(
         ("Shaft", [shaft, *numbers(SHAFT, of.shaft)]),
         *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),
         ("Effects and choices", named),
-        *((f"Effects of row {n} alone", effect_lines(row.ring_effects or ())) for n, row in enumerate(of.rows, 1)),
+        *(
+            (f"Effects of row {n} alone", effect_lines(row.ring_effects or (), heat))
+            for n, row in enumerate(of.rows, 1)
+        ),
         ("Readings", reading_lines(of.readings)),
         *((f"Readings of row {n} alone", reading_lines(row.readings or {})) for n, row in enumerate(of.rows, 1)),
         *thermal_groups(heat),

@@ -67,11 +67,14 @@ def _templates() -> Any:
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
         "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
+        "lettered": lambda text: Markup(LETTERED.sub(lambda found: _whole(found[0]), str(text))),
         "closing": _closing,
     }
     return environment
 
 
+LETTERED = re.compile(r"\w+ \w(?=\n|<|$)")
+"""A word with the letter of its raceway or axis, at the end of a line of a heading: "angle o", "radial y"."""
 NARROW = 8
 """Letters of a first column of numbers or short names, which needs no room for a sentence."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,10 @@ def readings_tables(readings: Mapping[str, Any]) -> list[Block]:
     parts: list[Block] = []
     for name, reading in readings.items():
         title = name.replace("_", " ").capitalize()
-        parts += [table for table in (_of_bearing(title, name, reading), _of_contacts(title, name, reading)) if table]
+        of_bearing, of_contacts = _of_bearing(title, name, reading), _of_contacts(title, name, reading)
+        if of_bearing and of_contacts:
+            of_contacts = replace(of_contacts, caption=f"{title}: contacts")
+        parts += [table for table in (of_bearing, of_contacts) if table]
         parts += [Paragraph(READINGS[name].scope)] if READINGS[name].scope else []
         for model in getattr(reading, "models", ()):
             what = f"{model.name}: {model.contains}; without {model.lacks}."
@@ -53,8 +57,12 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
     for shown, row in cells.items():
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
         spans = [_span(row[side], NOISE * largest) if side in row else ("", "") for side in sides]
-        rows.append((shown.plain_name, *(cell for span in spans for cell in span), printed_unit(split(shown.key)[1])))
-    return Table(("quantity", *heading, "unit"), rows, f"l{'r' * len(heading)}l", title)
+        rows.append((shown.plain_name, spans, printed_unit(split(shown.key)[1])))
+    if not any(high for _, spans, _ in rows for _, high in spans):  # all balls are alike
+        cells_of = [(name, *(low for low, _ in spans), unit) for name, spans, unit in rows]
+        return Table(("quantity", *sides, "unit"), cells_of, f"l{'r' * len(sides)}l", title)
+    cells_of = [(name, *(cell for span in spans for cell in span), unit) for name, spans, unit in rows]
+    return Table(("quantity", *heading, "unit"), cells_of, f"l{'r' * len(heading)}l", title)
 
 
 def _span(values: NDArray, noise: float) -> tuple[str, str]:

@@ -193,7 +193,7 @@ def channels_table(
 
 
 RINGS = (
-    "", "radial growth\nof groove µm", "seat pres-\nsure MPa", "seat gap\nµm", "hoop stress\nat bore MPa",
+    "", "radial growth\nof groove µm", "seat pressure\nMPa", "seat gap\nµm", "hoop stress\nat bore MPa",
     "largest Tresca\nstress MPa",
 )  # fmt: skip
 
@@ -222,7 +222,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
-    heading = ("", "growth\nµm", "bending\nµm", "seat pres-\nsure MPa", "least\nMPa", "largest\nMPa")
+    heading = ("", "growth\nµm", "bending\nµm", "seat pressure\nMPa", "least\nMPa", "largest\nMPa")
     share = elastic["share_of_axial_displacement"]
     part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
     rows = [

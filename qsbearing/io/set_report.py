@@ -25,7 +25,7 @@ from qsbearing.io.report import (
 )
 from qsbearing.io.set_record import set_record
 from qsbearing.io.shaft_report import shaft_tables
-from qsbearing.io.tables import remarks
+from qsbearing.io.tables import digits_of, remarks
 from qsbearing.messages.bearing_set import capital, row_name
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.judgement import percent
@@ -83,7 +83,9 @@ def _system_life(found: dict[str, Any]) -> list[Block]:
     basic, modified = found["system_basic_life_h"], found["system_life_h"]
     if modified is None:
         return []
-    together = f"{basic:.5g} h" if modified == basic else f"basic {basic:.5g} h, modified {modified:.5g} h"
+    together = f"{digits_of(basic)} h"
+    if modified != basic:
+        together = f"basic {digits_of(basic)} h, modified {digits_of(modified)} h"
     return [Paragraph(f"Life of all rows together: {together}", is_apart=True)]
 
 
@@ -113,7 +115,7 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
     tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
     if all(row["preload_state"] is None for row in found["rows"]):
         return tables
-    heads = ("before\nfitting N", "mounted\nN", "in opera-\ntion N", "with the\nloads N", "share of the\ngiven preload")
+    heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "with the\nloads N", "share of the\ngiven preload")
     cells = []
     for number, row in enumerate(found["rows"], 1):
         loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]

@@ -76,7 +76,8 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     parts.append(Table(heading, rows, caption="Load spectrum"))
     if found["duration_h"] is not None:
         together = (
-            f"Life under the whole spectrum: {found['duration_h']:.5g} h, {found['life_Mrev']:.5g} million revolutions"
+            f"Life under the whole spectrum: {digits_of(found['duration_h'])} h, {digits_of(found['life_Mrev'])} "
+            "million revolutions"
         )
         parts.append(Paragraph(together, is_apart=True))
     sentences = of_points(found["points"])

@@ -20,8 +20,11 @@ COLOURS = {Rank.WRONG_MODEL: "red", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW
 
 
 def digits_of(value: Any) -> str:
-    """A number to five digits; a dash where there is none."""
-    return f"{float(value) + 0.0:.5g}" if math.isfinite(value) else "-"
+    """A number to five digits, without an exponent below a thousand million; a dash where there is none."""
+    if not math.isfinite(value):
+        return "-"
+    text = f"{float(value) + 0.0:.5g}"
+    return f"{float(text):.0f}" if 1e5 <= abs(float(text)) < 1e9 else text
 
 
 def remarks(warnings: Iterable[str], is_apart: bool = False) -> list[Remark]:

@@ -11,7 +11,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.readings_record import number
 from qsbearing.io.tables import digits_of
 from qsbearing.solution.case_index import Place
-from qsbearing.thermal.state import Course, State, ThermalState
+from qsbearing.thermal.state import Course, State, ThermalState, in_words
 from qsbearing.units import rpm, zero_celsius
 
 
@@ -134,10 +134,14 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
 
 def thermal_tables(found: dict[str, Any]) -> list[Block]:
     """What a record says of a steady state: nodes, paths, and the verdict."""
-    nodes = [(name.replace("_", " "), digits_of(value)) for name, value in found["temperatures_C"].items()]
-    heat = [(f"{name} ({found['friction']})", "", digits_of(value)) for name, value in found["powers_W"].items()]
+    nodes = [(in_words(name), digits_of(value)) for name, value in found["temperatures_C"].items()]
+    by = "" if found["friction"] == "contacts" else f" ({found['friction']})"
+    heat = [(f"{in_words(name)}{by}", "", digits_of(value)) for name, value in found["powers_W"].items()]
     for path in found["flows_W"]:
-        heat.append((path["from"].replace("_", " "), path["to"].replace("_", " "), digits_of(path["heat_W"])))
+        ends, flow = (in_words(path["from"]), in_words(path["to"])), path["heat_W"]
+        heat.append(
+            (*(ends if flow is None or flow >= 0.0 else ends[::-1]), digits_of(np.nan if flow is None else abs(flow)))
+        )
     return [
         Table(("node", "temperature °C"), nodes, caption="Steady state"),
         Table(("made by, or flowing from", "to", "W"), heat, "llr", "Heat"),

@@ -81,7 +81,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
         text = f"{label}: {at / um:.3g} µm".replace("-", "−")
         axes.annotate(text, (position / mm, 1.65 * top / mm), ha="center", fontsize=8)
         axes.plot(2 * [position / mm], [factor * at / mm, 1.6 * top / mm], color="0.6", lw=0.6, ls=":")
-    axes.set_title(f"Shaft in the plane x{name}: deflection × {factor:,.0f}", fontsize=10)
+    axes.set_title(f"Shaft in the plane x{name}: deflection × {factor:.0f}", fontsize=10)
     axes.set_xlabel("x, mm", fontsize=9)
     axes.set_ylabel(f"{name}, mm", fontsize=9)
     axes.set_ylim(-1.6 * top / mm, 1.85 * top / mm)

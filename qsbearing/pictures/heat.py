@@ -23,9 +23,9 @@ def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
         own: the scene's speed [rpm].
         title: names the bearing.
     """
-    figure, axes = _two("speed, rpm", title)
     fold = found["fold"]
     states, at_fold = along_curve(found)
+    figure, axes = _two("speed, rpm", title, states)
     _draw(axes, states, [each["speed_rpm"] for each in states], at_fold)
     for each in axes:
         each.axvline(own, color=GREY, linewidth=0.8, linestyle=":", label="the scene's speed")
@@ -38,8 +38,8 @@ def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
 
 def over_time(found: dict[str, Any], title: str = "") -> Figure:
     """Heating up: "transient" of `qsbearing heat --json`."""
-    figure, axes = _two("time, s", title)
     states = [instant(found, number) for number in range(1, len(found["time_s"]))]
+    figure, axes = _two("time, s", title, states)
     _draw(axes, states, found["time_s"][1:], None)
     for each in axes:
         each.set_xscale("log")
@@ -47,14 +47,15 @@ def over_time(found: dict[str, Any], title: str = "") -> Figure:
     return figure
 
 
-def _two(along: str, title: str) -> tuple[Figure, Any]:
+def _two(along: str, title: str, states: list[dict[str, Any]]) -> tuple[Figure, Any]:
     figure = figure_of_size(9.0, 4.4)
     if title:
         write_above(figure, title)
     axes = figure.subplots(1, 2)
-    for each, title in zip(axes, ("Temperatures, °C", "Axial load of the bearing, N"), strict=True):
+    of = "the bearing" if len(states[0]["axial_load_N"]) == 1 else "each row"
+    for each, name in zip(axes, ("Temperatures, °C", f"Axial load of {of}, N"), strict=True):
         plain(each)
-        each.set_title(title, fontsize=10)
+        each.set_title(name, fontsize=10)
         each.set_xlabel(along, fontsize=9)
     return figure, axes
 

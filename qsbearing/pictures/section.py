@@ -52,8 +52,11 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
     end = reach * np.array([np.sin(free), np.cos(free)])
     axes.plot([-end[0], end[0]], [-end[1], end[1]], color=GREY, linewidth=0.8, linestyle=":")
     beside = "right" if free > STEEP else "left"  # of a steep line, off the centre line
-    axes.text(0.98 * end[0], 0.98 * end[1], f" α₀ = {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center")
+    axes.text(
+        0.98 * end[0], 0.98 * end[1], f" free: {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center"
+    )
     axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
+    seats: list[float] = []
     for side, contacts in raceways(solution):
         up = 1.0 if side == "outer" else -1.0
         radius = _number(getattr(bearing, f"{side}_groove_radius"), place, solution) / mm
@@ -62,18 +65,19 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
         angle = float(contacts.angle[place][number]) if load > 0.0 else free
         beyond = radius - 0.5 * diameter + (approach / mm if load > 0.0 else 0.0)
         centre = -up * beyond * np.array([np.sin(angle), np.cos(angle)])
-        _ring(axes, solution, place, side, centre, radius, diameter)
+        seats.append(_ring(axes, solution, place, side, centre, radius, diameter))
         if load > 0.0:
             half = float(contacts.semi_major_axis[place][number]) / mm
             _line_of_action(axes, side, centre, angle, radius, half)
         _label(axes, side, angle, load, float(contacts.max_pressure[place][number]), diameter)
     span = 0.5 * WIDTH * diameter
     axes.set_xlim(-1.9 * span, 1.9 * span)
-    axes.set_ylim(-1.0 * diameter, 0.98 * diameter)
+    bottom, top = min(-0.9 * diameter, *seats), max(0.9 * diameter, *seats)
+    axes.set_ylim(bottom - 0.1 * diameter, top + 0.08 * diameter)
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(_title(solution, place, number), fontsize=10, y=1.0)
-    axes.text(0.0, -0.99 * diameter, "axis of the bearing below; ring outlines are sketched", fontsize=7.5,
+    axes.text(0.0, bottom - 0.09 * diameter, "axis of the bearing below; ring outlines are sketched", fontsize=7.5,
               color=GREY, ha="center", va="bottom")  # fmt: skip
 
 
@@ -98,8 +102,8 @@ def _ball(axes: Axes, diameter: float) -> None:
 
 def _ring(
     axes: Axes, solution: Solution, place: Place, side: str, centre: NDArray, radius: float, diameter: float
-) -> None:
-    """The section of a ring: the groove between its shoulders, faces and seat."""
+) -> float:
+    """The section of a ring: the groove between its shoulders, faces and seat; the height of the seat [mm]."""
     from matplotlib.patches import Polygon
 
     up = 1.0 if side == "outer" else -1.0
@@ -114,6 +118,7 @@ def _ring(
             np.concatenate([groove, corners]), closed=True, facecolor="0.86", edgecolor="0.25", linewidth=0.9, zorder=1
         )
     )
+    return float(seat)
 
 
 def _thickness(solution: Solution, place: Place, side: str, diameter: float) -> float:

@@ -64,7 +64,7 @@ def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Fig
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
-    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 4.1)
+    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 3.8)
     return _alone(draw_ellipses, size, solution, index)
 
 
@@ -79,7 +79,7 @@ def section(solution: Solution, index: Index = None, ball: int | None = None) ->
 
 def ring_shape(solution: Solution, index: Index = None) -> Figure:
     """The grooves of elastic rings around the bearing, as they move away from the balls, far larger than they do."""
-    return _alone(draw_shape, (5.6, 5.6), solution, index, "polar")
+    return _alone(draw_shape, (4.8, 4.8), solution, index, "polar")
 
 
 def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:

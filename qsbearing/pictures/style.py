@@ -148,7 +148,9 @@ def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: fl
     axes.set_rgrids(circles, [""] * len(circles))
     if not np.isfinite(loads).all() or not azimuth.size:
         return
-    angle, labelled = label_places(azimuth, loads, circles, top)
+    extent = axes.get_window_extent()
+    radius = 0.5 * min(extent.width, extent.height) / axes.figure.dpi
+    angle, labelled = label_places(azimuth, loads, circles, top, max(1.0, RADIUS / radius))
     box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4}
     for value in labelled:
         axes.text(np.radians(angle), value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
@@ -156,12 +158,14 @@ def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: fl
 
 LABEL = (0.11, 0.05)
 """Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
+RADIUS = 1.9
+"""Of such a picture, as its axes are before it is laid out [inches]: letters are larger parts of a smaller one."""
 CLEAR = 1.2
 """How far from a curve's points a label's centre is, in `LABEL`: the points are drawn as marks."""
 
 
 def label_places(
-    azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float
+    azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float, size: float = 1.0
 ) -> tuple[float, list[float]]:
     """The azimuth [deg] at which most circles of a polar picture have room for a label, and these circles.
 
@@ -172,6 +176,7 @@ def label_places(
         loads: curves, with one value per azimuth.
         circles: values that are labelled.
         top: the largest value that the picture holds.
+        size: of a label, as a multiple of `LABEL`.
     """
     tried = np.arange(15.0, 360.0, 5.0)
     tried = tried[np.abs((tried + 45.0) % 90.0 - 45.0) >= 15.0]  # beside the names of the axes
@@ -179,7 +184,7 @@ def label_places(
     at = np.exp(1j * np.radians(tried))[:, None, None] * (np.asarray(circles) / top)[:, None]
     curves = np.concatenate([np.interp(around, azimuth, load, period=2.0 * np.pi) / top for load in loads])
     between = at - curves * np.tile(np.exp(1j * around), len(loads))
-    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1]).min(axis=2)
+    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1]).min(axis=2) / size
     is_clear = away >= CLEAR
     nearest = np.where(is_clear, away, 3.0).min(axis=1, initial=3.0)
     if not is_clear.any():
@@ -248,8 +253,9 @@ def _write_title(
 
 
 def write_above(figure: Figure, title: str) -> None:
-    """A title of as many lines as the width of the picture asks for."""
+    """A title of as many lines as the width of the picture asks for; where it can, a line ends after a comma."""
     from textwrap import fill
 
     letters = int(figure.get_size_inches()[0] / TITLE_LETTER)
-    figure.suptitle(fill(title, letters), fontsize=10, parse_math=False)
+    parts = [part if len(part) >= letters else part.replace(" ", "\xa0") for part in title.split(", ")]
+    figure.suptitle(fill(", ".join(parts), letters).replace("\xa0", " "), fontsize=10, parse_math=False)

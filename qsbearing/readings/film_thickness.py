@@ -302,6 +302,6 @@ raceway_roughness_um = 0.1
         Shown("film_parameter", "film_parameter", 1.0, "film parameter, of the reduced minimum", r"\Lambda"),
         Shown("thermal_reduction", "thermal_reduction", 1.0, "film reduction by inlet heating"),
     ),
-    scope="Film: isothermal but for the reduced minimum, of which the film parameter is; published factors of the "
-    f"reduction by inlet heating differ by some {100 * FACTOR_SPREAD:.0f} %.",
+    scope="Film: the film parameter is that of the reduced minimum; the other thicknesses are isothermal. Published "
+    f"factors of the reduction by inlet heating differ by about {100 * FACTOR_SPREAD:.0f} %.",
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -13,6 +14,11 @@ from numpy.typing import NDArray
 from qsbearing.solution.case_index import Index, place_of
 from qsbearing.thermal.network import Thermal
 from qsbearing.units import rpm, zero_celsius
+
+
+def in_words(name: str) -> str:
+    """A node or a source as people read it: that of a row with its number."""
+    return re.sub(r" (\d+)$", r" of row \1", name.replace("_", " "))
 
 
 class State(NamedTuple):
@@ -148,7 +154,7 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.replace('_', ' ')}): one more watt of heat "
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({in_words(name)}): one more watt of heat "
                 f"makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run away."
             )
         limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"

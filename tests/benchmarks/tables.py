@@ -163,7 +163,7 @@ def sector() -> str:
                 found = [(curve[name]["deviation"][index], curve[name]["uncertainty"][index]) for name in SECTOR]
                 found.insert(0, sector_figures.micrometres(record, support, state, load))
                 cells = (f"{deviation:+.2f} ± {uncertainty:.2f}" for deviation, uncertainty in found)
-                rows.append([support, state, f"{load:.0f}", *cells])
+                rows.append([support, state, f"{load:,.0f}", *cells])
     headings = ["outside diameter", "", "axial load, N", "axial displacement, µm", *SECTOR.values()]
     return markdown(headings, rows)
 
@@ -218,7 +218,7 @@ def recomputed() -> str:
         ended = record["ended"]
         refused = sum(number for how, number in ended.items() if how.startswith("no_equilibrium"))
         counts = record["count"], ended["converged"], refused, ended.get("not_converged", 0), len(record["wrong"])
-        worst = ", ".join(f"{SHOWN.get(name, name)} {value:.0e}" for name, value in record["largest"].items())
+        worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
         rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *map("{:,}".format, counts), worst])
     headings = ["cases", "seed", "number", "converged", "no equilibrium", "not converged", "wrong", "largest"]
     return markdown(headings, rows)
@@ -238,7 +238,7 @@ def hard_cases() -> str:
 def critical_speeds() -> str:
     """Of the guide's spindle, against preload."""
     rows = [
-        [preload, *(f"{found[kind]:,.0f}" for kind in spindle.KINDS)]
+        [f"{int(preload):,}", *(f"{found[kind]:,.0f}" for kind in spindle.KINDS)]
         for preload, found in spindle.read()["critical_speed_rpm"].items()
     ]
     headings = ["preload, N", *(f"stiffness {name}, rpm" for name in spindle.KINDS.values())]

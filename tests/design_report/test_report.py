@@ -75,7 +75,7 @@ def b218(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_pictures_by_azimuth_only_where_balls_differ(spindle: Path, b218: Path) -> None:
     """A section in any report; of a bearing under thrust alone no circles and level lines."""
-    heads = "Section through the ball", "Contact loads by the azimuth", "Contact angles by azimuth", "Contact ellipses"
+    heads = "Section through", "Contact loads by the azimuth", "Contact angles by azimuth", "Contact ellipses"
     for path, shown in ((spindle / "out", (1, 1, 1, 1)), (b218, (1, 0, 0, 1))):
         (page,) = path.glob("*.html")
         text = page.read_text(encoding="utf-8")
@@ -396,3 +396,77 @@ def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
             assert verdict[1] >= name[3]
             assert name[2] <= verdict[2] < name[4], "a verdict is beside its row's name"
         assert browser.complaints == []
+
+
+HEATED = """
+[bearing]
+ball_count = 16
+ball_diameter_mm = 7.14
+pitch_diameter_mm = 46.5
+bore_diameter_mm = 35
+outside_diameter_mm = 62
+groove_radius_coefficient = 0.535
+free_contact_angle_deg = 24
+ball_material = "steel"
+ring_material = "steel"
+[operation]
+speed_rpm = 9000
+[preload]
+rigid_N = 400
+[effects]
+ball = ["centrifugal_force", "gyroscopic_moment"]
+raceway_control = "outer"
+[effects.ring_expansion]
+[readings.friction]
+friction_coefficient = 0.06
+[thermal]
+friction = "contacts"
+[thermal.fixed]
+ambient_C = 27
+[[thermal.conductances]]
+between = ["inner_ring", "outer_ring"]
+W_per_K = 2
+[[thermal.conductances]]
+between = ["outer_ring", "ambient"]
+W_per_K = 3
+"""
+
+
+def test_a_heat_balance_is_reported_with_its_stability(tmp_path: Path, undrawn: None) -> None:
+    """Temperatures are results, not given; where all balls are alike there is one number for each raceway."""
+    (tmp_path / "hot.toml").write_text(HEATED)
+    assert call(str(tmp_path / "hot.toml"), "--out", str(tmp_path)).exit_code == 0
+    page, solution = page_of(tmp_path, "hot"), qs.solve(qs.load_scene(tmp_path / "hot.toml"))
+    assert solution.thermal is not None
+    assert value_of(tmp_path, "hot")["heat balance"] == solution.thermal.message()
+    assert solution.thermal.onset() in page.text
+    inner = float(solution.thermal.temperatures["inner_ring"]) - qs.zero_celsius
+    (nodes,) = (table for table in page.tables if table[0] == ["node", "temperature °C"])
+    assert float(dict(nodes[1:])["inner ring"]) == pytest.approx(inner, rel=1e-4)
+    assert input_of(tmp_path, "hot")["ring_expansion.inner_ring_temperature_C"][2] == "heat balance"
+    assert input_of(tmp_path, "hot")["ring_expansion.reference_temperature_C"][2] == ""
+    assert [table[0] for table in page.tables if "sliding power" in table[1]] == [
+        ["quantity", "inner", "outer", "unit"]
+    ]
+
+
+ELASTIC = """
+[bearing]
+name = "B218"
+[operation]
+axial_load_N = 17800
+radial_load_y_N = 10000
+tilt_y_mrad = 0
+tilt_z_mrad = 0
+[effects.elastic_rings]
+inner.bore_diameter_mm = 90
+inner.width_mm = 30
+inner.shaft = "solid"
+"""
+
+
+def test_elastic_rings_are_drawn_and_what_they_touch_has_its_key(tmp_path: Path, undrawn: None) -> None:
+    (tmp_path / "elastic.toml").write_text(ELASTIC)
+    assert call(str(tmp_path / "elastic.toml"), "--out", str(tmp_path)).exit_code == 0
+    assert input_of(tmp_path, "elastic")["elastic_rings.inner.shaft"][0] == "solid"
+    assert "Grooves of the elastic rings around the bearing" in page_of(tmp_path, "elastic").text

@@ -170,3 +170,21 @@ def test_colours_have_contrast_enough_to_be_read() -> None:
         for ground in behind:
             light, dark = sorted((_luminance(found[text]), _luminance(found[ground])), reverse=True)
             assert (light + 0.05) / (dark + 0.05) >= 4.5, (text, ground)
+
+
+def test_a_hollow_mark_has_no_filling() -> None:
+    """Ghostscript, when it smooths lines, draws nothing of a mark whose filling is transparent."""
+    from matplotlib.figure import Figure
+
+    from qsbearing.documents.drawing import picture
+
+    figure = Figure(figsize=(4.0, 2.0))
+    figure.add_subplot().plot([0.0, 1.0], marker="s", markerfacecolor="none")
+    drawn = picture(figure, "A line.").data.decode()
+    assert "fill: none; stroke: #1f77b4" in drawn
+    assert "fill-opacity: 0;" not in drawn
+
+
+def test_a_heading_keeps_the_letter_of_its_raceway_or_axis() -> None:
+    table = Table(("ball", "angle o\ndeg", "radial y", "load of a ball"), [["0", "1", "2", "3"]])
+    assert WHOLE.findall(html(document(table)))[-2:] == ["angle o", "radial y"]

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Document, Group, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Document, Facts, Group, Paragraph, Remark, Section, Table
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -111,3 +111,20 @@ def test_a_letter_that_no_font_has_is_said() -> None:
     with pytest.raises(typst.TypstError, match="could not be displayed"):
         pdf(spoilt, strict=True)
     assert pdf(spoilt).startswith(b"%PDF")
+
+
+def test_many_remarks_leave_no_page_empty_and_a_picture_keeps_its_introduction() -> None:
+    """Remarks at the head begin on the first page; a paragraph before a picture is on the page of the picture."""
+    head: list[Block] = [Remark(f"remark{n}. " + "word " * 30, "warning") for n in range(10)]
+    facts = Facts([(f"fact{n}", "value") for n in range(6)])
+    contents = [Section(f"chapter{n}", [Paragraph("filler")]) for n in range(12)]
+    tall = dataclasses.replace(curve(), caption="drawn", width=1.0)
+    for lines in range(0, 40, 8):
+        filler = [Paragraph("line") for _ in range(lines)]
+        part = Section("Curves", [*filler, Paragraph("introduced"), tall])
+        first = [Paragraph("first") for _ in range(8)]
+        whole = Document("Head", "Test", [*contents, part], "", [*first, *head, facts])
+        pages = [page.extract_text() for page in pypdf.PdfReader(BytesIO(pdf(whole, strict=True))).pages]
+        assert "remark0." in pages[0] and "remark5." in pages[0]
+        (page,) = (page for page in pages if "introduced" in page)
+        assert "drawn" in page

@@ -225,6 +225,10 @@ def test_a_plain_string_counts_between_the_others_and_keeps_its_words() -> None:
     assert said_of("row 1", said[0]).line == "Wrong model: row 1: first (see qsbearing guide limits)"
 
 
+def test_where_the_guide_says_more_is_within_the_sentence() -> None:
+    assert good_to_know("It slips.", "limits").line == "Good to know: It slips (see qsbearing guide limits)."
+
+
 def test_sentences_are_short(many: qs.Solution) -> None:
     """Two lines of a terminal; three where it says which effects to add."""
     for place in np.ndindex(many.shape):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import sys
 import warnings
 from io import BytesIO
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -178,6 +180,11 @@ def test_the_section_shows_the_most_loaded_ball_to_scale(name: str) -> None:
         )
 
 
+def axes_of(solution: qs.Solution) -> Any:
+    (axes,) = pictures.section(solution).axes
+    return axes
+
+
 def test_the_section_of_an_unloaded_ball_says_so_and_a_given_seat_is_drawn() -> None:
     solution = SOLUTIONS["at rest, balls unloaded"]
     ball = int(np.argmin(solution.inner.load))
@@ -186,11 +193,12 @@ def test_the_section_of_an_unloaded_ball_says_so_and_a_given_seat_is_drawn() -> 
     colours = {line.get_color() for line in pictures.section(solution, ball=ball).axes[0].get_lines()}
     assert not colours & {style["color"] for style in STYLE.values()}, "no line of action where nothing acts"
     seats = []
-    for outside in (160.0, 170.0):
+    for outside in (200.0, 210.0):
         rings = qs.RingExpansion(90 * qs.mm, outside * qs.mm)
         grown = qs.solve(dataclasses.replace(solution.scene, ring_effects=(rings,)))
         _, _, outer = pictures.section(grown).axes[0].patches
         seats.append(outer.get_xy()[:, 1].max())
+        assert axes_of(grown).get_ylim()[1] > seats[-1], "all of the ring is seen"
     assert seats[1] - seats[0] == pytest.approx(5.0, abs=1e-9)
 
 
@@ -252,6 +260,11 @@ def test_the_title_says_what_was_solved() -> None:
     assert title == "B218, 10000 rpm, axial 3000 N, radial y 4000 N, tilt z 0 mrad", "imposed, not the reaction"
 
 
+def test_a_title_of_two_lines_does_not_part_a_number_from_its_unit() -> None:
+    title = pictures.load_distribution(SOLUTIONS["combined, inner contacts lost"]).get_suptitle()
+    assert title == "B218, 10000 rpm, axial 3000 N, radial y 4000 N,\ntilt z 0 mrad"
+
+
 def test_a_set_has_a_panel_for_each_row_to_one_scale() -> None:
     """Its own loads and angles in each, whose rows are named; a case of several is drawn as if alone."""
     bearing = qs.load_scene("7210c").bearing
@@ -287,3 +300,21 @@ def test_a_set_has_a_panel_for_each_row_to_one_scale() -> None:
     )  # type: ignore[arg-type]
     places = [tuple(np.round(axes.get_subplotspec().get_geometry()[2:3])) for axes in pictures.overview(six).axes]
     assert len(set(places)) == 12  # no panel on another
+
+
+def test_no_label_of_a_circle_touches_a_mark(tmp_path: Path) -> None:
+    """In the small panels of a set letters are a larger part of the picture."""
+    gallery = (Path(qs.__file__).parent / "guide" / "gallery.md").read_text(encoding="utf-8")
+    (text,) = re.findall(r"```toml\n(# bent\.toml\n.*?)```", gallery, flags=re.DOTALL)
+    (tmp_path / "bent.toml").write_text(text)
+    solution = qs.solve_set(qs.load_set(tmp_path / "bent.toml"))
+    for figure in (pictures.overview(solution), pictures.load_distribution(solution)):
+        figure.canvas.draw()
+        for axes in (each for each in figure.axes if each.name == "polar"):
+            assert axes.texts, "the scale can be read"
+            marks = np.vstack([axes.transData.transform(line.get_xydata()) for line in axes.lines])
+            for label in axes.texts:
+                box = label.get_window_extent()
+                away = np.abs(marks - [0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)])
+                clear = away - [0.5 * box.width, 0.5 * box.height]
+                assert clear.max(axis=1).min() > 3.5 * figure.dpi / 72.0, label.get_text()

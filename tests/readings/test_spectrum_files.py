@@ -17,6 +17,7 @@ from qsbearing.cli import cli
 from qsbearing.io.file_errors import SceneFileError
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.set_file import set_of
+from qsbearing.io.tables import digits_of
 
 GUIDE = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding="utf-8")
 
@@ -59,7 +60,12 @@ def test_run_shows_it(tmp_path: Path) -> None:
     found = qs.readings.take_asked(qs.solve(qs.load_scene(file)))["spectrum"]
     shown = CliRunner().invoke(cli, ["run", str(file), "--csv", str(csv)])
     assert shown.exit_code == 0, shown.output
-    for words in ("2 operating points", "Life under the whole spectrum", "damage", f"{found.duration / 3600:.5g} h"):
+    for words in (
+        "2 operating points",
+        "Life under the whole spectrum",
+        "damage",
+        f"{digits_of(found.duration / 3600)} h",
+    ):
         assert words in shown.output, words
     assert len(csv.read_text(encoding="utf-8").splitlines()) == 33
     printed = CliRunner().invoke(cli, ["run", str(file), "--json"])
@@ -137,7 +143,7 @@ def test_a_set_has_a_life_for_each_row_and_for_all(own: str, tmp_path: Path) -> 
     again = CliRunner().invoke(cli, ["run", str(tmp_path / "again.json"), "--json"])
     assert json.loads(again.stdout)["system_life_h"] == pytest.approx(record["system_life_h"], rel=1e-12)
     shown = CliRunner().invoke(cli, ["run", str(file)])
-    assert f"{record['system_life_h']:.5g}" in shown.output
+    assert digits_of(record["system_life_h"]) in shown.output
 
 
 def test_every_row_needs_a_life_and_every_point_its_keys() -> None:

@@ -18,7 +18,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
-from qsbearing.io.thermal_report import along_curve, speeds_record
+from qsbearing.io.thermal_report import along_curve, speeds_record, thermal_tables
 from qsbearing.studies.variables import VariableError, variable_of
 from qsbearing.thermal.state import ThermalState
 from tests.thermal.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
@@ -165,6 +165,20 @@ def test_the_curve_over_speed_has_no_kink_and_the_fold_in_its_place() -> None:
     bend = np.abs(np.diff(heading))
     assert bend.sum() > 0.5 * np.pi
     assert np.maximum(length[1:], length[:-1])[bend > 0.2].max(initial=0.0) < 0.03
+
+
+def test_heat_is_shown_from_where_it_comes() -> None:
+    """A flow against the order of its path's ends from the other end; nodes of a set with their row."""
+    found = {
+        "friction": "skf", "message": "Stable.", "temperatures_C": {"balls 1": 40.0}, "powers_W": {"friction 1": 5.0},
+        "flows_W": [{"from": "inner_ring 1", "to": "balls 1", "heat_W": -2.0}],
+    }  # fmt: skip
+    nodes, heat, _ = thermal_tables(found)
+    assert [list(row) for row in nodes.rows] == [["balls of row 1", "40"]]  # type: ignore[union-attr]
+    assert [list(row) for row in heat.rows] == [  # type: ignore[union-attr]
+        ["friction of row 1 (skf)", "", "5"],
+        ["balls of row 1", "inner ring of row 1", "2"],
+    ]
 
 
 def test_a_bearing_that_only_gets_hot_does_not_run_away() -> None:
