@@ -7,6 +7,7 @@ file, with units in its keys) translates names and units and nothing else.
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -19,6 +20,8 @@ from numpy.typing import NDArray
 from qsbearing.units import deg, mm, rpm
 
 _PLAIN = (float, int, np.float64)
+
+_DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
 
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
@@ -126,6 +129,12 @@ def shown(value: Any) -> str:
         text = "<a number of thousands of digits>"  # as far as Python prints integers
     text = printable(" ".join(text.split()))
     return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
+
+
+def decimal_comma(text: object) -> str:
+    """The number that a text with a decimal comma means, with a point: 22.225 for "22,225"; empty for any other."""
+    found = _DECIMAL_COMMA.fullmatch(text.strip()) if isinstance(text, str) else None
+    return f"{found[1]}.{found[2]}" if found else ""
 
 
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:

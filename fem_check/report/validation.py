@@ -36,6 +36,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
         "qsbearing and fem_check",
         "Validation report",
         [
+            reproducing.section(evidence),
             claims.section(evidence),
             mathematics.section(evidence),
             book.computed(evidence),
@@ -45,7 +46,6 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             costs.section(evidence),
             errata.section(evidence),
             limits.section(evidence),
-            reproducing.section(evidence),
             *([release.section(evidence.gate)] if evidence.gate else []),
             *([previous.section(evidence, before)] if before else []),
             every_row.section(evidence),

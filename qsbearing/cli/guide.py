@@ -24,18 +24,15 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
 
     Exit codes: 0 done, 2 bad input.
     """
-    from qsbearing.documents.guide import topics
+    from qsbearing.documents.guide import meant_by, topics
 
     pages = topics(lists=LISTS)
     text = ""
     if topic is not None:
         page, _, section = topic.partition("#")
         if page not in pages:
-            import difflib
-
-            near = difflib.get_close_matches(page, pages, 1)
-            meant = f". Did you mean {near[0]}?" if near else ""
-            refuse(f"no topic {page} in the guide{meant}\n    topics: {', '.join(pages)}")
+            meant = meant_by(page, pages)
+            refuse(f"no topic {page} in the guide{f'. {meant}' if meant else ''}\n    topics: {', '.join(pages)}")
         text = pages[page].plain(section)
         if not text:
             refuse(f"no section {section} in the topic {page}; `qsbearing guide {page}` prints it all")

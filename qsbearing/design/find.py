@@ -262,7 +262,7 @@ def _result(name: str, known: dict[str, Result]) -> tuple[Result | None, str]:
             return result, ""
         if not any(given.endswith(ending) for ending in OVER_BALLS):
             return None, f"It is in {result.unit}: write {stem}{'_' if unit else ''}{unit}"
-    return None, suggestion(plain, list(known))
+    return None, suggestion(plain, known, has_units=True)
 
 
 def _evaluated(plan: Plan, kept: tuple[Result, ...], names: tuple[str, ...], values: NDArray) -> NDArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,6 +15,18 @@ from qsbearing.documents.model import Document, Section, anchor_of
 FOLDER = Path(__file__).parents[1] / "guide"
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
+
+BEGINNINGS = (
+    "tutorial",
+    "getting started",
+    "quick start",
+    "quickstart",
+    "start",
+    "introduction",
+    "intro",
+    "first steps",
+)
+"""Words under which a newcomer looks for the first page."""
 
 Lists = Mapping[str, Callable[[], str]]
 
@@ -60,6 +73,26 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
         order = {topic: place for place, topic in reversed(list(enumerate(named)))}
         found = dict(sorted(found.items(), key=lambda each: order.get(each[0], len(order))))
     return found
+
+
+def meant_by(word: str, pages: Mapping[str, Page]) -> str:
+    """What to read about a word that is no topic: a page spelled much like it, or those whose headings have it; empty
+    where there is none."""
+    plain = word.lower().replace("_", " ").replace("-", " ")
+    near = difflib.get_close_matches(plain.replace(" ", "_"), pages, n=1, cutoff=0.7)
+    if near:
+        return f"Did you mean {near[0]}?"
+    if plain in BEGINNINGS and "ten_minutes" in pages:
+        return "Begin with ten_minutes"
+    has_word = re.compile(rf"\b{re.escape(plain)}", re.IGNORECASE).search
+    places: list[str] = []
+    for page in pages.values():
+        headings = re.findall(r"^## (.*)", page.text, re.MULTILINE)
+        if has_word(page.title):
+            places.append(page.topic)
+        else:
+            places += [f"{page.topic}#{anchor_of(each)}" for each in headings if has_word(each)][:1]
+    return f"See {', '.join(places)}" if places else ""
 
 
 def document(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> Document:

@@ -41,7 +41,7 @@ class FileErrorDetail:
         if self.value is not None:
             text = shown(self.value)
             head += f" = {text.lower() if isinstance(self.value, bool) else text}"
-            if self.unit and isinstance(self.value, float | int):
+            if self.unit and isinstance(self.value, float | int) and not isinstance(self.value, bool):
                 head += f" {printed_unit(self.unit)}"
         if self.note:
             head += f" ({self.note})"

@@ -19,7 +19,7 @@ from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.scene.scene import CHOICES
-from qsbearing.validation import ErrorDetail, SceneError
+from qsbearing.validation import ErrorDetail, SceneError, decimal_comma
 
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
 """The keys of a file whose words are those of a choice."""
@@ -110,6 +110,11 @@ def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail
     if kind == "finite_number" or type(value) is int:
         return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
     cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
+    with_point = decimal_comma(value)
+    if with_point:
+        cause += f" and with a decimal point: {with_point}"
+    elif isinstance(value, bool):
+        cause = cause.partition(", ")[0]
     return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
 
 

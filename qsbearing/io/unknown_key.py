@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from qsbearing.io.file_keys import numbers, reading_tables, sections
 from qsbearing.io.thermal_keys import CONDUCTANCES
 from qsbearing.io.thermal_keys import NUMBERS as THERMAL_NUMBERS
+from qsbearing.io.usual_words import is_preload, usual
 from qsbearing.scene.keys import (
     EFFECT_SECTIONS,
     MATERIAL_KEYS,
@@ -61,11 +62,19 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
     converted = _in_known_unit(name, section, value)
     if converted is not None:
         return converted
+    by_word = usual(name)
+    if by_word and by_word.key in _tables().get(section, ()):
+        return Suggestion(f"Did you mean {by_word}?", by_word.key)
     # Without its unit a name resembles its key less than it should.
     stems = {key.field: key.name for key in _keys(section)}
     meant = near(name, _tables().get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
     if meant:
         return Suggestion(f"Did you mean {meant}?", meant)
+    if is_preload(name):
+        return Suggestion(f"A preload has a table of its own: [preload], with one of {', '.join(_tables()['preload'])}")
+    if by_word:
+        table = next(table for table, keys in _tables().items() if by_word.key in keys)
+        return Suggestion(f"Did you mean {by_word}? It belongs under {_title(table)}")
     everywhere = {key: table for table, keys in _tables().items() for key in keys}
     elsewhere = near(name, everywhere, 0.7)
     if elsewhere:

@@ -19,7 +19,7 @@ from qsbearing.solution.solution import Solution
 from qsbearing.solution.solver import solve
 from qsbearing.solution.status import Reason
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import Result, find, known_results, read, reading_of, suggestion
+from qsbearing.studies.results import OVER_BALLS, Result, find, known_results, read, reading_of, suggestion
 from qsbearing.studies.scenes import scene_of_points
 from qsbearing.studies.study import Study
 
@@ -169,13 +169,17 @@ def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileEr
     result = find(name, known)
     if result is not None:
         return result
-    if name in quantities.ALL or name.rpartition("_")[0] in quantities.ALL:
+    plain = next((each.name for each in known.values() if name == each.column), "")
+    stem, _, ending = name.rpartition("_")
+    if plain:
+        return FileErrorDetail("study.quantities", "has a unit behind it", name, cause=f"Write {plain}")
+    if name in quantities.ALL or (ending in OVER_BALLS and stem in quantities.ALL):
         problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
     elif reading := reading_of(name):
         cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
         problem = "is not called for by this scene"
     else:
-        problem, cause = "is not a result", suggestion(name, list(known))
+        problem, cause = "is not a result", suggestion(name, known)
     return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from qsbearing.io.file_keys import numbers, sections
 from qsbearing.io.thermal_keys import SECTIONS as THERMAL_SECTIONS
 from qsbearing.io.unknown_key import near
+from qsbearing.io.usual_words import usual
 from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
 from qsbearing.scene.operation import CHANNELS
 
@@ -109,6 +110,9 @@ def suggestion(name: str) -> str:
     stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
     fields = {field.field: field.name for fields in numbers().values() for field in fields}
     word = name.rpartition(".")[2]
+    by_word = usual(word)
+    if by_word and by_word.key in ALL:
+        return f"Did you mean {by_word}?"
     meant = (
         near(word, [*ALL, EACH_BALL], 0.6)
         or fields.get(near(word, fields, 0.5), "")

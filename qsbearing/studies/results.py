@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -103,13 +103,19 @@ def attributes_of(result: Result) -> dict[str, str]:
     return found | {"long_name": found["long_name"] + words}
 
 
-def suggestion(name: str, known: Iterable[str]) -> str:
-    """What is likely meant by a name that no result has."""
-    names = [*known, *(f"{each}_{ending}" for each in known for ending in OVER_BALLS)]
+def suggestion(name: str, known: Mapping[str, Result], has_units: bool = False) -> str:
+    """What is likely meant by a name that no result has.
+
+    Args:
+        has_units: whether a name may have its unit behind it; where not, the one without is meant.
+    """
+    names = {each: each for each in known}
+    names |= {full: full for each in known for full in (f"{each}_{ending}" for ending in OVER_BALLS)}
+    names |= {each.column: each.column if has_units else each.name for each in known.values()}
     near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
-    return (
-        f"Did you mean {near[0]}?" if near else f"There are {', '.join(known)}; with _max or _min for all balls of one"
-    )
+    if near:
+        return f"Did you mean {names[near[0]]}?"
+    return f"There are {', '.join(known)}; with _max or _min for all balls of one"
 
 
 def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:

@@ -165,6 +165,8 @@ def test_a_set_is_searched_too() -> None:
         ({"rigid_N": "1:2:3"}, {"minimise": "a", "maximise": "b"}, ["chooses its points", "beside minimise"]),
         ({"speed_rpm": "0:1:log"}, {"limits": ["a<=nan"]}, ["above zero", "finite"]),
         (RIGID, {"limits": ["inner.max_pressure_GPa<=1.7"], "minimise": "contact_angel"}, ["in MPa", "not a result"]),
+        (RIGID, {"limits": ["outer_max_presure_MPa<=1500"]}, ["Did you mean outer_max_pressure_MPa?"]),
+        ({"rpm": "1:2"}, {"limits": ["outer_load<=1500,5"]}, ["mean speed_rpm?", "Decimals take a point: 1500.5"]),
         ({"rigid_N": "-5:-1"}, {"minimise": STIFF}, ["no point describes a bearing"]),
         (RIGID, {"minimise": "effective_stiffness_axial", "goals": [f"{STIFF}=1"]}, ["axial: has no value", "held"]),
         (dict.fromkeys(["a", "b", "c", "d", "e", "f", "g"], "1:2"), {"minimise": STIFF}, ["7 variables"]),

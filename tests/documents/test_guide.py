@@ -129,6 +129,26 @@ def test_a_page_becomes_pieces(tmp_path: Path) -> None:
     assert part.name == "a-part"
 
 
+@pytest.mark.parametrize(
+    ("word", "said"),
+    [
+        ("tutorial", "Begin with ten_minutes"),
+        ("getting_started", "Begin with ten_minutes"),
+        ("how-to", "Did you mean how_to?"),
+        ("preload", "See how_to#preload-of-one-bearing"),
+        ("films", "See ten_minutes#5-life-films-and-friction, readings"),
+        ("xyzzy", ""),
+    ],
+)
+def test_a_word_that_is_no_topic(word: str, said: str) -> None:
+    result = call(word)
+    assert result.exit_code == 2
+    first = result.stderr.splitlines()[0].removeprefix(f"qsbearing: no topic {word} in the guide")
+    assert first.startswith(f". {said}") if said else first == ""
+    for place in re.findall(r"[\w#-]+", said.partition("See ")[2]):
+        assert call(place).exit_code == 0
+
+
 def test_pages_come_in_the_order_of_the_first(tmp_path: Path) -> None:
     for name, text in {"index": "[z](z.md) [b](b.md)", "a": "", "b": "", "z": ""}.items():
         (tmp_path / f"{name}.md").write_text(f"# {name}\n\n{text}\n")

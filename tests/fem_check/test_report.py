@@ -141,7 +141,7 @@ def test_the_pdf_holds_its_fonts_and_says_the_verdict(paper: Document) -> None:
     assert "Validationreport" in first or "VALIDATIONREPORT" in first
     assert re.sub(r"\s", "", "rows of agreement, each one quantity compared with its reference") in first
     assert len(reader.pages) <= PAGES
-    assert "Claims and evidence" in reader.pages[1].extract_text()
+    assert "Reproducing this report" in reader.pages[1].extract_text()
 
 
 def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:
@@ -459,7 +459,7 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
-    text = read.text[read.text.index("The report formats records") : read.text.index("Every row of agreement #")]
+    text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
     before, _, after = text.partition("In a checkout of the repository")
     assert "python -m tests.reference.table" in after
     assert "fem-check book" in before

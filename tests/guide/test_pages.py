@@ -85,7 +85,7 @@ def test_headings_are_in_order(page: Path) -> None:
 
 @pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
 def test_thousands_are_parted_by_commas(page: Path) -> None:
-    """As the program prints them: a space, which a line end may replace, makes two numbers of one."""
+    """In prose: at a space, a line end makes two numbers of one."""
     text = re.sub(r"^```.*?^```$|`[^`]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     assert re.findall(r"\b[0-9]{1,3} [0-9]{3}\b", text) == []
 

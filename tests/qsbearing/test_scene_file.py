@@ -14,7 +14,9 @@ import pytest
 import qsbearing as qs
 from qsbearing.io import bearing_table, effects_table, scene_file
 from qsbearing.io.file_errors import translate
+from qsbearing.io.file_keys import sections
 from qsbearing.io.scene_file import load_scene
+from qsbearing.io.usual_words import WORDS
 from qsbearing.scene import keys as scene_keys
 from qsbearing.validation import ErrorDetail
 
@@ -356,6 +358,26 @@ def test_an_operation_without_load_or_displacement(errors: Any) -> None:
         ({"bearing": {"pitch_diameter": "125"}}, "bearing.pitch_diameter", "Did you mean pitch_diameter_mm?"),
         ({"bearing": {"speed_rpm": "1"}}, "bearing.speed_rpm", "It belongs under [operation]"),
         ({"bearing": {"xyzzy": "1"}}, "bearing.xyzzy", "Known here: name, kind, ball_count"),
+        ({"bearing": {"Z": "16"}}, "bearing.Z", "Did you mean ball_count?"),
+        ({"bearing": {"Dw": "22"}}, "bearing.Dw", "Did you mean ball_diameter_mm?"),
+        ({"bearing": {"Dpw_mm": "125"}}, "bearing.Dpw_mm", "Did you mean pitch_diameter_mm?"),
+        ({"bearing": {"pitch_dia": "125"}}, "bearing.pitch_dia", "Did you mean pitch_diameter_mm?"),
+        ({"bearing": {"bore": "90"}}, "bearing.bore", "Did you mean bore_diameter_mm?"),
+        ({"bearing": {"contact_angle": "40"}}, "bearing.contact_angle", "Did you mean free_contact_angle_deg?"),
+        (
+            {"bearing": {"fi": "1"}},
+            "bearing.fi",
+            "Did you mean inner_groove_radius_coefficient, the groove radius over",
+        ),
+        (
+            {"bearing": {"outer_conformity": "1"}},
+            "bearing.outer_conformity",
+            "Did you mean outer_groove_radius_coefficient, the groove radius over",
+        ),
+        ({"bearing": {"osculation": "1"}}, "bearing.osculation", "Did you mean groove_radius_coefficient, the groove"),
+        ({"bearing": {"rpm": "1"}}, "bearing.rpm", "Did you mean speed_rpm? It belongs under [operation]"),
+        ({"operation": {"rpm": "1"}}, "operation.rpm", "Did you mean speed_rpm?"),
+        ({"operation": {"preload_N": "1"}}, "operation.preload_N", "A preload has a table of its own: [preload]"),
         ({"operation": {"speed": "1"}}, "operation.speed", "Did you mean speed_rpm?"),
         ({"operation": {"axial_load_kN": '"1"'}}, "operation.axial_load_kN", "Did you mean axial_load_N?"),
         ({"operation": {"ball_count": "1"}}, "operation.ball_count", "It belongs under [bearing]"),
@@ -394,6 +416,30 @@ def test_a_number_in_another_unit_is_converted(errors: Any, wrong: str, value: s
     found.pop("operation.moment_z_Nm", None)  # a radial load needs its tilt, whatever its unit
     assert list(found) == [f"{section}.{wrong}"]
     assert found[f"{section}.{wrong}"].cause.startswith(f"Did you mean {key} = {right}? (")
+
+
+def test_every_usual_word_stands_for_a_key_that_there_is() -> None:
+    keys = {key for keys in sections().values() for key in keys}
+    assert {word.key for word in WORDS.values()} <= keys
+    assert not keys & set(WORDS)
+
+
+@pytest.mark.parametrize(
+    ("value", "line", "cause"),
+    [
+        (
+            "'22,225'",
+            "= '22,225': is not a number",
+            "A number in mm, without quotation marks and with a decimal point: 22.225",
+        ),
+        ("'22.225'", "= '22.225': is not a number", "A number in mm, without quotation marks"),
+        ("true", "= true: is not a number", "A number in mm"),
+    ],
+)
+def test_what_is_written_for_a_number(errors: Any, value: str, line: str, cause: str) -> None:
+    found = errors(scene_text(bearing={"ball_diameter_mm": value}))["bearing.ball_diameter_mm"]
+    assert found.cause == cause
+    assert str(found).splitlines()[0] == f"bearing.ball_diameter_mm {line}"
 
 
 def test_a_material_in_other_units(errors: Any) -> None:

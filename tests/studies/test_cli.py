@@ -60,6 +60,8 @@ def test_files_of_every_kind_hold_the_same(tmp_path: Path) -> None:
         (("b218", "--vary", "speed_rpm"), "has no values"),
         (("b218", "--vary", "speed_rpm=1,2", "--vary", "speed_rpm=1,3"), "varied twice"),
         (("b218", "--vary", "speed=0:1:3"), "Did you mean speed_rpm"),
+        (("b218", "--vary", "rpm=0:1:3"), "Did you mean speed_rpm?"),
+        (("b218", "--vary", "speed_rpm=0:1000,5:3"), "Decimals take a point: 1000.5"),
         (("b217", "--vary", "speed_rpm=0:1:3"), "Did you mean B218"),
         (("b218", "--vary", "speed_rpm=0:1:3", "--out", "r.txt"), "must end in"),
         (("b218", "--vary", "speed_rpm=0:1:3", "--resume"), "--resume needs"),
