@@ -145,7 +145,7 @@ class RingSections:
                     assumed.append(f"{DIMENSIONS[f'{race}_{side}_diameter']} {diameter:.4g} ({degrees(angle):.0f}°)")
         parts = [f"{', '.join(values)} mm {source}" for source, values in by_source.items()]
         if assumed:
-            parts.append(f"ASSUMED: {', '.join(assumed)} mm (proportions of the 218 series)")
+            parts.append(f"assumed: {', '.join(assumed)} mm (proportions of the 218 series)")
         return "Rings: " + "; ".join(parts) + "."
 
 

@@ -10,7 +10,15 @@ from types import MappingProxyType
 from typing import Any
 
 import qsbearing
-from fem_check import convergence, meshing, sector_comparison, sector_judgement, sector_pictures, sector_statics
+from fem_check import (
+    convergence,
+    meshing,
+    row_text,
+    sector_comparison,
+    sector_judgement,
+    sector_pictures,
+    sector_statics,
+)
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.contact import ContactError
 from fem_check.scenes import beyond_thrust, solved
@@ -440,7 +448,7 @@ def _rings_note(series: dict[str, Any]) -> str:
 def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
     """What the cases of one series resolve."""
     parts = [
-        f"{name.replace('_', ' ')} {value:.2g} {'deg' if name == 'angle' else '%'}"
+        f"{row_text.in_words(name)} {value:.2g} {'deg' if name == 'angle' else '%'}"
         for name, value in largest_uncertainty(series[key]).items()
     ]
     return (
@@ -455,7 +463,7 @@ def moment_note(series: dict[str, Any]) -> str:
         return ""
     found = largest_uncertainty(series[WITH_MOMENT])
     more = [
-        f"{kind.replace('_', ' ')} {found[kind]:.2g} {'deg' if kind == 'angle' else '%'} where {bound:g} are allowed"
+        f"{row_text.in_words(kind)} {found[kind]:.2g} {'deg' if kind == 'angle' else '%'} where {bound:g} are allowed"
         for kind, bound in BOUNDS.items()
         if found[kind] > bound
     ]

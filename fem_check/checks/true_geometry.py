@@ -215,7 +215,7 @@ def compliance_rows(solved: Solved) -> list[Row]:
         rows.append(
             Row(
                 f"{solved.case}: approach over load",
-                f"Hertz, and what the {body} adds",
+                f"Hertz plus what the {body} adds",
                 "m/N",
                 hertzian,
                 HERTZ_SOURCE,

@@ -35,8 +35,14 @@ def as_read(text: str) -> str:
     """A text of a record as readers see it: without marks of code, units and powers by their signs."""
     text = re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
     text = re.sub(r"(?<=\d) deg\b", "°", text)
+    text = _FIVE_DIGITS.sub(lambda found: f"{found[1]},{found[2]}", text)
+    text = re.sub(r"(?<=[a-z]) material\.", "'s ", text)
     text = re.sub(r"\^([23])(?![\d.])", lambda found: "²³"[int(found[1]) - 2], text)
     return row_text.short_exponents(text)
+
+
+_FIVE_DIGITS = re.compile(r"(?<![\d.,\w-])(\d{1,3}(?= )|\d{2,3}) ?(\d{3})(?= (?:N|MPa|rpm|scenes)\b)")
+"""Thousands before a unit, with a space or nothing between them; four digits stay as they are."""
 
 
 def badge(word: str) -> Badge:

@@ -30,6 +30,12 @@ QUANTITY = re.compile(
 """The space within a number, before its unit, and within that."""
 
 
+EQUAL = re.compile(r"(?<=\b\w) = (?=[+-]?\d)|(?<=\bF[arxyz]) = (?=[+-]?\d)")
+"""Between a symbol and its value."""
+POWER = re.compile(r"\d[\d.]*e-\d+")
+"""A number at whose hyphen browsers would end a line."""
+
+
 def html(document: Document) -> str:
     """The page as text."""
     from markupsafe import Markup
@@ -66,7 +72,7 @@ def _templates() -> Any:
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
-        "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
+        "unbroken": lambda text: Markup(_powers(_jointed(str(escape(_unbroken(text)))))),
         "lettered": lambda text: Markup(LETTERED.sub(lambda found: _whole(found[0]), str(text))),
         "closing": _closing,
     }
@@ -133,13 +139,19 @@ def _code(text: str) -> str:
 
 
 def _unbroken(text: str) -> str:
-    """Text in which no line ends within a quantity, which browsers break before µ too."""
-    return QUANTITY.sub("\N{NO-BREAK SPACE}", text).replace("/µ", "/\N{WORD JOINER}µ")
+    """Text in which no line ends within a quantity, which browsers break before µ too, or at an equals sign."""
+    joined = EQUAL.sub("\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}", QUANTITY.sub("\N{NO-BREAK SPACE}", text))
+    return joined.replace("/µ", "/\N{WORD JOINER}µ")
 
 
 def _jointed(text: str) -> str:
     """Text whose long names may break after an underscore, so that the column of names leaves room for the others."""
     return LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
+
+
+def _powers(text: str) -> str:
+    """Text as HTML, no line ending within a power of ten."""
+    return POWER.sub(lambda found: _whole(found[0]), text)
 
 
 def _closing(run: dict[str, Any]) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Block, Document, Facts, Group, Paragraph, Remark, Section, Table
+from qsbearing.documents.model import Block, Document, Facts, Group, Paragraph, Remark, Section, Table, Trace
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -80,6 +80,41 @@ def test_notes_are_on_the_page_of_the_last_row() -> None:
     for n in range(30):
         (last,) = [page for page in pages if f"row{n}-13." in page]
         assert all(f"note{n}{mark}." in last for mark in "abcd")
+
+
+def test_a_record_is_on_the_page_of_what_it_stands_below() -> None:
+    """The last row of a table, or a paragraph; and it makes no column of a narrow table wider."""
+    blocks: list[Block] = []
+    for n in range(150):
+        blocks += [
+            Paragraph("filler " * (20 + 7 * n % 97)),
+            Table(("", "text"), [[f"row{n}-{k}.", "word"] for k in range(3)]),
+        ]
+        blocks += [Paragraph(f"last{n}.")] if n % 2 else []
+        blocks.append(Trace(f"record{n}.json", "fem-check run patch_test --level release " * 2))
+    reader = pypdf.PdfReader(BytesIO(pdf(Document("Records", "Test", [Section("Tables", blocks)]), strict=True)))
+    pages = [re.sub(r"[\s\u200b]", "", page.extract_text()) for page in reader.pages]
+    for n in range(150):
+        (below,) = [page for page in pages if f"record{n}.json" in page]
+        assert (f"last{n}." if n % 2 else f"row{n}-2.") in below
+    places: list[float] = []
+    for page in reader.pages:
+        page.extract_text(
+            visitor_text=lambda text, cm, tm, *_: places.append(cm[4] + tm[4]) if "word" in text else None
+        )
+    assert places
+    assert max(places) < 200.0
+
+
+def test_columns_of_words_are_as_wide_as_their_texts_need() -> None:
+    rows = [
+        ["short", "a few words here and there, " * 2, "more words than before, " * 2, f"{'long ' * 30}end{n}."]
+        for n in range(4)
+    ]
+    table = Table(("a", "b", "c", "d"), rows, "llll")
+    reader = pypdf.PdfReader(BytesIO(pdf(Document("Words", "Test", [Section("Table", [table])]), strict=True)))
+    lines = [line for page in reader.pages for line in page.extract_text().split("\n")]
+    assert sum("long" in line for line in lines) < 4 * 4
 
 
 def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:

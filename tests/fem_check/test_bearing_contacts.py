@@ -109,7 +109,7 @@ def test_an_option_goes_before_the_catalogue_and_what_nobody_gives_is_assumed(ri
     told = found.told(drawing, {"inner": inner, "outer": outer})
     assert "bore 50, outside diameter 90" in told and "from the catalogue" in told
     assert "width 24 mm from the option" in told
-    assert "ASSUMED: inner open side" in told
+    assert "assumed: inner open side" in told
 
 
 def test_ring_expansion_and_readings_of_a_scene_give_dimensions():
@@ -127,7 +127,7 @@ def test_a_bearing_of_other_size_is_not_the_catalogues():
     larger = replace(scene, bearing=replace(scene.bearing, pitch_diameter=130 * qs.mm, name="B218, modified"))
     found = ring_sections(larger, "my")
     assert not found.known
-    assert "ASSUMED: bore 94.74, outside diameter 164.7, width 30" in found.told(
+    assert "assumed: bore 94.74, outside diameter 164.7, width 30" in found.told(
         drawing_at_rest(larger, "my"),
         {race: found.profile(drawing_at_rest(larger, "my"), race) for race in scenes.RACES},
     )

@@ -224,6 +224,12 @@ def test_a_name_keeps_the_indices_of_its_symbols() -> None:
     assert quantity("F_a/(F_r tan α), poisson_ratio") == "F_a/(F_r tan α), poisson ratio"
 
 
+def test_thousands_and_owners_are_read_in_one_style() -> None:
+    assert as_read("Fa = 44500 N, 17 800 N, 500000 scenes, 2000 N") == "Fa = 44,500 N, 17,800 N, 500,000 scenes, 2000 N"
+    assert as_read("catalogue 4000 0813 EN, 0.12345 N") == "catalogue 4000 0813 EN, 0.12345 N"
+    assert quantity(as_read("ball material.elastic_modulus")) == "ball's elastic modulus"
+
+
 def test_of_a_long_table_the_rows_nearest_to_their_tolerance_are_shown() -> None:
     """Or all that fail; and that they are not all is said."""
     rows = [
@@ -383,6 +389,12 @@ def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> No
         browser.open(path, width=1280)
         assert browser.value("document.querySelectorAll('.table .badge').length") > 1000
         assert browser.value(cut) == []
+        wider = (
+            "[...document.querySelectorAll('.table')].filter(t => t.scrollWidth > t.clientWidth).map(t => t.ariaLabel)"
+        )
+        assert browser.value(wider) == []
+        browser.open(path, width=768)
+        assert browser.value(wider) == [browser.value("[...document.querySelectorAll('.table')].at(-1).ariaLabel")]
 
 
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")

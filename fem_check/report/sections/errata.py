@@ -19,7 +19,7 @@ def section(evidence: Evidence) -> Section:
     ]
     words = (
         f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
-        f"solved: {found['scene']}. As corrected: {found['corrected']}."
+        f"solved: {found['scene']}. As corrected: {as_read(found['corrected'])}."
     )
     table = Table(
         ("place", "printed", "correct", "evidence", "effect on the results"), rows, "lllll", "Errors", stack=True

@@ -46,7 +46,7 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
         "envelope", "scenes", "converged", "no equilibrium", "not converged", "wrong",
         "iterations, median", "largest imbalance", "limit",
     )  # fmt: skip
-    bars = [f"{each.data['envelope']}: {each.data['bar']['asked']}" for each in kept]
+    bars = [as_read(f"{each.data['envelope']}: {each.data['bar']['asked']}") for each in kept]
     table = Table(headings, rows, "l" + "r" * 7 + "l", "Campaigns of random scenes", stack=True)
     proofs = ", ".join(
         f"{each.data['no_equilibrium']['proofs']:,} of {each.data['classes'].get('no_equilibrium', 0):,} "
