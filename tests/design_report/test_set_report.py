@@ -15,8 +15,9 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing import messages
 from qsbearing.cli import cli
-from qsbearing.design_report import set_curves, set_document, set_inputs
+from qsbearing.design_report import set_curves, set_inputs
 from qsbearing.documents.model import Group, Table
+from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.scene.operation import STRAIGHT
 from qsbearing.solution.judgement import percent
 from qsbearing.thermal.network import Conductance, Thermal
@@ -167,8 +168,8 @@ def test_the_input_names_every_row(folder: Path) -> None:
     (lines,) = tables_with(triple, "key of the file", "from")
     for expected in (["reference_position_mm", "40", "mm", "as given"], ["spring_N", "450", "N", ""]):
         assert expected in lines
-    assert "Row 1: Rings change their size" in triple.text and "Row 2 and 3: Rings keep the size" in triple.text
-    for title in ("Bearing of row 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
+    assert "Row 1: Rings change their size" in triple.text and "Rows 2 and 3: Rings keep the size" in triple.text
+    for title in ("Bearing of rows 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
         assert title in triple.text
     assert "Bearing of all rows" in page_of(folder / "out", "pair").text
 
@@ -207,14 +208,15 @@ def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> N
     rows = tuple(qs.Row(bearing, at, way) for at, way in ((0.0, "+x"), (0.06, "-x"), (0.2, "-x")))
     turning = qs.Operation(speed=6000 * qs.rpm, axial_load=3000.0, **STRAIGHT)
     solution = qs.solve_set(qs.BearingSet(rows, turning, preload=qs.Preload(rigid=2000.0)))
-    found = set_document._warnings(solution, [{}, {}, {}])
+    found = warnings_by_rows(solution)
     own = [re.findall(r"contact loads ≈ (\d+) %", each) for row in solution.rows for each in messages.warnings(row)]
     numbers = sorted({value for each in own for value in each}, key=float)
     assert len(numbers) > 1
     (said,) = (each for each in found if "contact loads" in each)
-    assert said.startswith("Rows 1, 2 and 3: ") and f"≈ {numbers[0]} to {numbers[-1]} %" in said
+    assert said.startswith("Rows 1 to 3: ") and f"≈ {numbers[0]} to {numbers[-1]} %" in said
     assert [each.rank for each in found] == sorted(each.rank for each in found)
-    assert sum("Preload reduced" in each for each in found) == 2
+    (reduced,) = (each for each in found if "Preload reduced" in each)
+    assert reduced.startswith("Rows 2 and 3: Preload reduced: each carries ")
 
 
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:

@@ -187,4 +187,4 @@ def test_a_hollow_mark_has_no_filling() -> None:
 
 def test_a_heading_keeps_the_letter_of_its_raceway_or_axis() -> None:
     table = Table(("ball", "angle o\ndeg", "radial y", "load of a ball"), [["0", "1", "2", "3"]])
-    assert WHOLE.findall(html(document(table)))[-2:] == ["angle o", "radial y"]
+    assert [each for each in WHOLE.findall(html(document(table))) if " " in each][-2:] == ["angle o", "radial y"]
