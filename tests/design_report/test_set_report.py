@@ -15,7 +15,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing import messages
 from qsbearing.cli import cli
-from qsbearing.design_report import set_curves, set_inputs
+from qsbearing.design_report import evidence, set_curves, set_inputs
 from qsbearing.documents.model import Group, Table
 from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.scene.operation import STRAIGHT
@@ -315,3 +315,30 @@ def test_a_browser_has_nothing_to_complain_of(folder: Path) -> None:
     with Browser() as browser:
         for name in SETS:
             assert layout_faults(browser, folder / "out" / f"{name}_report.html") == []
+
+
+def test_a_panel_without_curves_says_why() -> None:
+    """A preloaded pair without loads: nothing moves, and nothing holds it."""
+    bearing = qs.load_scene("b218").bearing
+    rows = (qs.Row(bearing, 0.0, "+x"), qs.Row(bearing, 0.06, "-x"))
+    forces = np.array([500.0, 900.0])
+    for load, is_empty in ((None, True), (300.0, False)):
+        of = qs.BearingSet(rows, qs.Operation(speed=0.0, axial_load=load), preload=qs.Preload(rigid=forces))
+        figure = set_curves._figure(qs.solve_set(of), forces, 700.0, "preload, N", [])
+        panel = figure.axes[2]
+        assert (not panel.axison) == is_empty
+        assert [text.get_text() for text in panel.texts] == ([set_curves.NOTHING] if is_empty else [])
+
+
+def test_what_is_found_for_each_row_stands_once() -> None:
+    assert evidence._in_one(["Here: 1108 MPa", "Here: 1042 MPa"]) == "Here: 1042 to 1108 MPa"
+    assert evidence._in_one(["Agrees", "Agrees"]) == "Agrees"
+    assert evidence._in_one(["Agrees", "Within 1 %"]) == "Agrees; Within 1 %"
+
+
+def test_rows_with_the_same_effects_and_readings_have_them_once() -> None:
+    lines = [[("a", "1", "", "")], [("a", "2", "", "")], [("a", "1", "", "")]]
+    assert set_inputs._alike("Effects", lines) == [
+        ("Effects of rows 1 and 3", lines[0]),
+        ("Effects of row 2 alone", lines[1]),
+    ]
