@@ -29,6 +29,17 @@ class RowText(NamedTuple):
     """With its sign or unit: per cent, or the limit of a difference from zero in the row's own unit."""
 
 
+NAMES = {
+    "semi_major_axis": "semi-major axis", "semi_minor_axis": "semi-minor axis", "max_pressure": "largest pressure",
+    "max_shear_stress": "largest shear stress", "max_shear_depth": "depth of the largest shear stress",
+}  # fmt: skip
+
+
+def in_words(quantity: str) -> str:
+    """A quantity of a record in words."""
+    return NAMES.get(quantity, quantity.replace("_", " "))
+
+
 def number(value: float | None, digits: int = 6, signed: bool = False) -> str:
     """A number of a record, shortened."""
     if value is None:

@@ -21,9 +21,13 @@ def agreement_table(entry: dict[str, Any]) -> list[Block]:
         cells = []
         for row in rows:
             told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
-            name = row["quantity"] + (f", {unit}" if unit else "")
+            name = row_text.in_words(row["quantity"]) + (f", {unit}" if unit else "")
             numbers = (told.reference, told.found, row_text.deviation(row), told.tolerance)
             cells.append((name, *numbers, Badge(row["verdict"])))
         parts.append(Table(("", "reference", "found", "deviation %", "tolerance", ""), cells, "lrrrrl", case))
-        parts += [Paragraph(f"{row['quantity']}: worst at {row['worst_at']}") for row in rows if row["worst_at"]]
+        parts += [_worst(row) for row in rows if row["worst_at"]]
     return parts
+
+
+def _worst(row: dict[str, Any]) -> Paragraph:
+    return Paragraph(f"{row_text.in_words(row['quantity'])}: worst at {row['worst_at']}")

@@ -7,10 +7,11 @@ import sys
 import time
 
 import click
-from rich.console import Console
 
 from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, require
+from qsbearing.cli.output import print_table
+from qsbearing.documents.model import Paragraph
 
 
 @click.command("contact")
@@ -43,7 +44,7 @@ def contact(
     Exit codes: 0 within tolerance, 1 out of tolerance, 2 bad input or a missing dependency.
     """
     require(*FEM)
-    from fem_check import memory, meshing, records_store, runner, single_contact
+    from fem_check import memory, meshing, records_store, row_text, runner, single_contact
     from fem_check.contact import ContactError
     from fem_check.cost import mesh_choice
     from fem_check.cost import record as cost_record
@@ -61,7 +62,6 @@ def contact(
     least = single_contact.LEAST_ELEMENTS if geometry == "parabolic" else single_contact.LEAST_TRUE_ELEMENTS
     if elements is not None and elements < least:
         refuse(f"--elements {elements}: must be at least {least} per semi-axis")
-    console = Console(soft_wrap=True, highlight=False)
     try:
         groove = groove_contact(scene, race)
         choices = [None] if accuracy is None else mesh_choice.proposals(accuracy, cost_record.read())
@@ -72,7 +72,7 @@ def contact(
                 choice.sequence if choice else single_contact.sequence_of(elements or single_contact.USUAL_ELEMENTS)
             )
             if choice and not as_json:
-                console.print(choice.message)
+                print_table([Paragraph(choice.message)])
             runner.refuse_too_large(meshing.half_space(sequence[-1]).dofs, f"{sequence[-1]} elements per semi-axis")
             with progress_bar(as_json) as reporter:
                 findings = single_contact.run(scene, groove, load, sequence, geometry, reporter("contact"), accuracy)
@@ -100,12 +100,17 @@ def contact(
     if as_json:
         print(json.dumps(entry))
     else:
-        Console().print(agreement_table(entry))
+        print_table(agreement_table(entry))
         if accuracy is not None:
             meshes = ", ".join(map(str, sequence))
-            console.print(
-                f"Accuracy asked: {accuracy:.3g}; reached, uncertainty included: {reached:.1e} "
-                f"({quantity.replace('_', ' ')}), with {meshes} elements per semi-axis."
+            print_table(
+                [
+                    Paragraph(
+                        f"Accuracy asked: {accuracy:.3g}; reached, uncertainty included: "
+                        f"{row_text.scientific(reached, 2)} ({row_text.in_words(quantity)}), with {meshes} elements "
+                        "per semi-axis."
+                    )
+                ]
             )
     failed = findings.verdict == "fail" or (accuracy is not None and reached > accuracy)
     sys.exit(OUT_OF_TOLERANCE if failed else 0)

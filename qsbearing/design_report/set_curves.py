@@ -37,6 +37,9 @@ BEYOND = 1.15
 Mark = tuple[float, str]
 """Where a row no longer keeps its preload, along the curve, and what happens there."""
 
+NOTHING = "The shaft does not move,\nand no load holds it."
+"""In the place of curves."""
+
 CURVES = "axial load and maximum pressure of each row, displacement and stiffness of the shaft"
 
 
@@ -120,6 +123,10 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
     names = ("axial load of each row, N", "maximum pressure of each row, MPa", answer)
     finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
+    if not displacement.lines[:-1]:  # all but the line of the operating point
+        displacement.clear()
+        displacement.set_axis_off()
+        displacement.text(0.5, 0.5, NOTHING, ha="center", va="center", fontsize=9, transform=displacement.transAxes)
     inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
     for place, what in inside:
         for axes in panels:

@@ -25,9 +25,13 @@ JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 SHORT = 26
 """Letters of code in a sentence that stays on one line."""
 QUANTITY = re.compile(
-    r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)|(?<=\bN) (?=m?m\b)"
+    r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)|(?<=\bN) (?=m?m\b)|(?<=≈) "
 )
-"""The space within a number, before its unit, and within that."""
+"""The space within a number, before its unit, within that, and after ≈."""
+
+
+POWER = re.compile(r"\b\d[\d.]*e-\d+\b")
+"""A number that browsers would break after its hyphen."""
 
 
 def html(document: Document) -> str:
@@ -138,8 +142,10 @@ def _unbroken(text: str) -> str:
 
 
 def _jointed(text: str) -> str:
-    """Text whose long names may break after an underscore, so that the column of names leaves room for the others."""
-    return LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
+    """Text whose long names may break after an underscore, so that the column of names leaves room for the others, and
+    whose numbers stay whole."""
+    text = LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
+    return POWER.sub(lambda found: _whole(found[0]), text)
 
 
 def _closing(run: dict[str, Any]) -> str:

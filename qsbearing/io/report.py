@@ -207,7 +207,7 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for shown in GEOMETRY:
             cold = float(shown.of(solution.scene.bearing))
             rows.append(
-                (shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", printed_unit(split(shown.key)[1]))
+                (shown.plain_name, f"{cold:.6g}", f"{operating[shown.key]:.6g}", printed_unit(split(shown.key)[1]))
             )
         heading = ("", "at rest, cold", "in operation", "")
         tables.append(Table(heading, rows, "lrrl", "Geometry before loading"))

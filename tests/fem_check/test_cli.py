@@ -188,3 +188,15 @@ def test_contact_of_another_scene():
     assert abs(approach["deviation_percent"]) < 0.3
     # Five elements are not gated, and the record says so.
     assert approach["verdict"] == "finding"
+
+
+def test_contact_prints_tables_in_words(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    result = call("contact", "--scene", "b218", "--race", "inner", "--load-N", "1000", "--accuracy", "1e-2")
+    assert result.exit_code == 0
+    lines = result.stdout.splitlines()
+    row = next(line for line in lines if line.startswith("semi-major axis, µm"))
+    assert row.split()[-1] == "pass" and row.split()[-3:-1] == ["1", "%"]
+    assert "\ndepth of the largest" in result.stdout
+    assert not any(mark in result.stdout for mark in ("Badge(", "semi_major", "max_shear"))
+    assert max(map(len, lines)) <= 80

@@ -130,7 +130,7 @@ def _contacts(evidence: Evidence) -> tuple[str | None, bool]:
     worst = max(elements, key=lambda row: abs(row["deviation_percent"]))
     said = (
         f"largest deviation from the finite elements {number(abs(worst['deviation_percent']), 2)} % "
-        f"({worst['quantity'].replace('_', ' ')}), {kept.data['level']} level"
+        f"({row_text.in_words(worst['quantity'])}), {kept.data['level']} level"
     )
     return said, kept.data["verdict"] == "pass"
 

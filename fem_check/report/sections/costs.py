@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fem_check import row_text
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import table as cost_table
 from fem_check.report.evidence import Evidence, Kept
@@ -40,7 +41,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
         words = (
             f"Effects chosen by a tolerance of {found['tolerance']:g}: of {found['scenes']} random operating points "
             f"{found['within_tolerance']} stayed within it and {found['something_left_out']} left something out; the "
-            f"worst is off by {worst['error']:.3g} ({worst['quantity'].replace('_', ' ')}). On average it took "
+            f"worst is off by {worst['error']:.3g} ({row_text.in_words(worst['quantity'])}). On average it took "
             f"{found['solves_mean']:g} solves."
         )
         blocks += [Paragraph(words), auto.trace]
