@@ -90,6 +90,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
 
 def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     row = solution.rows[number]
+    nodes = () if solution.thermal is None else solution.thermal.thermal.nodes
     drawn = picture(
         contact_ellipses(row),
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
@@ -98,6 +99,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     said = remarks(messages.warnings(row))
     return Section(
         _name(solution, number),
-        [*said, *report.tables_of_balls(row), drawn, *readings_tables(found)],
+        [*said, *report.tables_of_balls(row, nodes), drawn, *readings_tables(found)],
         f"row-{number + 1}",
     )

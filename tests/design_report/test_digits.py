@@ -1,4 +1,4 @@
-"""Numbers in a report's tables: what is found has six digits at most, what is given has its own."""
+"""What is found has six digits at most in a report, what is given its own; and where numbers are from."""
 
 from __future__ import annotations
 
@@ -16,14 +16,22 @@ GIVEN = {
 }  # fmt: skip
 
 
+WARM = qs.RingExpansion(bore_diameter=0.09, outside_diameter=0.16, inner_ring_temperature=60 + qs.zero_celsius)
+
+
+def warm() -> qs.Solution:
+    thrust = qs.Operation(speed=9000 * qs.rpm, axial_load=5000.0, **STRAIGHT)
+    return qs.solve(qs.Scene(qs.load_scene("b218").bearing, thrust, ring_effects=(WARM,)))
+
+
+def test_temperatures_that_a_set_has_found_are_not_given() -> None:
+    for nodes, origin in (((), "given"), (("inner_ring", "balls"), "heat balance")):
+        (table,) = (each for each in report.tables_of_balls(warm(), nodes) if each.caption.startswith("Temperatures"))
+        assert {row[0]: row[2] for row in table.rows}["inner ring"] == origin
+
+
 def test_the_geometry_in_operation_has_six_digits() -> None:
-    warm = qs.RingExpansion(bore_diameter=0.09, outside_diameter=0.16, inner_ring_temperature=60 + qs.zero_celsius)
-    scene = qs.Scene(
-        qs.load_scene("b218").bearing,
-        qs.Operation(speed=9000 * qs.rpm, axial_load=5000.0, **STRAIGHT),
-        ring_effects=(warm,),
-    )
-    (table,) = (each for each in report.tables(qs.solve(scene)) if each.caption == "Geometry before loading")
+    (table,) = (each for each in report.tables(warm()) if each.caption == "Geometry before loading")
     shown = [cell for row in table.rows for cell in row[1:3]]
     assert len(shown) == 12 and any(len(re.sub(r"^0|\D", "", cell)) == 6 for cell in shown)
     assert all(len(re.sub(r"^0|\D", "", cell)) <= 6 for cell in shown)

@@ -342,3 +342,12 @@ def test_rows_with_the_same_effects_and_readings_have_them_once() -> None:
         ("Effects of rows 1 and 3", lines[0]),
         ("Effects of row 2 alone", lines[1]),
     ]
+
+
+def test_a_page_has_room_for_the_loads_and_the_angles_of_four_rows() -> None:
+    """A page of A4 is 10.3 inches high inside, a heading and captions need one; pictures are printed at 0.77."""
+    bearing = qs.load_scene("b218").bearing
+    rows = tuple(qs.Row(bearing, 0.06 * n, way) for n, way in enumerate(("+x", "-x", "+x", "-x")))
+    solution = qs.solve_set(qs.BearingSet(rows, qs.Operation(speed=0.0), preload=qs.Preload(rigid=900.0)))
+    pictures = (qs.pictures.load_distribution(solution), qs.pictures.contact_angles(solution))
+    assert 0.77 * sum(each.get_figheight() for each in pictures) < 10.3 - 1.0
