@@ -12,6 +12,7 @@ NUMBER = re.compile(
     r"|(?P<number>(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!\w))",
     re.IGNORECASE,
 )
+ROW = re.compile(r"Row (\d+) \([^)]*\): (.*)")
 SIDE = re.compile(r"\b(at|of) (an|the|that) (inner|outer)\b")
 """Where a sentence names its raceway, so that it can name both."""
 
@@ -43,6 +44,23 @@ def together(
             key = without_numbers(each, names.get(number)), each.rank, each.see
             alike.setdefault(key, {}).setdefault(number, []).append(each)
     return in_order(each for of in alike.values() for each in _of_several(word, of, names))
+
+
+def rows_together(sentences: Sequence[str]) -> list[str]:
+    """Sentences that begin with "Row 1 (its bearing):", those alike but for their numbers once, with their rows."""
+    alike: dict[str, dict[int, str]] = {}
+    for each in sentences:
+        found = ROW.fullmatch(each)
+        if found is None:
+            alike[each] = {0: each}
+        else:
+            alike.setdefault(without_numbers(found[2]), {})[int(found[1])] = each
+    return [next(iter(of.values())) if len(of) == 1 else _of_rows(of) for of in alike.values()]
+
+
+def _of_rows(of: Mapping[int, str]) -> str:
+    said = [found[2] for found in map(ROW.fullmatch, of.values()) if found is not None]
+    return f"{_capital(numbered('row', sorted(of)))}: {in_ranges(said)}"
 
 
 def both_raceways(warnings: Iterable[str]) -> list[RankedWarning]:

@@ -10,6 +10,7 @@ from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section, Table
+from qsbearing.equal_warnings import rows_together
 from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
@@ -81,7 +82,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             ),
         )
     parts: list[Block] = [
-        Section("Preload", [Bullets(preload_summary(solution, changes))]),
+        Section("Preload", [Bullets(rows_together(preload_summary(solution, changes)))]),
         Section("Load distribution", drawn),
     ]
     return Section("Results", [*tables, *parts])

@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.equal_warnings import both_raceways, in_ranges, numbered, together
+from qsbearing.equal_warnings import both_raceways, in_ranges, numbered, rows_together, together
 from qsbearing.io.tables import remarks
 from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
@@ -62,6 +62,12 @@ def test_another_rank_or_other_words_are_another_warning() -> None:
         3: ["It slips"],
     }
     assert len(together("row", said)) == 3
+
+
+def test_sentences_of_rows_stand_once_where_only_numbers_differ() -> None:
+    said = [f"Row {n} (7210C, carries +x): too much, 3 times, at {speed} rpm." for n, speed in ((2, 10640), (1, 10660))]
+    others = ["All rows keep it.", "Row 3 (7210C, carries +x) loses it at 9 rpm.", "Row 4 (7210C, carries -x): none."]
+    assert rows_together([*said, *others]) == ["Rows 1 and 2: too much, 3 times, at 10640 to 10660 rpm.", *others]
 
 
 def test_both_raceways_share_a_warning() -> None:
