@@ -31,6 +31,7 @@ import numba
 import platformdirs
 from numba import config as numba_config
 from numba.core import event as numba_event
+from numba.core.caching import IndexDataCacheFile
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import LoweringPass, register_pass
@@ -219,6 +220,15 @@ def entry(function: F) -> F:
     return cast(F, dispatcher)
 
 
+def _share(folder: str, dispatcher: Any) -> None:
+    """Keep it by its module's name, where numba takes the path of the file: an installation and the copy of the source
+    from which it was made are compiled once. What the file holds still counts, when it was written does not."""
+    cache, function = dispatcher._cache, dispatcher.py_func
+    cache._cache_path = cache._impl.locator._cache_path = str(Path(folder) / function.__module__)
+    content = hashlib.sha256(Path(function.__code__.co_filename).read_bytes()).hexdigest()
+    cache._cache_file = IndexDataCacheFile(cache._cache_path, cache._impl.filename_base, content)
+
+
 def _load_alone(cache: Any, signature: Any, target: Any) -> Any:
     """As `load_overload` does, but numba does not first take in all that it can compile: a fifth of a start's time."""
     with cache._guard_against_spurious_io_errors():
@@ -231,6 +241,8 @@ def _keep_to(folder: str, dispatcher: Any) -> None:
     cache = dispatcher._cache
     if not Path(cache.cache_path).is_relative_to(folder):  # numba's own choice of another, which nobody has looked at
         cache.disable()
+    elif _BUILDS_PARTS:
+        _share(folder, dispatcher)
     load, save = _load_alone if _BUILDS_PARTS else type(cache).load_overload, cache.save_overload
 
     def load_or_discard(signature: Any, target: Any) -> Any:

@@ -49,11 +49,10 @@ class RankedWarning(str):
     @property
     def line(self) -> str:
         """As people read it: how much it matters, the sentence, and where the guide says more."""
-        said = f"{self.rank.words}: {self}"
-        if not self.see:
-            return said
-        end = "." if said.endswith(".") else ""
-        return f"{said.removesuffix(end)} (see qsbearing guide {self.see}){end}"
+        is_word = self.partition(" ")[0].islower()  # not a symbol, as aISO
+        begun = self[:1].upper() + self[1:] if is_word else self
+        said = f"{self.rank.words}: {begun}".removesuffix(".")
+        return f"{said} (see qsbearing guide {self.see})." if self.see else f"{said}."
 
 
 def wrong_model(text: str, see: str) -> RankedWarning:

@@ -9,6 +9,7 @@ from qsbearing.design_report.conditions import Difference, facts_of
 from qsbearing.design_report.set_statements import OF_SETS
 from qsbearing.design_report.statements import STATEMENTS
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.equal_warnings import in_ranges, numbered, without_numbers
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.solution.solution import Solution
 
@@ -37,7 +38,7 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
     for each in STATEMENTS:
         concerned = {number: one for number, one in facts.items() if each.applies(one)}
         if concerned:
-            found = "; ".join(dict.fromkeys(each.found(one) for one in concerned.values()))
+            found = _in_one([each.found(one) for one in concerned.values()])
             differences = {number: each.differences(one) for number, one in concerned.items()}
             reasons = [
                 one if which is None else one._replace(reason=f"{which}: {one.reason}")
@@ -54,6 +55,11 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
     return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")
 
 
+def _in_one(found: Sequence[str]) -> str:
+    """What was found for each row: once, with a range of numbers, where only the numbers differ."""
+    return in_ranges(found) if len(set(map(without_numbers, found))) == 1 else "; ".join(dict.fromkeys(found))
+
+
 def judged(differences: Sequence[Difference]) -> list[Cell]:
     """How far a scene is from what was checked, in a word and in the reasons for it."""
     if not differences:
@@ -63,7 +69,7 @@ def judged(differences: Sequence[Difference]) -> list[Cell]:
 
 
 def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]:
-    """Each thing once, in its order, with "row 1 and 3", or None where it is said of every row.
+    """Each thing once, in its order, with "rows 1 and 3", or None where it is said of every row.
 
     Args:
         said: of each row, by its number.
@@ -72,7 +78,4 @@ def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]
     for number, found in said.items():
         for each in found:
             rows.setdefault(each, []).append(number)
-    return [
-        (each, None if len(numbers) == len(said) else f"row {' and '.join(map(str, numbers))}")
-        for each, numbers in rows.items()
-    ]
+    return [(each, None if len(numbers) == len(said) else numbered("row", numbers)) for each, numbers in rows.items()]

@@ -15,6 +15,7 @@ from qsbearing.io import catalogue
 from qsbearing.io.bearing_table import MODIFIED
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.scene_file import load_scene
+from qsbearing.io.tables import digits_of
 from qsbearing.io.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
 from qsbearing.material import BY_NAME, Material
 from qsbearing.result_keys import printed_unit
@@ -99,10 +100,12 @@ def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
         return entry.provenance.get(key) or FOLLOWS.get(key, "")
 
     found: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
-    found += [
-        (*line[:3], origin(line[0], published is not None and line in numbers(BEARING, published)))
-        for line in numbers(BEARING, bearing)
-    ]
+    follows = _what_follows(bearing)
+    for line in numbers(BEARING, bearing):
+        source = origin(line[0], published is not None and line in numbers(BEARING, published))
+        if line[0] in follows:
+            line, source = (line[0], follows[line[0]], line[2], ""), FOLLOWS[line[0]] if source == given_by else source
+        found.append((*line[:3], source))
     for name in MATERIALS:
         material = getattr(bearing, name)
         if entry is not None and published is not None and getattr(published, name) == material:
@@ -116,6 +119,14 @@ def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
     if entry is not None:
         found.append(("catalogue entry", entry.name, "", entry.source))
     return found
+
+
+def _what_follows(bearing: BallBearing) -> dict[str, str]:
+    """The clearance or the angle, whichever follows from the other: the one of many digits, in six of them."""
+    values = {key.name: key.in_file(float(getattr(bearing, key.field))) for key in BEARING if key.name in FOLLOWS}
+    short = {name: f"{value:.6g}" for name, value in values.items()}
+    long = [name for name, value in values.items() if short[name] != _text(value)]
+    return {long[0]: short[long[0]]} if len(long) == 1 else {}
 
 
 def _material(name: str, material: Material) -> list[Line]:
@@ -144,7 +155,12 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None) -> list[Li
             elif key is not None:
                 origin = "heat balance" if each.name in of_nodes else ""
                 found.append(
-                    (f"{effect.name}.{key.name}", _text(key.in_file(float(value))), printed_unit(key.unit), origin)
+                    (
+                        f"{effect.name}.{key.name}",
+                        (digits_of if origin else _text)(key.in_file(float(value))),
+                        printed_unit(key.unit),
+                        origin,
+                    )
                 )
             elif isinstance(value, str):
                 name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name

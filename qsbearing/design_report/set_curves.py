@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
+from qsbearing.equal_warnings import rows_together
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet
@@ -36,6 +37,9 @@ BEYOND = 1.15
 """Times the load at which a row loses its preload: so far loads are shown, if that is not too far."""
 Mark = tuple[float, str]
 """Where a row no longer keeps its preload, along the curve, and what happens there."""
+
+NOTHING = "The shaft does not move,\nand no load holds it."
+"""In the place of curves."""
 
 CURVES = "axial load and maximum pressure of each row, displacement and stiffness of the shaft"
 
@@ -63,7 +67,9 @@ def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
     marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
     figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
-    return shown(swept, figure, "the speed of the shaft", CURVES, [speed_sentence(of, each) for each in changes])
+    return shown(
+        swept, figure, "the speed of the shaft", CURVES, rows_together([speed_sentence(of, each) for each in changes])
+    )
 
 
 def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
@@ -74,7 +80,7 @@ def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     factors = np.linspace(0.0, top, POINTS)
     swept = solve_set(loaded(of, factors))
     figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
-    said = [load_sentence(of, each) for each in changes]
+    said = rows_together([load_sentence(of, each) for each in changes])
     return shown(swept, figure, "all loads in proportion, the preload as it is", CURVES, said)
 
 
@@ -120,6 +126,10 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
     names = ("axial load of each row, N", "maximum pressure of each row, MPa", answer)
     finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
+    if not displacement.lines[:-1]:  # all but the line of the operating point
+        displacement.clear()
+        displacement.set_axis_off()
+        displacement.text(0.5, 0.5, NOTHING, ha="center", va="center", fontsize=9, transform=displacement.transAxes)
     inside = [(place, what) for place, what in marks if along.min() <= place <= along.max()]
     for place, what in inside:
         for axes in panels:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -19,6 +20,7 @@ from qsbearing.design_report.inputs import (
     thermal_groups,
 )
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
+from qsbearing.equal_warnings import numbered
 from qsbearing.scene.keys import (
     FLOATING,
     HEATED,
@@ -56,12 +58,9 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),
         ("Effects and choices", named),
-        *(
-            (f"Effects of row {n} alone", effect_lines(row.ring_effects or (), heat))
-            for n, row in enumerate(of.rows, 1)
-        ),
+        *_alike("Effects", [effect_lines(row.ring_effects or (), heat) for row in of.rows]),
         ("Readings", reading_lines(of.readings)),
-        *((f"Readings of row {n} alone", reading_lines(row.readings or {})) for n, row in enumerate(of.rows, 1)),
+        *_alike("Readings", [reading_lines(row.readings or {}) for row in of.rows]),
         *thermal_groups(heat),
         *_bearings(of),
     )
@@ -75,6 +74,26 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
         Table(("key of the file", "value", "unit", "from"), rows, "lrll", stack=True),
     ]
     return Section("Input", blocks + as_read(source))
+
+
+def _alike(what: str, of_rows: Sequence[list[Line]]) -> list[tuple[str, list[Line]]]:
+    """What rows have of their own, once for those that have the same."""
+    return [
+        (f"{what} of {numbered('row', which)}{' alone' if len(which) == 1 else ''}", lines)
+        for which, lines in _by_rows(of_rows)
+    ]
+
+
+def _by_rows(of_rows: Sequence[list[Line]]) -> list[tuple[list[int], list[Line]]]:
+    """Lines once, after the numbers of the rows that have them."""
+    found: list[tuple[list[int], list[Line]]] = []
+    for number, lines in enumerate(of_rows, 1):
+        same = next((numbers for numbers, known in found if known == lines), None)
+        if same is None:
+            found.append(([number], lines))
+        else:
+            same.append(number)
+    return found
 
 
 def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
@@ -138,14 +157,7 @@ def _rows(of: BearingSet) -> Table:
 
 def _bearings(of: BearingSet) -> list[tuple[str, list[Line]]]:
     """Each bearing once, with the rows that have it."""
-    found: list[tuple[list[int], list[Line]]] = []
-    for number, row in enumerate(of.rows, 1):
-        lines = bearing_lines(row.bearing, "file")
-        same = next((numbers for numbers, known in found if known == lines), None)
-        if same is None:
-            found.append(([number], lines))
-        else:
-            same.append(number)
+    found = _by_rows([bearing_lines(row.bearing, "file") for row in of.rows])
     if len(found) == 1 and len(of.rows) > 1:
         return [("Bearing of all rows", found[0][1])]
-    return [(f"Bearing of row {' and '.join(map(str, which))}", lines) for which, lines in found]
+    return [(f"Bearing of {numbered('row', which)}", lines) for which, lines in found]

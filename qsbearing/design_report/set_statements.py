@@ -43,20 +43,20 @@ OF_SETS: tuple[Statement[BearingSet], ...] = (
     Statement(
         "Statics of sets at rest: the balls of two to four rows as springs between points in three dimensions, under "
         "every load at once.",
-        lambda of: "loads and displacements agree to 1e-8",
+        lambda of: "Loads and displacements agree to 1e-8",
         "pytest tests/sets/test_equilibrium.py",
         lambda of: _too_many(of) + _with_effects(of),
     ),
     Statement(
         "Relations of sets at rest and at speed: rows add up to the load, mirror images, stiffness against "
         "differences.",
-        lambda of: "hold to rounding, stiffness to the differences' own error",
+        lambda of: "Hold to rounding, stiffness to the differences' own error",
         "pytest tests/sets/test_equilibrium.py",
         _too_many,
     ),
     Statement(
         "Axial rigidities of rigidly preloaded pairs at rest, as a maker prints them (GMN S 6210, 15 and 25 degrees).",
-        lambda of: "met to the printed digit",
+        lambda of: "Met to the printed digit",
         "pytest tests/sets/test_preload.py",
         _not_printed,
         lambda of: len(of.rows) == 2 and of.is_opposed,

@@ -53,7 +53,8 @@ def document(
     )
     part = f"{100.0 * damage[worst]:.3g} % of the damage" + (" of a row" if len(found) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
-    first = Remark(f"Balls and rings are in equilibrium at all {damage.size} operating points.", "pass")
+    count = "both" if damage.size == 2 else f"all {damage.size}"
+    first = Remark(f"Balls and rings are in equilibrium at {count} operating points.", "pass")
     said = [
         each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
     ]

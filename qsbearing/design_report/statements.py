@@ -129,7 +129,7 @@ def _sector_result(facts: Facts) -> str:
     rigid, free = NUMBERS["bearing_sector"]["rigid"], NUMBERS["bearing_sector"]["free"]
     return (
         f"Outside diameter rigid: contact loads within {_within(rigid['load_percent'])} %, angles within "
-        f"{_within(rigid['angle_deg'])} deg; finite elements less model: axial displacement "
+        f"{_within(rigid['angle_deg'])} deg; finite elements minus model: axial displacement "
         f"{_spread(rigid['displacement_percent'])} %, b {_spread(rigid['semi_minor_axis_percent'])} %, p0 "
         f"{_spread(rigid['pressure_percent'])} %. Outside diameter free: axial displacement "
         f"{_spread(free['displacement_percent'])} %, loads {_spread(free['load_percent'])} %"
@@ -189,7 +189,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         f"Every contact reported for B218, steel and ceramic balls, at {_points['operating_points']} operating points "
         "up to 10000 rpm, thrust and radial load, against closed forms and finite elements of half-spaces. With "
-        "--scene the same is done for any scene.",
+        "`--scene` the same is done for any scene.",
         lambda facts: (
             f"Closed forms within {_points['closed_form_percent']:.0e} %, finite elements within "
             f"{_points['finite_elements_percent']:.1g} %"
@@ -210,7 +210,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         "Hertz against finite elements of B218's true ball and rings, both raceways, at rest, up to 5000 N per ball.",
         lambda facts: (
-            f"Elements less Hertz: a {_spread(_bodies['semi_major_axis'])} %, b "
+            f"Finite elements minus Hertz: a {_spread(_bodies['semi_major_axis'])} %, b "
             f"{_spread(_bodies['semi_minor_axis'])} %, p0 {_spread(_bodies['max_pressure'])} %, approach "
             f"{_spread(_bodies['approach'])} %"
         ),

@@ -25,15 +25,17 @@ JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 SHORT = 26
 """Letters of code in a sentence that stays on one line."""
 QUANTITY = re.compile(
-    r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)|(?<=\bN) (?=m?m\b)"
+    r"(?<=\d) (?=\d{3}(?!\d)|%|[µmkMG]?[mNgsJWBK]\b|°|rpm\b|MPa\b|GPa\b|deg\b|h\b)|(?<=\bN) (?=m?m\b)|(?<=≈) "
 )
-"""The space within a number, before its unit, and within that."""
+"""The space within a number, before its unit, within that, and after ≈."""
+
+
+POWER = re.compile(r"\b\d[\d.]*e-\d+\b")
+"""A number that browsers would break after its hyphen."""
 
 
 EQUAL = re.compile(r"(?<=\b\w) = (?=[+-]?\d)|(?<=\bF[arxyz]) = (?=[+-]?\d)")
 """Between a symbol and its value."""
-POWER = re.compile(r"\d[\d.]*e-\d+")
-"""A number at whose hyphen browsers would end a line."""
 
 
 def html(document: Document) -> str:
@@ -72,7 +74,7 @@ def _templates() -> Any:
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
-        "unbroken": lambda text: Markup(_powers(_jointed(str(escape(_unbroken(text)))))),
+        "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
         "lettered": lambda text: Markup(LETTERED.sub(lambda found: _whole(found[0]), str(text))),
         "closing": _closing,
     }
@@ -145,12 +147,9 @@ def _unbroken(text: str) -> str:
 
 
 def _jointed(text: str) -> str:
-    """Text whose long names may break after an underscore, so that the column of names leaves room for the others."""
-    return LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
-
-
-def _powers(text: str) -> str:
-    """Text as HTML, no line ending within a power of ten."""
+    """Text whose long names may break after an underscore, so that the column of names leaves room for the others, and
+    whose numbers stay whole."""
+    text = LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
     return POWER.sub(lambda found: _whole(found[0]), text)
 
 

@@ -29,8 +29,9 @@ def readings_tables(readings: Mapping[str, Any]) -> list[Block]:
         parts += [table for table in (of_bearing, of_contacts) if table]
         parts += [Paragraph(READINGS[name].scope)] if READINGS[name].scope else []
         for model in getattr(reading, "models", ()):
-            what = f"{model.name}: {model.contains}; without {model.lacks}."
-            parts.append(Paragraph(f"{what} Range: {model.range}. For heat: {model.heat}."))
+            what = f"{model.name}: the torque contains {model.contains}. It does not contain {model.lacks}."
+            use = f"Range of validity: {model.range}. Its heat can be used for {model.heat}."
+            parts.append(Paragraph(f"{what} {use}"))
         parts += remarks(getattr(reading, "warnings", ()))
     return parts
 

@@ -58,9 +58,15 @@ def tables(solution: Solution) -> list[Table]:
     return _tables(solution, record(solution, {}))
 
 
-def tables_of_balls(solution: Solution) -> list[Table]:
-    """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion."""
+def tables_of_balls(solution: Solution, nodes: Collection[str] = ()) -> list[Table]:
+    """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion.
+
+    Args:
+        nodes: bodies whose temperatures the heat balance of a set has found.
+    """
     found = record(solution, {})
+    for body, each in (found["temperatures"] or {}).items():
+        each["from"] = "heat balance" if body in nodes else each["from"]
     return [*_expansion(solution, found), *_of_balls(solution, found)]
 
 
@@ -207,7 +213,7 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
         for shown in GEOMETRY:
             cold = float(shown.of(solution.scene.bearing))
             rows.append(
-                (shown.plain_name, f"{cold:.8g}", f"{operating[shown.key]:.8g}", printed_unit(split(shown.key)[1]))
+                (shown.plain_name, f"{cold:.6g}", f"{operating[shown.key]:.6g}", printed_unit(split(shown.key)[1]))
             )
         heading = ("", "at rest, cold", "in operation", "")
         tables.append(Table(heading, rows, "lrrl", "Geometry before loading"))

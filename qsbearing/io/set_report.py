@@ -26,7 +26,7 @@ from qsbearing.io.report import (
 from qsbearing.io.set_record import set_record
 from qsbearing.io.shaft_report import shaft_tables
 from qsbearing.io.tables import digits_of, remarks
-from qsbearing.messages.bearing_set import capital, row_name
+from qsbearing.messages.bearing_set import capital, row_name, warnings_by_rows
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.judgement import percent
 from qsbearing.units import rpm
@@ -46,7 +46,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
 
                 parts += readings_tables(readings[number])
         parts += [*heat_tables(found), *_system_life(found)]
-    return [*parts, *remarks(found["warnings"], is_apart=True)]
+    return [*parts, *remarks(warnings_by_rows(solution), is_apart=True)]
 
 
 def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:

@@ -9,10 +9,12 @@ import numpy as np
 
 from qsbearing import __version__, messages
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.equal_warnings import together
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.readings_record import Readings
-from qsbearing.io.spectrum_report import NAMES, of_points
+from qsbearing.io.spectrum_report import NAMES
 from qsbearing.io.tables import digits_of, remarks
+from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.sets.set_solution import SetSolution
@@ -93,11 +95,12 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
         for row_number, row in enumerate(found["rows"], 1)
     ]
     lives.append(("all", "", _digits(found["system_life_h"]), ""))
+    said = {k + 1: warnings_by_rows(solution, (k,)) for k in range(len(found["points"]))}
     return [
         Paragraph(head, name),
         Table(heading, rows, caption="Load spectrum"),
         Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under the whole spectrum"),
-        *remarks(of_points(found["points"]), is_apart=True),
+        *remarks(together("point", said), is_apart=True),
     ]
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from qsbearing import __version__, messages
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.equal_warnings import together
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings, number
 from qsbearing.io.report import asked_for
@@ -87,8 +88,4 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
 
 def of_points(points: Sequence[dict[str, Any]]) -> list[RankedWarning]:
     """The warnings of a record's points, each once with the points that have it."""
-    said: dict[RankedWarning, list[str]] = {}
-    for place, point in enumerate(points, 1):
-        for sentence in point["warnings"]:
-            said.setdefault(sentence, []).append(f"{place}")
-    return [said_of(f"point {', '.join(places)}", sentence) for sentence, places in said.items()]
+    return together("point", {place: point["warnings"] for place, point in enumerate(points, 1)})

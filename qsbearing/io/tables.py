@@ -13,6 +13,7 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.equal_warnings import both_raceways
 from qsbearing.io.catalogue import Entry
 from qsbearing.ranked_warning import Rank, in_order
 
@@ -31,7 +32,7 @@ def remarks(warnings: Iterable[str], is_apart: bool = False) -> list[Remark]:
     """Each of the warnings, what matters most first; apart: an empty line before them in a terminal."""
     return [
         Remark(each.line, each.rank.status, f"{each.rank.words}:", COLOURS[each.rank], is_apart and number == 0)
-        for number, each in enumerate(in_order(warnings))
+        for number, each in enumerate(both_raceways(in_order(warnings)))
     ]
 
 

@@ -125,11 +125,14 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
     """Of several rows the hottest nodes and the largest load."""
     nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
     heads = (*(f"{node}\n°C" for node in nodes), "friction\nW", "axial load\nN")
-    cells = []
+    is_noted = any(note for *_, note in rows)
+    cells: list[tuple[str, ...]] = []
     for at, each, note in rows:
         numbers = (*hottest(each["temperatures_C"]).values(), each["power_W"])
-        cells.append((at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}", note))
-    return Table((along, *heads, ""), cells, "r" * (len(heads) + 1) + "l", title)
+        own = (at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}")
+        cells.append((*own, note) if is_noted else own)
+    sides = "r" * (len(heads) + 1)
+    return Table((along, *heads, *([""] if is_noted else [])), cells, sides + "l" * is_noted, title)
 
 
 def thermal_tables(found: dict[str, Any]) -> list[Block]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.equal_warnings import together
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing
 from qsbearing.messages.preload import excessive, lost, reduced
@@ -146,15 +147,40 @@ def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:
     return in_order(said)
 
 
+def warnings_by_rows(
+    solution: SetSolution, place: tuple[int, ...] = (), readings: Sequence[Sequence[str]] = ()
+) -> list[RankedWarning]:
+    """Those of a case for people: what several rows have is said once, with the range of its numbers.
+
+    Args:
+        place: of the case along the case axes; none of a single case.
+        readings: what the readings of each row add.
+    """
+    if solution._outcome.status[solution._flat_index(place or None)] != CONVERGED:
+        return []
+    numbers = range(len(solution.rows))
+    names = {number + 1: row_name(solution.set.rows[number], number) for number in numbers}
+    of_rows: dict[int, list[str]] = {number + 1: [] for number in numbers}
+    for number, row in enumerate(solution.rows):
+        if solution.preload_loads is not None:
+            of_rows[number + 1] += _preload(solution, solution.preload_loads, place, number)
+        of_rows[number + 1] += [*bearing.warnings(row, place or None), *(readings[number] if readings else ())]
+    return in_order([*_without_stiffness(solution, place), *together("row", of_rows, names)])
+
+
 def warnings_of_set(solution: SetSolution, place: tuple[int, ...] = ()) -> list[RankedWarning]:
     """Those of a converged case that are not its rows' own: preload lost or excessive, no stiffness."""
     of, said = solution.preload_loads, list[RankedWarning]()
     if of is not None:
         said = [each for number in range(len(solution.rows)) for each in _preload(solution, of, place, number)]
-    if not solution.control_is_consistent[place]:
-        what = "No stiffness: in a row, no raceway control is consistent, and several solutions exist."
-        said.append(wrong_model(what, "limits#hypotheses"))
-    return said
+    return said + _without_stiffness(solution, place)
+
+
+def _without_stiffness(solution: SetSolution, place: tuple[int, ...]) -> list[RankedWarning]:
+    if solution.control_is_consistent[place]:
+        return []
+    what = "No stiffness: in a row, no raceway control is consistent, and several solutions exist."
+    return [wrong_model(what, "limits#hypotheses")]
 
 
 def _counted(solution: SetSolution, of: PreloadLoads) -> list[RankedWarning]:

@@ -38,6 +38,8 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
+FLAT = 2.1
+"""Height of the angles of rows below each other, so that a page has room for them beside the loads."""
 SHAFT_HEIGHT = 3.4
 """Of a shaft in one plane [inches]."""
 PER_LINE = 3
@@ -153,6 +155,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     lines = -(-count // PER_LINE)
     columns = -(-count // lines)
     panels = [drawing.panel if len(drawings) > 1 else drawing.small for drawing in drawings]
+    if drawings == [ANGLES] and lines > 1:
+        panels = [(ANGLES.small[0], FLAT)]
     heights = [height for _, height in panels] * lines
     planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
     heights += [SHAFT_HEIGHT] * len(planes)

@@ -185,6 +185,6 @@ class ThermalState:
 
     def described(self, state: State) -> str:
         """A state of the curve in words."""
-        loads = " and ".join(map(_digits, state.preloads))
+        loads = " and ".join(dict.fromkeys(map(_digits, state.preloads)))
         hottest = state.temperatures.max() - zero_celsius
         return f"{state.factor * float(self.speed) / rpm:.5g} rpm ({hottest:.1f} °C, axial load {loads} N)"

@@ -275,7 +275,7 @@ def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path,
 def test_warnings_stand_in_full_before_the_contents_end(spindle: Path) -> None:
     first = page_of(spindle / "out", "spindle").text.split("Input #")[0]
     assert (
-        "Check your data: the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %" in first
+        "Check your data: The pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %" in first
     )
 
 

@@ -15,8 +15,9 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing import messages
 from qsbearing.cli import cli
-from qsbearing.design_report import set_curves, set_document, set_inputs
+from qsbearing.design_report import evidence, set_curves, set_inputs
 from qsbearing.documents.model import Group, Table
+from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.scene.operation import STRAIGHT
 from qsbearing.solution.judgement import percent
 from qsbearing.thermal.network import Conductance, Thermal
@@ -167,8 +168,8 @@ def test_the_input_names_every_row(folder: Path) -> None:
     (lines,) = tables_with(triple, "key of the file", "from")
     for expected in (["reference_position_mm", "40", "mm", "as given"], ["spring_N", "450", "N", ""]):
         assert expected in lines
-    assert "Row 1: Rings change their size" in triple.text and "Row 2 and 3: Rings keep the size" in triple.text
-    for title in ("Bearing of row 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
+    assert "Row 1: Rings change their size" in triple.text and "Rows 2 and 3: Rings keep the size" in triple.text
+    for title in ("Bearing of rows 1 and 2", "Bearing of row 3", "Effects of row 1 alone", "Readings of row 2 alone"):
         assert title in triple.text
     assert "Bearing of all rows" in page_of(folder / "out", "pair").text
 
@@ -207,14 +208,15 @@ def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> N
     rows = tuple(qs.Row(bearing, at, way) for at, way in ((0.0, "+x"), (0.06, "-x"), (0.2, "-x")))
     turning = qs.Operation(speed=6000 * qs.rpm, axial_load=3000.0, **STRAIGHT)
     solution = qs.solve_set(qs.BearingSet(rows, turning, preload=qs.Preload(rigid=2000.0)))
-    found = set_document._warnings(solution, [{}, {}, {}])
+    found = warnings_by_rows(solution)
     own = [re.findall(r"contact loads ≈ (\d+) %", each) for row in solution.rows for each in messages.warnings(row)]
     numbers = sorted({value for each in own for value in each}, key=float)
     assert len(numbers) > 1
     (said,) = (each for each in found if "contact loads" in each)
-    assert said.startswith("Rows 1, 2 and 3: ") and f"≈ {numbers[0]} to {numbers[-1]} %" in said
+    assert said.startswith("Rows 1 to 3: ") and f"≈ {numbers[0]} to {numbers[-1]} %" in said
     assert [each.rank for each in found] == sorted(each.rank for each in found)
-    assert sum("Preload reduced" in each for each in found) == 2
+    (reduced,) = (each for each in found if "Preload reduced" in each)
+    assert reduced.startswith("Rows 2 and 3: Preload reduced: each carries ")
 
 
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
@@ -313,3 +315,39 @@ def test_a_browser_has_nothing_to_complain_of(folder: Path) -> None:
     with Browser() as browser:
         for name in SETS:
             assert layout_faults(browser, folder / "out" / f"{name}_report.html") == []
+
+
+def test_a_panel_without_curves_says_why() -> None:
+    """A preloaded pair without loads: nothing moves, and nothing holds it."""
+    bearing = qs.load_scene("b218").bearing
+    rows = (qs.Row(bearing, 0.0, "+x"), qs.Row(bearing, 0.06, "-x"))
+    forces = np.array([500.0, 900.0])
+    for load, is_empty in ((None, True), (300.0, False)):
+        of = qs.BearingSet(rows, qs.Operation(speed=0.0, axial_load=load), preload=qs.Preload(rigid=forces))
+        figure = set_curves._figure(qs.solve_set(of), forces, 700.0, "preload, N", [])
+        panel = figure.axes[2]
+        assert (not panel.axison) == is_empty
+        assert [text.get_text() for text in panel.texts] == ([set_curves.NOTHING] if is_empty else [])
+
+
+def test_what_is_found_for_each_row_stands_once() -> None:
+    assert evidence._in_one(["Here: 1108 MPa", "Here: 1042 MPa"]) == "Here: 1042 to 1108 MPa"
+    assert evidence._in_one(["Agrees", "Agrees"]) == "Agrees"
+    assert evidence._in_one(["Agrees", "Within 1 %"]) == "Agrees; Within 1 %"
+
+
+def test_rows_with_the_same_effects_and_readings_have_them_once() -> None:
+    lines = [[("a", "1", "", "")], [("a", "2", "", "")], [("a", "1", "", "")]]
+    assert set_inputs._alike("Effects", lines) == [
+        ("Effects of rows 1 and 3", lines[0]),
+        ("Effects of row 2 alone", lines[1]),
+    ]
+
+
+def test_a_page_has_room_for_the_loads_and_the_angles_of_four_rows() -> None:
+    """A page of A4 is 10.3 inches high inside, a heading and captions need one; pictures are printed at 0.77."""
+    bearing = qs.load_scene("b218").bearing
+    rows = tuple(qs.Row(bearing, 0.06 * n, way) for n, way in enumerate(("+x", "-x", "+x", "-x")))
+    solution = qs.solve_set(qs.BearingSet(rows, qs.Operation(speed=0.0), preload=qs.Preload(rigid=900.0)))
+    pictures = (qs.pictures.load_distribution(solution), qs.pictures.contact_angles(solution))
+    assert 0.77 * sum(each.get_figheight() for each in pictures) < 10.3 - 1.0

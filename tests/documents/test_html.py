@@ -201,3 +201,9 @@ def test_a_hollow_mark_has_no_filling() -> None:
 def test_a_heading_keeps_the_letter_of_its_raceway_or_axis() -> None:
     table = Table(("ball", "angle o\ndeg", "radial y", "load of a ball"), [["0", "1", "2", "3"]])
     assert [each for each in WHOLE.findall(html(document(table))) if " " in each][-2:] == ["angle o", "radial y"]
+
+
+def test_no_line_ends_within_a_power_of_ten_or_after_an_estimate_s_sign() -> None:
+    page = html(Document("T", "", [Section("S", [Paragraph("within 1e-11, ≈ 400 %")])]))
+    assert "1e-11" in WHOLE.findall(page)
+    assert "≈\N{NO-BREAK SPACE}400\N{NO-BREAK SPACE}%" in page

@@ -218,11 +218,16 @@ def test_a_plain_string_counts_between_the_others_and_keeps_its_words() -> None:
     said = in_order(["plain", wrong_model("first", "limits"), good_to_know("last", "limits")])
     assert said == ["first", "plain", "last"]
     assert [each.line for each in said] == [
-        "Wrong model: first (see qsbearing guide limits)",
-        "Check your data: plain",
-        "Good to know: last (see qsbearing guide limits)",
+        "Wrong model: First (see qsbearing guide limits).",
+        "Check your data: Plain.",
+        "Good to know: Last (see qsbearing guide limits).",
     ]
-    assert said_of("row 1", said[0]).line == "Wrong model: row 1: first (see qsbearing guide limits)"
+    assert said_of("row 1", said[0]).line == "Wrong model: Row 1: first (see qsbearing guide limits)."
+
+
+def test_a_warning_begins_with_a_capital_but_a_symbol_keeps_its_letters() -> None:
+    assert good_to_know("the torque is high", "").line == "Good to know: The torque is high."
+    assert good_to_know("aISO is at its limit.", "").line == "Good to know: aISO is at its limit."
 
 
 def test_where_the_guide_says_more_is_within_the_sentence() -> None:

@@ -88,6 +88,19 @@ def test_a_damaged_file_of_the_cache_is_compiled_anew(probe: Path, tmp_path: Pat
     assert again.stderr == ""
 
 
+@pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
+def test_copies_of_a_source_share_what_is_compiled(probe: Path, tmp_path: Path) -> None:
+    """As an installation and the folder that it was installed from; a changed file is compiled."""
+    cache_of(probe, tmp_path / "cache")
+    copy = tmp_path / "copy"
+    copy.mkdir()
+    shutil.copy(probe / "qsbearing_probe.py", copy)
+    assert doubled_once(copy, tmp_path / "cache").stderr == ""
+    with (copy / "qsbearing_probe.py").open("a", encoding="utf-8") as file:
+        file.write("\n")
+    assert "compiling" in doubled_once(copy, tmp_path / "cache").stderr
+
+
 COMMAND = [sys.executable, "-c", "import qsbearing_probe; print(qsbearing_probe.doubled(3.0))"]
 
 
