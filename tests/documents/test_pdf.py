@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Block, Document, Facts, Group, Paragraph, Remark, Section, Table, Trace
+from qsbearing.documents.model import Badge, Block, Document, Facts, Group, Paragraph, Remark, Section, Table, Trace
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -115,6 +115,14 @@ def test_columns_of_words_are_as_wide_as_their_texts_need() -> None:
     reader = pypdf.PdfReader(BytesIO(pdf(Document("Words", "Test", [Section("Table", [table])]), strict=True)))
     lines = [line for page in reader.pages for line in page.extract_text().split("\n")]
     assert sum("long" in line for line in lines) < 4 * 4
+    judged = Table(table.headings, [[row[0], row[1] * 2, row[2] * 2, Badge("pass")] for row in rows], "llll")
+    reader = pypdf.PdfReader(BytesIO(pdf(Document("Words", "Test", [Section("Table", [judged])]), strict=True)))
+    places: list[float] = []
+    reader.pages[0].extract_text(
+        visitor_text=lambda text, cm, tm, *_: places.append(cm[4] + tm[4]) if "pass" in text else None
+    )
+    assert places
+    assert max(places) < 520.0, "a verdict has room"
 
 
 def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:
