@@ -9,7 +9,7 @@ from qsbearing.design_report.conditions import Difference, facts_of
 from qsbearing.design_report.set_statements import OF_SETS
 from qsbearing.design_report.statements import STATEMENTS
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.equal_warnings import in_ranges, numbered, without_numbers
+from qsbearing.messages.equal_warnings import in_ranges, numbered, without_numbers
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.solution.solution import Solution
 

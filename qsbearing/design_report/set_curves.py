@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.design_report.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.equal_warnings import rows_together
+from qsbearing.messages.equal_warnings import rows_together
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.bearing_set import BearingSet

@@ -10,13 +10,13 @@ from qsbearing.design_report.front import head
 from qsbearing.design_report.key_results import key_results_of_set
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section, Table
-from qsbearing.equal_warnings import rows_together
 from qsbearing.io import report, set_report
 from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.shaft_report import DEFLECTION
 from qsbearing.io.tables import remarks
 from qsbearing.messages.bearing_set import capital, row_name, warnings_by_rows
+from qsbearing.messages.equal_warnings import rows_together
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution

@@ -20,7 +20,7 @@ from qsbearing.design_report.inputs import (
     thermal_groups,
 )
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
-from qsbearing.equal_warnings import numbered
+from qsbearing.messages.equal_warnings import numbered
 from qsbearing.scene.keys import (
     FLOATING,
     HEATED,

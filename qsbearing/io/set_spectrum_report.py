@@ -9,12 +9,12 @@ import numpy as np
 
 from qsbearing import __version__, messages
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.equal_warnings import together
 from qsbearing.io.json_record import number, of_channels
 from qsbearing.io.readings_record import Readings
 from qsbearing.io.spectrum_report import NAMES
 from qsbearing.io.tables import digits_of, remarks
 from qsbearing.messages.bearing_set import warnings_by_rows
+from qsbearing.messages.equal_warnings import together
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.sets.set_solution import SetSolution

@@ -9,11 +9,11 @@ import numpy as np
 
 from qsbearing import __version__, messages
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.equal_warnings import together
 from qsbearing.io.json_record import record
 from qsbearing.io.readings_record import Readings, number
 from qsbearing.io.report import asked_for
 from qsbearing.io.tables import digits_of, remarks
+from qsbearing.messages.equal_warnings import together
 from qsbearing.ranked_warning import RankedWarning, said_of
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.result_keys import LOAD

@@ -13,8 +13,8 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
-from qsbearing.equal_warnings import both_raceways
 from qsbearing.io.catalogue import Entry
+from qsbearing.messages.equal_warnings import both_raceways
 from qsbearing.ranked_warning import Rank, in_order
 
 COLOURS = {Rank.WRONG_MODEL: "red", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}

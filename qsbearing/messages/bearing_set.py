@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.equal_warnings import together
 from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing
+from qsbearing.messages.equal_warnings import together
 from qsbearing.messages.preload import excessive, lost, reduced
 from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of, wrong_model
 from qsbearing.scene.operation import CHANNELS

@@ -10,9 +10,9 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.equal_warnings import both_raceways, in_ranges, numbered, rows_together, together
 from qsbearing.io.tables import remarks
 from qsbearing.messages.bearing_set import warnings_by_rows
+from qsbearing.messages.equal_warnings import both_raceways, in_ranges, numbered, rows_together, together
 from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
 from qsbearing.scene.operation import STRAIGHT
 from tests.sets.arrangements import PAIR_FILE
