@@ -22,7 +22,7 @@ CONTACTS = FrictionModel(
     "given",
     "viscous, cage and seal friction and the slip of a gyroscopic moment",
     "no limit of n dm of its own; the motion is that of raceway control",
-    "how the heat of sliding is divided among the contacts; for the whole bearing it is a lower bound",
+    "the division of the heat of sliding among the contacts; for the whole bearing it is a lower bound",
 )
 SKF = FrictionModel(
     "SKF",

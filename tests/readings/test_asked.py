@@ -177,7 +177,7 @@ def test_tables_and_columns(tmp_path: Path) -> None:
     assert done.exit_code == 0, done.output
     for words in ("basic reference rating life", "million rev", "sliding power", "orthogonal shear", "MPa"):
         assert words in done.output, words
-    for words in ("quantity ", "life in hours", "largest shear stress", "without viscous, cage and seal friction"):
+    for words in ("quantity ", "life in hours", "largest shear stress", "It does not contain viscous, cage and seal"):
         assert words in done.output, f"{words}: a name alone does not state it"
     heading, first = (tmp_path / "my.csv").read_text(encoding="utf-8").splitlines()[:2]
     row = dict(zip(heading.split(","), first.split(","), strict=True))
