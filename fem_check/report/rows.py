@@ -36,7 +36,7 @@ def as_read(text: str) -> str:
     text = re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
     text = re.sub(r"(?<=\d) deg\b", "°", text)
     text = _FIVE_DIGITS.sub(lambda found: f"{found[1]},{found[2]}", text)
-    text = re.sub(r"(?<=[a-z]) material\.", "'s ", text)
+    text = re.sub(r"(?<=[a-z])[ _]material\.(?=[a-z])", "'s ", text)
     text = re.sub(r"\^([23])(?![\d.])", lambda found: "²³"[int(found[1]) - 2], text)
     return row_text.short_exponents(text)
 

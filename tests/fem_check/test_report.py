@@ -219,6 +219,11 @@ def test_parts_of_deviations_are_a_table() -> None:
     assert "Finding: in 3 cases: the ball adds +3 ± 1 %" in [text for _, text in beside.notes]
 
 
+def test_a_material_is_its_bodys_and_a_sentence_stays_one() -> None:
+    assert as_read("ball_material.density") == "ball's density"
+    assert as_read("the mean of its material. Ellipse and") == "the mean of its material. Ellipse and"
+
+
 def test_a_name_keeps_the_indices_of_its_symbols() -> None:
     assert quantity("inner max_shear_depth") == "inner depth of τmax"
     assert quantity("F_a/(F_r tan α), poisson_ratio") == "F_a/(F_r tan α), poisson ratio"
