@@ -10,6 +10,11 @@ from collections.abc import Iterable
 from enum import IntEnum
 
 
+def capital(text: str) -> str:
+    """The text as the beginning of a sentence."""
+    return text[:1].upper() + text[1:]
+
+
 class Rank(IntEnum):
     """How much a warning matters, what matters most first."""
 
@@ -50,7 +55,7 @@ class RankedWarning(str):
     def line(self) -> str:
         """As people read it: how much it matters, the sentence, and where the guide says more."""
         is_word = self.partition(" ")[0].islower()  # not a symbol, as aISO
-        begun = self[:1].upper() + self[1:] if is_word else self
+        begun = capital(self) if is_word else self
         said = f"{self.rank.words}: {begun}".removesuffix(".")
         return f"{said} (see qsbearing guide {self.see})." if self.see else f"{said}."
 

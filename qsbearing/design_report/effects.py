@@ -12,7 +12,7 @@ from qsbearing.effects import QUANTITIES
 from qsbearing.effects.hertz_angle import HertzAngle
 from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.messages.bearing import chosen
-from qsbearing.messages.bearing_set import capital
+from qsbearing.ranked_warning import capital
 from qsbearing.scene.scene import Scene
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.judgement import WORDS

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Group, Table
 from qsbearing.io.report import freedom
-from qsbearing.messages.bearing_set import capital, row_name
+from qsbearing.messages.bearing_set import row_name
+from qsbearing.ranked_warning import capital
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.sets.set_solution import SetSolution

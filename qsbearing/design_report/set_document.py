@@ -15,9 +15,10 @@ from qsbearing.io.readings_record import Readings, taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.shaft_report import DEFLECTION
 from qsbearing.io.tables import remarks
-from qsbearing.messages.bearing_set import capital, row_name, warnings_by_rows
+from qsbearing.messages.bearing_set import row_name, warnings_by_rows
 from qsbearing.messages.equal_warnings import rows_together
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
+from qsbearing.ranked_warning import capital
 from qsbearing.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.sets.set_solution import SetSolution
 

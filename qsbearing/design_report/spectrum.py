@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
@@ -75,13 +75,15 @@ def point_of(asked: Scene | BearingSet, number: int) -> Any:
     own: dict[str, Any] = {name: value if value is None else float(value[number]) for name, value in values.items()}
     changes: dict[str, Any] = {
         "operation": replace(asked.operation, **own),
-        "readings": {name: each for name, each in asked.readings.items() if name != "spectrum"},
+        "readings": _without_spectrum(asked.readings),
     }
     if isinstance(asked, BearingSet):
         changes["rows"] = tuple(
-            row
-            if row.readings is None
-            else replace(row, readings={name: each for name, each in row.readings.items() if name != "spectrum"})
+            row if row.readings is None else replace(row, readings=_without_spectrum(row.readings))
             for row in asked.rows
         )
     return replace(asked, **changes)
+
+
+def _without_spectrum(readings: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: each for name, each in readings.items() if name != "spectrum"}

@@ -26,7 +26,8 @@ from qsbearing.io.report import (
 from qsbearing.io.set_record import set_record
 from qsbearing.io.shaft_report import shaft_tables
 from qsbearing.io.tables import digits_of, remarks
-from qsbearing.messages.bearing_set import capital, row_name, warnings_by_rows
+from qsbearing.messages.bearing_set import row_name, warnings_by_rows
+from qsbearing.ranked_warning import capital
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.judgement import percent
 from qsbearing.units import rpm

@@ -76,11 +76,11 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     parts: list[Block] = [Paragraph(head, name), Paragraph(found["message"])]
     parts.append(Table(heading, rows, caption="Load spectrum"))
     if found["duration_h"] is not None:
-        together = (
+        whole = (
             f"Life under the whole spectrum: {digits_of(found['duration_h'])} h, {digits_of(found['life_Mrev'])} "
             "million revolutions"
         )
-        parts.append(Paragraph(together, is_apart=True))
+        parts.append(Paragraph(whole, is_apart=True))
     sentences = of_points(found["points"])
     sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
     return [*parts, *remarks(sentences, is_apart=True)]

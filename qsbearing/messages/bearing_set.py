@@ -12,7 +12,7 @@ from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing
 from qsbearing.messages.equal_warnings import together
 from qsbearing.messages.preload import excessive, lost, reduced
-from qsbearing.ranked_warning import RankedWarning, check_data, in_order, said_of, wrong_model
+from qsbearing.ranked_warning import RankedWarning, capital, check_data, in_order, said_of, wrong_model
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.solution import preload_state
 from qsbearing.solution.case_index import Index
@@ -123,11 +123,6 @@ def _overloaded(solution: SetSolution, k: int) -> str:
     if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
         return f" All rows that carry in {direction} float, and their springs give no more than their own force."
     return ""
-
-
-def capital(text: str) -> str:
-    """The text as the beginning of a sentence."""
-    return text[:1].upper() + text[1:]
 
 
 def warnings(solution: SetSolution, index: Index = None) -> list[RankedWarning]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from qsbearing.ranked_warning import Rank, RankedWarning, in_order, ranked, said_of
+from qsbearing.ranked_warning import Rank, RankedWarning, capital, in_order, ranked, said_of
 
 NUMBER = re.compile(
     r"\brows? \d+(?:(?:, | and | to )\d+)*(?: \([^)]*\))?|\(no\. [^)]*\)"  # the numbers of rows and balls are names
@@ -60,7 +60,7 @@ def rows_together(sentences: Sequence[str]) -> list[str]:
 
 def _of_rows(of: Mapping[int, str]) -> str:
     said = [found[2] for found in map(ROW.fullmatch, of.values()) if found is not None]
-    return f"{_capital(numbered('row', sorted(of)))}: {in_ranges(said)}"
+    return f"{capital(numbered('row', sorted(of)))}: {in_ranges(said)}"
 
 
 def both_raceways(warnings: Iterable[str]) -> list[RankedWarning]:
@@ -83,11 +83,11 @@ def _of_several(word: str, of: Mapping[int, Sequence[RankedWarning]], names: Map
     (number, sentences), *others = of.items()
     name = names.get(number)
     if not others:
-        which = _capital(name or numbered(word, [number]))
+        which = capital(name or numbered(word, [number]))
         return [each if name and name in each else said_of(which, each) for each in dict.fromkeys(sentences)]
     texts = [each.replace(names[n], "each") if n in names else each for n, found in of.items() for each in found]
     text = RankedWarning(in_ranges(texts), sentences[0].rank, sentences[0].see)
-    return [said_of(_capital(numbered(word, sorted(of))), text)]
+    return [said_of(capital(numbered(word, sorted(of))), text)]
 
 
 def _of_both(of: Sequence[RankedWarning]) -> list[RankedWarning]:
@@ -114,7 +114,3 @@ def in_ranges(sentences: Sequence[str]) -> str:
 
 def _numbers(text: str) -> Iterator[str]:
     return (found["number"] for found in NUMBER.finditer(text) if found["number"])
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.bearing_set import capital, row_name
+from qsbearing.messages.bearing_set import row_name
+from qsbearing.ranked_warning import capital
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.sets.solve import solve_set
