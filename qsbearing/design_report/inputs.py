@@ -138,7 +138,7 @@ def _material(name: str, material: Material) -> list[Line]:
 
 def effect_lines(effects: Iterable[Any], heat: Thermal | None = None) -> list[Line]:
     """Effects with their numbers and choices; temperatures of nodes are not given, but found by the heat balance."""
-    nodes = {node for each in heat.conductances for node in each.between} if heat is not None else set()
+    nodes = heat.found_nodes if heat is not None else ()
     of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
     found: list[Line] = []
     for effect in effects:

@@ -111,6 +111,11 @@ class Thermal:
         return tuple(node for node in NODES if node in named)
 
     @property
+    def found_nodes(self) -> tuple[str, ...]:
+        """Those whose temperatures the heat balance finds."""
+        return tuple(node for node in self.nodes if node not in self.fixed)
+
+    @property
     def oil_node(self) -> str | None:
         """The node at whose temperature viscosity is taken; None: it stays at the lubricant's own."""
         return self.viscosity_at or ("oil" if "oil" in self.nodes else None)
