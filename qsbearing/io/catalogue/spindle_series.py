@@ -19,8 +19,8 @@ SOURCE = "GMN Paul Mueller Industrie, High precision ball bearings, catalogue 40
 HYBRID = "_hybrid"
 LEAST_RIGIDITY = 80.0
 """Axial rigidity at heavy preload [N/um] from which the rigidities of a row of series KH tell its groove: their
-rounding is 0.6 %. Below it the rows of KH, whose grooves are alike, have the median of the others. Those of series S are
-not alike: each has its own, which agrees with that of the same bearing at 25 degrees to 0.0007."""
+rounding is 0.6 %. Below it the rows of KH, whose grooves are alike, have the median of the others. Those of series S
+are not alike: each has its own, which agrees with that of the same bearing at 25 degrees to 0.0007."""
 LEAST_SHOULDER = 0.14
 """Height over the bottom of the groove, in ball diameters, from which a printed d1 or D1 is that of the shoulder that
 carries the thrust (chosen: what the ellipse under a thrust of half C0 needs at 15 degrees). The table does not say
