@@ -287,7 +287,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         true: dict[str, OverHertz | Refused] = {}
         for race, contact in contacts.items():
             progress(f"{race}, half-spaces", 0.0)
-            ideal[race] = half_space_contact.mesh_study(contact.problem, level, progress)
+            ideal[race] = half_space_contact.mesh_study(contact.problem, half_space_contact.SEQUENCES[level], progress)
             true[race] = true_bodies(contact, ELEMENTS[level], progress)
         on_half_spaces = equilibrium_rows(contacts, HALF_SPACES, _of_half_spaces(contacts, ideal), level)
         of_true_bodies = equilibrium_rows(contacts, TRUE_BODIES, _of_true_bodies(contacts, true), level)
