@@ -278,8 +278,10 @@ NOTES = [
 
 def single(
     bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float, elements: int, progress: Progress
-) -> tuple[list[Row], Solved]:
+) -> tuple[list[Row], list[Row], Solved]:
     """One contact of a bearing on the meshes of `sequence`, as `fem-check contact --geometry true` shows it.
+
+    Its rows, those of them that the meshes are too coarse to judge, and the contact.
 
     Args:
         bearing: with its rings' sections.
@@ -297,7 +299,10 @@ def single(
         lambda mesh_load: solve(meshed(bearing, source, groove, mesh_load, sequence(elements)), (load,), progress)[0],
         load,
     )
-    return [*decided(gap_rows(solved)), *true_rows(solved), *compliance_rows(solved)], solved
+    before = gap_rows(solved)
+    rows = decided(before)
+    undecided = [row for row, first in zip(rows, before, strict=True) if row is not first]
+    return [*rows, *true_rows(solved), *compliance_rows(solved)], undecided, solved
 
 
 def decided(rows: list[Row]) -> list[Row]:
@@ -310,9 +315,7 @@ def decided(rows: list[Row]) -> list[Row]:
         limit, doubt = row.tolerance_percent, row.uncertainty_percent
         if limit is None or doubt is None or row.verdict != "fail" or not abs(row.deviation_percent) <= doubt:
             return row
-        why = (
-            f"a finding: these meshes, at ±{doubt:.2g} %, cannot decide on the tolerance of {limit:g} %; finer ones can"
-        )
+        why = f"a finding: within its uncertainty; these meshes are too coarse for the tolerance of {limit:g} %"
         return replace(row, tolerance_percent=None, why_tolerance=why)
 
     return [of(row) for row in rows]

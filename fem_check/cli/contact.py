@@ -66,7 +66,7 @@ def contact(
 
     Exit codes: 0 within tolerance, 1 out of tolerance, 2 bad input or a missing dependency.
     """
-    require(*FEM)
+    require(*FEM, *([] if out is None else ["jinja2"]))
     from fem_check import memory, meshing, records_store, row_text, runner
     from fem_check.contact import ContactError
     from fem_check.contacts import chosen, files, half_spaces, run, shown, true_bodies

@@ -74,8 +74,8 @@ def csv_of(entry: dict[str, Any]) -> bytes:
 
 def page(entry: dict[str, Any], maps: Sequence[dict[str, Any]], vtu: Sequence[str]) -> Document:
     """The page."""
-    limit = shown.tolerances(entry)
-    agreement: list[Block] = [shown.agreement_table(entry), *([limit] if limit else [])]
+    below = [each for each in (shown.tolerances(entry), shown.undecided(entry)) if each]
+    agreement: list[Block] = [shown.agreement_table(entry), *below]
     pairs = [(name or "Curvatures", told) for name, told in shown.facts(entry)]
     sections = [
         Section("Agreement", agreement),

@@ -31,9 +31,10 @@ def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence
 
 
 def of_true_bodies(contacts: Sequence[TrueBodies], sequence: Sequence[int]) -> dict[str, Any]:
-    """The same of true bodies."""
+    """The same of true bodies; and which rows the meshes are too coarse to judge."""
     entries = [_contact(each.chosen) | {"case": each.case, "mesh": true_bodies.mesh_of(each)} for each in contacts]
-    return {"bearing": _bearing(contacts[0].chosen), "elements": list(sequence), "contacts": entries}
+    known = {"bearing": _bearing(contacts[0].chosen), "elements": list(sequence), "contacts": entries}
+    return known | {"undecided": [case for each in contacts for case in each.undecided]}
 
 
 def _bearing(contact: Chosen) -> dict[str, Any]:

@@ -21,7 +21,7 @@ SHOWN = {
     "max_shear_depth": ("depth of τmax", "mm", 1e3),
 }
 """Of each quantity of the table: name, unit, and one of its SI unit in that."""
-HEADINGS = ("", "Hertz", "finite elements", "deviation %", "± %", "verdict")
+HEADINGS = ("", "Hertz", "finite\nelements", "deviation\n%", "±\n%", "verdict")
 MODELS = {
     "parabolic": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: deviations are errors.",
     "true": "Ball and ring with their real shapes, where Hertz is an approximation: deviations are findings.",
@@ -135,8 +135,21 @@ def tolerances(entry: Entry) -> Paragraph | None:
     limits = "; ".join(f"{limit:.3g} % of {', '.join(names)}" for (limit, _), names in told.items())
     reasons = "; ".join(dict.fromkeys(why for _, why in told))
     return Paragraph(
-        f"Tolerance: {limits} ({reasons}). A row passes if its deviation and its uncertainty together are within it.",
+        f"Tolerance: {limits}; {reasons}. A row passes if its deviation and its uncertainty together are within it.",
         "Tolerance:",
+        is_apart=True,
+    )
+
+
+def undecided(entry: Entry) -> Paragraph | None:
+    """Which rows are not judged because the meshes are too coarse, and the remedy."""
+    if not entry.get("undecided"):
+        return None
+    said = "; ".join(entry["undecided"])
+    return Paragraph(
+        f"Not judged: {said}. It agrees within its uncertainty, which on these meshes exceeds the tolerance: more "
+        f"--elements than {entry['mesh']['elements_per_semi_axis']} judge it.",
+        "Not judged:",
         is_apart=True,
     )
 
@@ -169,5 +182,5 @@ def for_terminal(entry: Entry) -> list[Block]:
     for name, told in facts(entry):
         lead = f"{name}:" if name else " " * len(lead)
         paragraphs.append(Paragraph(f"{lead} {told}", lead))
-    limit = tolerances(entry)
-    return [heading(entry), *paragraphs, agreement_table(entry), *([limit] if limit else []), *rests_on(entry)]
+    below = [each for each in (tolerances(entry), undecided(entry)) if each]
+    return [heading(entry), *paragraphs, agreement_table(entry), *rests_on(entry), *below]

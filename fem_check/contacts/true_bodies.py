@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from fem_check.agreement import Findings, Progress
+from fem_check.agreement import Findings, Progress, Row
 from fem_check.checks import true_geometry
 from fem_check.checks.true_geometry import Solved
 from fem_check.contacts.chosen import Chosen
@@ -21,6 +21,8 @@ class TrueBodies:
 
     chosen: Chosen
     solved: Solved
+    undecided: tuple[str, ...]
+    """Which of its rows the meshes are too coarse to judge."""
 
     @property
     def case(self) -> str:
@@ -35,10 +37,13 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
         MeshError: gmsh cannot mesh the bodies.
         ContactError: a contact cannot be solved.
     """
-    found, rows = [], []
+    found: list[TrueBodies] = []
+    rows: list[Row] = []
     for each in contacts:
-        own, solved = true_geometry.single(each.bearing, each.groove.name, each.groove, each.load, elements, progress)
-        found.append(TrueBodies(each, solved))
+        own, undecided, solved = true_geometry.single(
+            each.bearing, each.groove.name, each.groove, each.load, elements, progress
+        )
+        found.append(TrueBodies(each, solved, tuple(f"{row.case}, {row.quantity}" for row in undecided)))
         rows += own
     last = found[-1].solved
     mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}

@@ -109,7 +109,9 @@ def test_the_file_of_a_half_space_holds_hertz(block, tmp_path):
 
 
 def test_scaled_is_a_similar_contact(study, block):
-    eight = half_space_contact.field(half_space_contact.mesh_study(groove_contact("b218", "inner").problem(8000.0), (3, 3)))
+    eight = half_space_contact.field(
+        half_space_contact.mesh_study(groove_contact("b218", "inner").problem(8000.0), (3, 3))
+    )
     similar = block.scaled(length=2.0, stress=2.0)
     for name in ("nodes", "displacement", "stress", "pressure"):
         expected = getattr(eight, name)
