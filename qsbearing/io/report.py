@@ -20,6 +20,7 @@ from qsbearing.units import deg, mm, mrad, rpm, um
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.thermal.network import Thermal
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
@@ -58,15 +59,13 @@ def tables(solution: Solution) -> list[Table]:
     return _tables(solution, record(solution, {}))
 
 
-def tables_of_balls(solution: Solution, nodes: Collection[str] = ()) -> list[Table]:
+def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:
     """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion.
 
     Args:
-        nodes: bodies whose temperatures the heat balance of a set has found.
+        thermal_of: of a row, the set's heat balance, which has found its temperatures.
     """
-    found = record(solution, {})
-    for body, each in (found["temperatures"] or {}).items():
-        each["from"] = "heat balance" if body in nodes else each["from"]
+    found = record(solution, {}, (), thermal_of)
     return [*_expansion(solution, found), *_of_balls(solution, found)]
 
 
