@@ -86,7 +86,7 @@ def detailed(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, and whether it can be switched; and all tables of the solution."""
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
-    tables = [*report.tables(solution), *readings_tables(found)] if solution.converged else []
+    tables = [*report.tables(solution), *readings_tables(found, scene)] if solution.converged else []
     rows = zip(EFFECTS, explain(scene, TOLERANCE)[1], strict=True)
     return {
         "tables": part(tables),

@@ -12,10 +12,11 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.toml import read_toml
 from qsbearing.io import catalogue, result_file
-from qsbearing.io.bearing_table import bearing_of, with_diameters
+from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.io.file_keys import reading_tables
+from qsbearing.io.printed_numbers import with_printed
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import (
@@ -120,7 +121,8 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(with_diameters(document), errors)
+    document, thermal = heated(document, errors)
+    document = with_printed(document)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)
     operation = operation_of(document, errors)

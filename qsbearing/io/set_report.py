@@ -45,7 +45,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
             if readings[number]:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
-                parts += readings_tables(readings[number])
+                parts += readings_tables(readings[number], solution.rows[number].scene)
         parts += [*heat_tables(found), *_system_life(found)]
     return [*parts, *remarks(warnings_by_rows(solution), is_apart=True)]
 
