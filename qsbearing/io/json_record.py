@@ -58,10 +58,17 @@ def record(
         "temperatures": temperatures(solution, index, thermal_of),
         "thermal": thermal(solution, index),
         **motion_and_stiffness(solution, index),
+        "axial_from_middle_um": _from_middle(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
         **_choice(solution, index),
     }
+
+
+def _from_middle(solution: Solution, index: Place) -> float | None:
+    """Of a deep-groove bearing."""
+    found = solution.axial_from_middle
+    return None if found is None else number(np.asarray(found)[index] / um)
 
 
 def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:

@@ -183,6 +183,9 @@ def duration(seconds: float) -> str:
     return f"{seconds * 1e3:.2g} ms"
 
 
+FROM_MIDDLE = "axial from middle"
+
+
 def channels_table(
     title: str, solution: Solution | SetSolution, found: dict[str, Any], noise: float, of_moments: float
 ) -> Table:
@@ -194,7 +197,12 @@ def channels_table(
         shown = digits(load, of_moments if channel.is_rotation else noise)
         imposed = "load" if i in solution._free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
-    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title)
+    middle, notes = found.get("axial_from_middle_um"), []
+    if middle is not None:
+        rows.insert(1, (FROM_MIDDLE, digits(middle, 1e-9), "µm", "", "", ""))
+        notes = [("axial:", "from where the balls just touch one side, at the free contact angle"),
+                 (f"{FROM_MIDDLE}:", "from where the grooves of both rings lie in one plane")]  # fmt: skip
+    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title, notes=notes)
 
 
 RINGS = (
