@@ -37,6 +37,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "set": of.name,
         "arrangement": of.arrangement,
         "reference_position_mm": float(of.reference / mm),
+        "axial_datum_row": of.axial_datum + 1 if of.spacers else None,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
         "warnings": solution.warnings(),
@@ -55,7 +56,8 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
 
 
 def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
-    row, own = solution.set.rows[i], record(solution.rows[i], readings)
+    heat = None if solution.thermal is None else solution.thermal.thermal
+    row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat)
     state = solution.preload_state
 
     def of_row(values: NDArray | None) -> float | None:
@@ -68,6 +70,7 @@ def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
         "offset_um": float(np.asarray(row.offset) / um),
         "axial_load_N": number(solution.axial_loads[i]),
         "share": of_channels(LOAD, solution.row_loads[i]),
+        "preload_given_N": of_row(solution.preload_given),
         "preload_at_rest_N": of_row(solution.preload_at_rest),
         "preload_unmounted_N": of_row(solution.preload_unmounted),
         "preload_mounted_N": of_row(solution.preload_mounted),

@@ -9,6 +9,7 @@ from qsbearing.design_report.inputs import bearing_lines
 from qsbearing.io import report
 from qsbearing.io.thermal_report import _course_table
 from qsbearing.scene.operation import STRAIGHT
+from tests.thermal.spindle import scene
 
 GIVEN = {
     "ball_count": 16, "ball_diameter": 7.14 * qs.mm, "pitch_diameter": 46.5 * qs.mm,
@@ -25,8 +26,8 @@ def warm() -> qs.Solution:
 
 
 def test_temperatures_that_a_set_has_found_are_not_given() -> None:
-    for nodes, origin in (((), "given"), (("inner_ring", "balls"), "heat balance")):
-        (table,) = (each for each in report.tables_of_balls(warm(), nodes) if each.caption.startswith("Temperatures"))
+    for heat, origin in ((None, "given"), (scene().thermal, "heat balance")):
+        (table,) = (each for each in report.tables_of_balls(warm(), heat) if each.caption.startswith("Temperatures"))
         assert {row[0]: row[2] for row in table.rows}["inner ring"] == origin
 
 
@@ -41,12 +42,12 @@ def test_what_follows_from_the_given_one_is_not_from_the_scene() -> None:
     given = qs.BallBearing(**GIVEN, free_contact_angle=24 * qs.deg)
     found = {line[0]: line for line in bearing_lines(given, "scene")}
     assert found["free_contact_angle_deg"][1::2] == ("24", "scene")
-    assert found["diametral_clearance_mm"][3] == "follows from the free contact angle"
+    assert found["diametral_clearance_mm"][3] == "computed from the free contact angle"
     assert len(found["diametral_clearance_mm"][1].lstrip("0.")) <= 6
     typed = qs.BallBearing.from_diametral_clearance(**GIVEN, diametral_clearance=0.08 * qs.mm)
     found = {line[0]: line for line in bearing_lines(typed, "scene")}
     assert found["diametral_clearance_mm"][1::2] == ("0.08", "scene")
-    assert found["free_contact_angle_deg"][3] == "follows from the clearance"
+    assert found["free_contact_angle_deg"][3] == "computed from the clearance"
 
 
 def test_a_column_of_remarks_is_there_only_with_remarks() -> None:

@@ -1,0 +1,73 @@
+"""A file as TOML tables, or the reason why it cannot be read."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from qsbearing.files.errors import refused
+from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
+from qsbearing.files.raw import read_text
+from qsbearing.validation import comma_advice
+
+_COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
+_KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
+_DEEP_KEY = re.compile(
+    r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){%d}""" % DEEPEST_KEY  # noqa: UP031 - braces
+)
+
+_WITH_COMMA = re.compile(r"=\s*([+-]?[\d.]+,[\d.,]+)\s*(?:#.*)?$")
+"""A value such as 12,7."""
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The tables of a file.
+
+    Raises:
+        SceneFileError: it cannot be read, or is not TOML.
+    """
+    return tables_of(read_text(path, LARGEST_FILE), path)
+
+
+def tables_of(text: str, path: Path) -> dict[str, Any]:
+    """The tables of a text.
+
+    Args:
+        path: what to call it in errors.
+
+    Raises:
+        SceneFileError: it is not TOML, or has too many keys.
+    """
+    if not text.strip():
+        raise refused(path, "is empty", "`qsbearing init` prints a scene to start from")
+    written = _COMMENT.sub("", text)
+    count, deep = len(_KEY_OR_TABLE.findall(written)), _DEEP_KEY.search(written)
+    if count > MOST_KEYS:
+        cause = "Data of another program? A scene has some tens of keys, a row or an operating point about ten more"
+        raise refused(path, f"has {count:,} keys; at most {MOST_KEYS:,} are read", cause)
+    if deep:
+        cause = f"{deep.group()[:40]}... A scene's longest key has six parts, such as vary.bearing.ball_diameter_mm"
+        raise refused(path, f"has a key of more than {DEEPEST_KEY} parts with dots between", cause)
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        # Besides wrong syntax, numbers of thousands of digits and endless nesting end here.
+        problem = f"is not TOML: {str(error) or 'nested too deeply'}"
+        raise refused(path, problem, _line_of(text, str(error))) from None
+
+
+def _line_of(text: str, message: str) -> str:
+    """The line that a TOML message points at."""
+    number = message.partition("(at line ")[2].partition(",")[0]
+    lines = text.split("\n")
+    if not number.isdecimal() or int(number) > len(lines):
+        return ""
+    line = lines[int(number) - 1].strip()
+    comma = _WITH_COMMA.search(line)
+    advice = comma_advice(comma[1]) if comma else ""
+    hint = f". {advice}" if advice else ""
+    if "Cannot declare" in message and line.startswith("["):
+        hint = ". This table is in the file already: put all its keys in one place"
+    return f"line {number}: {line[:80]}{hint}"
