@@ -10,8 +10,8 @@ by the load and by a tenth of it. A ball that reaches the bound slips. From ther
 Newton's method then finds an equilibrium, it stands. A case with a friction coefficient of its own is tried under that
 one in place of none, and under the tighter ones of the two.
 
-The first sound equilibrium is taken. Where there is none, the first inadmissible one refuses the case, at last that of
-the direct stage: a contact where no groove is, balls that stand, or friction above its load. That another exists
+The first sound equilibrium is taken. Where there is none, the first inadmissible one refuses the case: a contact where
+no groove is, friction above its load, or balls that stand, as the direct stage may have found them. That another exists
 somewhere is not excluded.
 """
 

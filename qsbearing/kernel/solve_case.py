@@ -16,6 +16,7 @@ from qsbearing.kernel.admissibility import (
     CONVERGED,
     NO_CONSISTENT_CONTROL,
     NO_FORCE,
+    NO_ORBIT,
     UNLOADED_RING,
     any_demands_friction,
     contradicted_controls,
@@ -308,8 +309,8 @@ def solve_cases(
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
     case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
-    there are none. An unfinished case keeps its start or, with what makes it inadmissible in its notes, holds an
-    equilibrium that none can be. Returns how many are unfinished.
+    there are none. An unfinished case keeps its start or, noted as NO_ORBIT, holds an equilibrium in which balls
+    stand. Returns how many are unfinished.
     """
     work = workspaces[0]
     unfinished = 0
@@ -324,8 +325,8 @@ def solve_cases(
             deliver_solved(case, work, balls, found, result, positions[k], controls[k])
         else:
             unfinished += 1
-            result.notes = inadmissibility(case, work, balls) if found == REFUSED else 0
-            if found == REFUSED:
+            result.notes = inadmissibility(case, work, balls) & NO_ORBIT if found == REFUSED else 0
+            if result.notes != 0:
                 deliver(case, work, balls, result, positions[k], controls[k])
             result.status, result.iterations, result.residual = UNFINISHED, work.iterations, work.residual
     return unfinished
