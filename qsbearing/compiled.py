@@ -79,6 +79,7 @@ class _Process:
 
 _work, _process = _Work(), _Process()
 _functions: dict[Any, str] = {}
+_entries: list[Entry] = []
 
 
 def kernel(function: F) -> F:
@@ -115,6 +116,7 @@ class Entry:
         self.name = f"{function.__module__}.{function.__qualname__}"
         self._plain = 0.0
         self._compiled: Any = None
+        _entries.append(self)
 
     def __call__(self, *args: Any) -> Any:
         if self._compiled is not None:
@@ -228,8 +230,8 @@ def can_compile() -> bool:
 
 
 def may_run_plain(count: int) -> bool:
-    """Whether so many cases may pay to be run plain, the first of them at least."""
-    return not (can_compile() and (_process.always or count >= MANY))
+    """Whether some of so many cases may run plain before others are compiled."""
+    return can_compile() and not (_process.always or count >= MANY)
 
 
 def always_compiled() -> None:

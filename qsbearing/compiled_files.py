@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -24,13 +25,15 @@ from qsbearing.private_folder import fault_of, for_the_user_alone
 KEPT_VERSIONS = 4
 """Compiled kernels of this many versions of the source stay in the user's cache."""
 LOCK = "compiling"
+_MARKED = re.compile(rb"^@(kernel|inlined|formula|entry)$", re.MULTILINE)
+"""A line of the files that count."""
 
 
 def _source_digest() -> str:
     digest = hashlib.sha256(f"{sys.implementation.cache_tag} {version('numba')} {version('llvmlite')}".encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         source = path.read_bytes()
-        if b"qsbearing.compiled" in source or path.name in ("workspace.py", "case.py", "numba_kernel.py"):
+        if _MARKED.search(source) or path.name in ("workspace.py", "case.py", "numba_kernel.py"):
             digest.update(source)
     return digest.hexdigest()[:16]
 

@@ -17,8 +17,8 @@ from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 
 PLAIN_BUDGET = 60
-"""Iterations of a plain solve where the kernel may lie compiled: they take as long as loading it."""
-PATIENT_BUDGET = 1000
+"""Iterations of a plain solve where the kernel may lie compiled: they take no less than loading it."""
+PATIENT_BUDGET = 400
 """Where it does not: they take less than compiling it."""
 
 
@@ -41,7 +41,7 @@ def solve_records(
 
         unfinished = solve_batch(*given, BUDGET, is_warm, *found)
     else:
-        unfinished = _solve(solve_cases, given, is_warm, found, 0)
+        unfinished = _solve(solve_cases, given, is_warm, found)
     if unfinished and by_fallback:
         from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
 
@@ -51,18 +51,23 @@ def solve_records(
 
 
 def _solve(
-    entry: Any, given: tuple[Any, ...], is_warm: bool, found: tuple[NDArray, ...], earlier: NDArray | int
+    entry: Any, given: tuple[Any, ...], is_warm: bool, found: tuple[NDArray, ...], earlier: NDArray | None = None
 ) -> Any:
-    """What an entry returns, with as many iterations as the way in which it runs allows; earlier: iterations that the
-    results will hold beside its own."""
+    """What an entry returns, with as many iterations as the way in which it runs allows.
+
+    Args:
+        earlier: of the fallback, iterations that the results hold beside its own. It takes hundreds of them, and so is
+            loaded at once where it lies compiled.
+    """
     args = (*given, BUDGET, is_warm, *found)
-    if not entry.runs_plain(args):
+    if not entry.runs_plain(args) or (earlier is not None and entry.load(args)):
         return entry(*args)
     start = [array.copy() for array in found]
-    for budget in (PLAIN_BUDGET, PATIENT_BUDGET) if compiled.can_compile() else ():
+    budgets = (PLAIN_BUDGET, PATIENT_BUDGET) if earlier is None else (PATIENT_BUDGET,)
+    for budget in budgets if compiled.can_compile() else ():
         with suppress(ArithmeticError, ValueError):  # compiled, a number that is none raises nothing
             left = entry.plain(*given, budget, is_warm, *found)
-            if (found[0]["iterations"] - earlier < budget).all():
+            if (found[0]["iterations"] - (0 if earlier is None else earlier) < budget).all():
                 return left
         for array, as_it_was in zip(found, start, strict=True):
             array[...] = as_it_was

@@ -89,7 +89,7 @@ def doubled(x: float) -> float:
 @pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
 @pytest.mark.parametrize("damage", ["cut", "page", "bit"])
 def test_a_damaged_file_of_the_cache_is_compiled_anew(probe: Path, tmp_path: Path, damage: str) -> None:
-    """Cut short, a page of zeros, one bit: said once, nothing of it is loaded, and the next start finds a sound copy."""
+    """Cut short, a page of zeros, one bit: said once, nothing of it is loaded, and the next start is silent."""
     [kept] = cache_of(probe, tmp_path / "cache").rglob("*.kernel")
     content = bytearray(kept.read_bytes())
     if damage == "cut":
