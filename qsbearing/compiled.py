@@ -224,6 +224,11 @@ def plain_seconds() -> float:
     return _work.plain
 
 
+def is_compiled(entry: Any) -> bool:
+    """Whether this entry is, in this process."""
+    return bool(entry.is_compiled)
+
+
 def can_compile() -> bool:
     """Whether there is another way than plain Python."""
     return COMPILED and not _process.fault

@@ -100,6 +100,8 @@ def write(name: str, key: bytes, content: bytes) -> None:
     path = _path(folder, name, key)
     half = None
     try:
+        with for_the_user_alone():
+            folder.mkdir(parents=True, exist_ok=True)  # another version may have removed it as an old one
         with tempfile.NamedTemporaryFile(dir=folder, prefix="half-", delete=False) as file:  # the user's alone
             half = Path(file.name)
             file.write(hashlib.sha256(content).digest() + content)
