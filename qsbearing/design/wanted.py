@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.studies import keys
-from qsbearing.validation import decimal_comma
+from qsbearing.validation import comma_advice
 
 MOST_VARIABLES = 6
 """Of a search over a scene (chosen: 16,000 points still see every pair of them in some detail)."""
@@ -182,8 +182,8 @@ def _number(given: Any) -> float:
     try:
         value = float(given)
     except (TypeError, ValueError):
-        with_point = decimal_comma(given)
-        cause = f". Decimals take a point: {with_point}" if with_point else ""
+        advice = comma_advice(given)
+        cause = f". {advice}" if advice else ""
         raise ValueError(f"{str(given).strip()!r} is not a number{cause}") from None
     if isinstance(given, bool) or not isfinite(value):
         raise ValueError(f"{given} is not a finite number")

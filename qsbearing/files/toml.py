@@ -10,6 +10,7 @@ from typing import Any
 from qsbearing.files.errors import refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
+from qsbearing.validation import comma_advice
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
@@ -17,7 +18,7 @@ _DEEP_KEY = re.compile(
     r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){%d}""" % DEEPEST_KEY  # noqa: UP031 - braces
 )
 
-DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$")
+_WITH_COMMA = re.compile(r"=\s*([+-]?[\d.]+,[\d.,]+)\s*(?:#.*)?$")
 """A value such as 12,7."""
 
 
@@ -82,8 +83,9 @@ def _line_of(text: str, message: str) -> str:
     if not number.isdecimal() or int(number) > len(lines):
         return ""
     line = lines[int(number) - 1].strip()
-    comma = DECIMAL_COMMA.search(line)
-    hint = f". Decimals take a point: {comma[1]}.{comma[2]}" if comma else ""
+    comma = _WITH_COMMA.search(line)
+    advice = comma_advice(comma[1]) if comma else ""
+    hint = f". {advice}" if advice else ""
     if "Cannot declare" in message and line.startswith("["):
         hint = ". This table is in the file already: put all its keys in one place"
     return f"line {number}: {line[:80]}{hint}"
