@@ -9,6 +9,7 @@ from typing import Any
 
 from qsbearing.cli.files import ending, ending_problems, missing
 from qsbearing.cli.output import UNSOLVED, print_text, print_wrote, progress_bar, refuse, refuse_all, warnings_as_notes
+from qsbearing.installation import pip_install
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("pandas", "openpyxl"), ".parquet": ("pandas", "pyarrow")}
 SHOWN = 5
@@ -54,5 +55,5 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
     lacks = missing(*_NEEDS.get(form, ()))
-    needs = [f"{option} *{form} needs {' and '.join(lacks)}: pip install 'qsbearing[tables]'"] if lacks else []
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {pip_install('tables')}"] if lacks else []
     return ending_problems(option, target, tuple(_NEEDS)) + needs
