@@ -5,13 +5,10 @@ Source: direct_url.json of the installed distribution (PEP 610), which pip and u
 
 from __future__ import annotations
 
-import json
-import shlex
-from importlib import metadata
-from pathlib import Path
-from typing import Any
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from importlib import metadata
 
 NAME = "qsbearing"
 
@@ -21,6 +18,10 @@ def pip_install(extra: str) -> str:
 
     Where what it was installed from is a folder or file that is no longer there, it installs the extra's packages.
     """
+    import json  # none of these at the start of every command
+    from importlib import metadata
+    from pathlib import Path
+
     source = Path(__file__).parents[1]
     try:
         found = metadata.distribution(NAME)
@@ -34,6 +35,10 @@ def pip_install(extra: str) -> str:
 
 def _of_origin(origin: dict[str, Any], extra: str) -> str:
     """By what direct_url.json holds; empty where a place on this disk is gone."""
+    from pathlib import Path
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
     url, vcs, folder = str(origin["url"]), origin.get("vcs_info"), origin.get("dir_info")
     part = f"#subdirectory={origin['subdirectory']}" if "subdirectory" in origin else ""
     if vcs is not None:
@@ -61,5 +66,7 @@ def _packages(found: metadata.Distribution, extra: str) -> list[str]:
 
 
 def _command(*what: str, option: str = "") -> str:
+    import shlex
+
     quoted = (each if each.startswith("'") else f"'{each}'" for each in map(shlex.quote, what))
     return f"pip install {option}{' '.join(quoted)}"

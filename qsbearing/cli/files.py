@@ -81,11 +81,13 @@ def claimed(
 
 
 def write_files(writers: Mapping[K, Writer], make: Mapping[K, Callable[[], bytes]]) -> None:
-    """Write the files that were claimed, once all of them are made."""
+    """Write the files that were claimed, once all of them are made: all of them, or none."""
     contents = {option: make[option]() for option in writers}
     try:
-        for option, write in writers.items():
-            write(contents[option])
+        for option, writer in writers.items():
+            writer.fill(contents[option])
+        for writer in writers.values():
+            writer.put()
     except OSError as error:  # a disk that filled up meanwhile
         refuse(f"cannot write: {error}")
 

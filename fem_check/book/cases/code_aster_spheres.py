@@ -24,7 +24,7 @@ def run() -> Result:
     modulus = 1.0 / (2.0 * MATERIAL.compliance)
     load = 4.0 / 3.0 * modulus * np.sqrt(0.5 * RADIUS) * CRUSHED**1.5
     problem = ContactProblem("two spheres", 2.0 / RADIUS, 2.0 / RADIUS, MATERIAL, MATERIAL, float(load))
-    study = half_space_contact.mesh_study(problem, Level.QUICK)
+    study = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[Level.QUICK])
     # Contacts of one shape are similar, also on a mesh that grows with them: both quantities go with sqrt(approach).
     approach = study.value("approach")
     to_approach, of_approach = np.sqrt(CRUSHED / approach), study.uncertainty("approach") / approach
