@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.studies import keys
 from qsbearing.validation import comma_advice
 
@@ -150,6 +151,9 @@ def _variable(name: str, given: Any) -> Variable:
     if is_log and low_end <= 0.0:
         raise ValueError(f"starts at {low_end:g}: a logarithmic range needs a start above zero")
     if key.name in WHOLE:
+        least, most = BALL_COUNT_RANGE
+        if low_end < least or high_end > most:
+            raise ValueError(f"is beyond what a bearing has: {least} to {most} balls")
         whole = tuple(float(value) for value in range(ceil(low_end), floor(high_end) + 1))
         if len(whole) < 2:
             raise ValueError("holds fewer than two whole numbers")

@@ -72,7 +72,7 @@ def checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tu
             usable.pop(name, None)
             if detail["type"] == "extra_forbidden":
                 meant = unknown_key(f"{path}.{name}", name, model.__name__, table[name], errors)
-                unusable |= {meant} - set(table)
+                unusable |= {meant} if meant not in table else set()
             else:
                 errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
                 unusable.add(name)

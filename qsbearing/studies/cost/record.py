@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from qsbearing import __version__
 from qsbearing.chooser import comparison
+from qsbearing.compiled import always_compiled
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.solution import Solution
@@ -94,6 +95,7 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
         scene: bearing and operation; its effects and choices matter for all but the levels, which have their own.
         progress: told what is being measured, before each of `steps`.
     """
+    always_compiled()
     where = machine()
     progress("errors along the speed")
     along = errors(scene)
