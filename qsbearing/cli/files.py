@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import refuse, refuse_all
+from qsbearing.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -37,7 +38,7 @@ def missing(*modules: str) -> list[str]:
 def check_installed(what: str, modules: tuple[str, ...], extra: str) -> None:
     """End with what to install, where something is missing."""
     if lacks := missing(*modules):
-        refuse(f"{what} {', '.join(lacks)}: pip install 'qsbearing[{extra}]'")
+        refuse(f"{what} {', '.join(lacks)}: {pip_install(extra)}")
 
 
 def ending_problems(option: str, target: str, known: tuple[str, ...]) -> list[str]:
@@ -49,7 +50,7 @@ def picture_problems(picture: str | None) -> list[str]:
     """Of --plot."""
     if picture is None:
         return []
-    needs = ["--plot needs matplotlib: pip install 'qsbearing[plot]'"] if missing("matplotlib") else []
+    needs = [f"--plot needs matplotlib: {pip_install('plot')}"] if missing("matplotlib") else []
     return ending_problems("--plot", picture, PICTURES) + needs
 
 

@@ -18,6 +18,7 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
+from qsbearing.installation import pip_install
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
@@ -85,5 +86,5 @@ def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str,
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
     lacks = missing(*_NEEDS.get(form, ()))
-    needs = [f"{option} *{form} needs {' and '.join(lacks)}: pip install 'qsbearing[tables]'"] if lacks else []
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {pip_install('tables')}"] if lacks else []
     return ending_problems(option, target, tuple(_NEEDS)) + needs

@@ -444,7 +444,8 @@ def test_every_usual_word_stands_for_a_key_that_there_is() -> None:
         (
             "'22,225'",
             "= '22,225': is not a number",
-            "A number in mm, without quotation marks. Write 22225 (thousands take no comma) or 22.225 (decimals",
+            "A number in mm, without quotation marks. Write 22225 (thousands take no comma) or 22.225 "
+            "(decimals take a point)",
         ),
         ("'22.225'", "= '22.225': is not a number", "A number in mm, without quotation marks"),
         ("true", "= true: is not a number", "A number in mm"),
