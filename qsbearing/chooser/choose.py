@@ -24,10 +24,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS, Entry
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import solver
+from qsbearing.solution.comparison import largest
 from qsbearing.solution.judgement import judge
 from qsbearing.solution.solution import Choice, LeftOut, Solution
 

@@ -33,8 +33,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.effects.changed_geometry import GeometryChange, change_by, geometry_errors
-from qsbearing.effects.entry import Entry, Errors, effect, error_in
+from qsbearing.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
 from qsbearing.effects.operating_point import OperatingPoint
+from qsbearing.effects.ring_dimensions import ring_dimensions
 from qsbearing.effects.ring_expansion_errors import expansion_errors, section_errors
 from qsbearing.units import MPa, zero_celsius
 from qsbearing.validation import LENGTH, ErrorDetail, first, raise_if_any
@@ -317,6 +318,25 @@ def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, _change(point))
 
 
+def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
+    """Rings of the bearing's dimensions without fits, which turn, and are as warm as a set's shaft and housing."""
+    found = {name: getattr(of, name, None) for name in RING_IN}
+    bodies = {name: body for name, body in found.items() if body is not None and body.temperature is not None}
+    warm: dict[str, Any] = {f"{RING_IN[name]}_temperature": body.temperature for name, body in bodies.items()}
+    if bodies:
+        warm["reference_temperature"] = next(iter(bodies.values())).reference_temperature
+
+    def made(bearing: BallBearing, there: tuple[Any, ...]) -> RingExpansion:
+        size = ring_dimensions(bearing, there)
+        return RingExpansion(size.bore, size.outside, **warm)
+
+    origins = dict.fromkeys(ring_dimensions(*each).origin for each in bearings_of(of))
+    heat = f"as warm as the {' and the '.join(bodies)}" if bodies else "without heat"
+    what = f"rings of {' and '.join(origins)} that turn, without fits and {heat}"
+    turns = any(np.any(speed != 0.0) for point in points for speed in point.ring_speeds)
+    return [Assumed("", what, with_ring_effect(of, RingExpansion, made) if turns or warm else of)]
+
+
 ENTRY = Entry(
     "ring_expansion",
     "the expansion of the rings",
@@ -324,5 +344,6 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
-    without_parameters="from the rotation of the inner ring alone, to within a factor of about two (stiffness: three)",
+    assume=_usual,
+    tells_without=True,
 )

@@ -17,7 +17,7 @@ from qsbearing.io.catalogue import Entry
 from qsbearing.messages.equal_warnings import both_raceways
 from qsbearing.ranked_warning import Rank, in_order
 
-COLOURS = {Rank.WRONG_MODEL: "red", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
+COLOURS = {Rank.WRONG_MODEL: "red", Rank.INCOMPLETE_MODEL: "yellow", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
 
 
 def digits_of(value: Any) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -70,8 +71,9 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
         return solve_at_given_temperatures(without_load(of, offsets, effects_at_rest), threads, tolerance)
 
     seconds = time.perf_counter() - began
+    again = partial(solve_at_given_temperatures, threads=threads, tolerance=tolerance)
     return SetSolution(
-        of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds
+        of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds, again
     )
 
 

@@ -19,7 +19,7 @@ import numpy as np
 import qsbearing as qs
 from qsbearing import provenance
 from qsbearing.chooser.choose import completed
-from qsbearing.chooser.comparison import by_quantity
+from qsbearing.solution.comparison import by_quantity
 from tests.benchmarks import random_scenes
 
 RECORD = Path(__file__).with_suffix(".json")

@@ -13,9 +13,9 @@ import pytest
 import qsbearing as qs
 from qsbearing.chooser import choose
 from qsbearing.chooser.choose import RESIDUALS, completed, without
-from qsbearing.chooser.comparison import largest
 from qsbearing.effects import EFFECTS
 from qsbearing.solution import solver
+from qsbearing.solution.comparison import largest
 from tests.benchmarks import auto_accuracy
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, PER_BALL, fewer, resting, solved, turning
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.chooser.comparison import by_quantity
 from qsbearing.effects import EFFECTS, OperatingPoint
+from qsbearing.solution.comparison import by_quantity
 from qsbearing.solution.judgement import judge
 from tests.qsbearing.scenes import B218, solved, turning, unequal_balls
 

@@ -17,10 +17,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import qsbearing as qs
-from qsbearing.chooser import comparison as results
 from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
 from qsbearing.effects import EFFECTS, QUANTITIES
+from qsbearing.solution import comparison as results
 from qsbearing.studies.cost import figures, levels, measuring, record, speeds, tables
 from tests.benchmarks import cost as kept
 from tests.benchmarks import random_scenes

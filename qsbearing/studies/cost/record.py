@@ -24,9 +24,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.chooser import comparison
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
+from qsbearing.solution import comparison
 from qsbearing.solution.solution import Solution
 from qsbearing.solution.solver import solve
 from qsbearing.studies.cost import measuring, speeds
