@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from qsbearing.effects.raceway_control import RacewayControl
     from qsbearing.effects.tilt_lever import TiltLever
     from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+    from qsbearing.io.printed_numbers import catalogue_numbers
     from qsbearing.io.scene_file import load_scene
     from qsbearing.io.set_file import load_set
     from qsbearing.material import SILICON_NITRIDE, STEEL, Material
@@ -84,6 +85,7 @@ _HOMES = {
     "effects.raceway_control": ("RacewayControl",),
     "effects.tilt_lever": ("TiltLever",),
     "io.file_errors": ("FileErrorDetail", "SceneFileError"),
+    "io.printed_numbers": ("catalogue_numbers",),
     "io.scene_file": ("load_scene",),
     "io.set_file": ("load_set",),
     "messages": ("message", "warnings"),
@@ -122,10 +124,10 @@ __all__ = [
     "N", "Nm", "Nmm", "OilFlow", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
     "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
     "SetSolution", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Solution", "Spacer", "Status", "Study",
-    "Thermal", "TiltLever", "compare", "deg", "find", "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message",
-    "mm", "mrad", "open_results", "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm",
-    "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life",
-    "to_ross", "um", "warnings", "zero_celsius",
+    "Thermal", "TiltLever", "catalogue_numbers", "compare", "deg", "find", "kN", "kg", "kg_m3", "load_scene",
+    "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads", "preload_speeds",
+    "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table",
+    "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
 ]
 # fmt: on
 

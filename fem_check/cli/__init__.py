@@ -3,6 +3,8 @@
 Whatever is heavy is imported where it is used, so that `--help` appears at once.
 """
 
+from typing import NoReturn
+
 import click
 
 from fem_check.cli.book import book_cases
@@ -12,6 +14,7 @@ from fem_check.cli.list_checks import list_checks
 from fem_check.cli.report import report
 from fem_check.cli.run import run_checks
 from fem_check.release.command import release
+from qsbearing.cli.ended import run_to_the_end
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -24,6 +27,6 @@ for command in (list_checks, run_checks, book_cases, contact, cost, report, rele
     cli.add_command(command)
 
 
-def main() -> None:
+def main() -> NoReturn:
     """Entry point."""
-    cli()
+    run_to_the_end(cli, "fem-check")

@@ -11,19 +11,20 @@ from typing import Any, NoReturn
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
+from qsbearing.cli.output import BAD_INPUT, note
+
 LEVELS = "release has finer meshes and takes much longer."
 
 RESULTS = "fem_check_results"
 """The working folder's own folder, unless another is named."""
 
 OUT_OF_TOLERANCE = 1
-BAD_INPUT = 2
 
 
-def refuse(message: str) -> NoReturn:
-    """Say what is wrong, on stderr, and stop with the exit code for bad input."""
-    Console(stderr=True, soft_wrap=True, highlight=False, markup=False).print(f"fem-check: {message}")
-    sys.exit(BAD_INPUT)
+def refuse(message: str, code: int = BAD_INPUT) -> NoReturn:
+    """Say what is wrong, on stderr, and stop with the exit code for bad input, or another."""
+    note(message, "fem-check")
+    sys.exit(code)
 
 
 FEM = ("fem", "skfem", "meshio", "matplotlib")

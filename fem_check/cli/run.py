@@ -13,6 +13,7 @@ from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.contact_table import contact_tables
 from fem_check.cli.output import FEM, LEVELS, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from fem_check.ring_sections import DIMENSIONS
+from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.validation import printable
 
@@ -75,7 +76,7 @@ def run_checks(
     except runner.BadInputError as problem:
         refuse(str(problem) + _kept(finished, out))
     except KeyboardInterrupt:
-        refuse("interrupted" + _kept(finished, out))
+        refuse("interrupted" + _kept(finished, out), INTERRUPTED)
     except OSError as problem:
         refuse(f"--out {out}: the records cannot be written: {problem.strerror or problem}")
     if not as_json:

@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
+from qsbearing.cli.ended import INTERRUPTED
+from qsbearing.cli.output import BAD_INPUT, note
+
 if TYPE_CHECKING:
     from fem_check.release.gate import Verdict
 
-FAILED, BAD_INPUT = 1, 2
+FAILED = 1
 REASONS = 5
 """Shown of each step in the table; all of them with `--json`."""
 
@@ -81,7 +84,7 @@ def release(level: str, out: Path, previous: str | None, resume: bool, keep: boo
     except OSError as problem:
         _refuse(f"{out} cannot be written: {problem}")
     except KeyboardInterrupt:
-        _refuse(f"interrupted; `fem-check release --level {level} --out {out} --resume` goes on")
+        _refuse(f"interrupted; `fem-check release --level {level} --out {out} --resume` goes on", INTERRUPTED)
     sys.exit(0 if passes else FAILED)
 
 
@@ -99,7 +102,7 @@ def _show(found: list[Verdict], as_json: bool, last: str) -> None:
     click.echo(last)
 
 
-def _refuse(message: str) -> NoReturn:
-    """Say why nothing is run, on stderr, and stop with the exit code for bad input."""
-    click.echo(f"fem-check: {message}", err=True)
-    sys.exit(BAD_INPUT)
+def _refuse(message: str, code: int = BAD_INPUT) -> NoReturn:
+    """Say why nothing is run, on stderr, and stop with the exit code for bad input, or another."""
+    note(message, "fem-check")
+    sys.exit(code)

@@ -19,10 +19,10 @@ from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Remark
 from qsbearing.effects import EFFECTS, QUANTITIES
+from qsbearing.files.toml import tables_of
 from qsbearing.io import catalogue, report
 from qsbearing.io.catalogue.spindle_series import spindle_bearings
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.io.read_toml import tables_of
 from qsbearing.io.readings_record import taken, warnings_of
 from qsbearing.io.readings_report import readings_tables
 from qsbearing.io.scene_file import document_of, scene_of
@@ -86,7 +86,7 @@ def detailed(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, and whether it can be switched; and all tables of the solution."""
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
-    tables = [*report.tables(solution), *readings_tables(found)] if solution.converged else []
+    tables = [*report.tables(solution), *readings_tables(found, scene)] if solution.converged else []
     rows = zip(EFFECTS, explain(scene, TOLERANCE)[1], strict=True)
     return {
         "tables": part(tables),

@@ -24,8 +24,8 @@ from starlette.staticfiles import StaticFiles
 
 from qsbearing.app import answers
 from qsbearing.documents.html import TEMPLATES
+from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.io.file_errors import MOST_SHOWN
-from qsbearing.io.read_toml import LARGEST_FILE
 from qsbearing.validation import SceneError
 
 PAGE = Path(__file__).parent / "page"

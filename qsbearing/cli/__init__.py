@@ -1,13 +1,11 @@
 """The command line: formats and calls, computes nothing; one file per command.
 
-Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input. Whatever is heavy is imported where it is used, so
-that `--help` appears at once.
+Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input; the others are told in `ended`. Whatever is heavy
+is imported where it is used, so that `--help` appears at once.
 """
 
 from __future__ import annotations
 
-import signal
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, NoReturn
@@ -19,13 +17,13 @@ from qsbearing.cli.app import app
 from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.compare import compare
 from qsbearing.cli.cost import cost
+from qsbearing.cli.ended import run_to_the_end
 from qsbearing.cli.explain import explain
 from qsbearing.cli.figures import figures
 from qsbearing.cli.find import find
 from qsbearing.cli.guide import guide
 from qsbearing.cli.heat import heat
 from qsbearing.cli.init import init
-from qsbearing.cli.output import SOLVED
 from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
 from qsbearing.cli.run import run
@@ -50,6 +48,8 @@ def _printable_usage_errors() -> Iterator[None]:
     try:
         yield
     except click.UsageError as error:
+        if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):
+            raise  # its text is the help
         from qsbearing.validation import printable
 
         raise click.UsageError(printable(error.format_message()), error.ctx) from None
@@ -86,12 +86,4 @@ for command in (
 
 def main() -> NoReturn:
     """The console script."""
-    signal.signal(signal.SIGTERM, _terminated)
-    cli.main(prog_name="qsbearing")
-    sys.exit(SOLVED)
-
-
-def _terminated(number: int, frame: object) -> NoReturn:
-    """End as after any error, so that no half-written file stays."""
-    signal.signal(number, signal.SIG_IGN)  # `timeout` sends it twice
-    sys.exit(128 + number)
+    run_to_the_end(cli, "qsbearing")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
@@ -33,11 +33,15 @@ def refuse_all(problems: list[str]) -> None:
         refuse("\nqsbearing: ".join(problems))
 
 
-def note(message: str) -> None:
-    """Lines on standard error; what they repeat of a file or a command line cannot steer the terminal."""
+def note(message: str, name: str = "qsbearing") -> None:
+    """Lines on standard error; what they repeat of a file or a command line cannot steer the terminal.
+
+    Where nobody can read them, the command goes on and ends as it would.
+    """
     from qsbearing.validation import printable
 
-    click.echo("\n".join(map(printable, f"qsbearing: {message}".split("\n"))), err=True)
+    with suppress(OSError):
+        click.echo("\n".join(map(printable, f"{name}: {message}".split("\n"))), err=True)
 
 
 @contextmanager
@@ -87,6 +91,8 @@ def print_text(text: str) -> None:
         # The reader has seen enough, as `| head` has. What is left in the buffer goes nowhere, or Python would try to
         # write it once more on its way out.
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, "standard output") from None
 
 
 @contextmanager

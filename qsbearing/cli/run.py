@@ -59,6 +59,11 @@ if TYPE_CHECKING:
 @click.option(
     "--out", metavar="TABLE", help="With --points: write the rows and their results here; .csv, .xlsx or .parquet."
 )
+@click.option(
+    "--decimal",
+    type=click.Choice([",", "."]),
+    help="With --points: what stands before the decimals in a .csv file, where its cells leave a doubt.",
+)
 def run(
     scene: str,
     as_json: bool,
@@ -67,6 +72,7 @@ def run(
     accuracy: float | None,
     points: str | None,
     out: str | None,
+    decimal: str | None,
 ) -> None:
     """Solve SCENE: a TOML file, or the name of a catalogue bearing, whose example is then solved.
 
@@ -76,9 +82,10 @@ def run(
 
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
-    if points is not None or out is not None:
+    if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--accuracy": accuracy}
-        run_points(scene, points, out, {name: given for name, given in others.items() if given not in (None, False)})
+        clashing = {name: given for name, given in others.items() if given not in (None, False)}
+        run_points(scene, points, out, decimal, clashing)
         return
     targets = {"--csv": csv_target, "--plot": plot_target}
     with ExitStack() as stack:

@@ -10,11 +10,11 @@ from typing import Any
 from qsbearing.cli.files import ending, ending_problems, missing
 from qsbearing.cli.output import UNSOLVED, print_text, print_wrote, progress_bar, refuse, refuse_all, warnings_as_notes
 
-_NEEDS = {".csv": ("pandas",), ".xlsx": ("pandas", "openpyxl"), ".parquet": ("pandas", "pyarrow")}
+_NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("pandas", "openpyxl"), ".parquet": ("pandas", "pyarrow")}
 SHOWN = 5
 
 
-def run_points(scene: str, points: str | None, out: str | None, others: dict[str, Any]) -> None:
+def run_points(scene: str, points: str | None, out: str | None, decimal: str | None, others: dict[str, Any]) -> None:
     """Solve the scene at each row and write the rows with their results; ends the command."""
     from qsbearing.design.point_table import read_table, solve_table, table_bytes
     from qsbearing.io.output_file import output_file
@@ -33,7 +33,7 @@ def run_points(scene: str, points: str | None, out: str | None, others: dict[str
     try:
         with output_file(out) as write:
             with warnings_as_notes(), progress_bar() as progress:
-                found = solve_table(scene, read_table(points), points, progress)
+                found = solve_table(scene, read_table(points, decimal), points, progress)
             write(table_bytes(found, ending(out)))
     except SceneError as error:
         refuse(str(error))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.files import (
     check_installed,
     claimed,
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
 
     from qsbearing.studies.study import Study
 
-INTERRUPTED = 130
 TABLES = (".csv", ".parquet")
 IN_MEMORY = 1 << 18
 """Points whose results are held in memory; of more they are in a file, a temporary one where none is asked for."""

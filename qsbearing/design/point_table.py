@@ -5,13 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.files import table as stored
+from qsbearing.files.table import Columns
 from qsbearing.io.csv_table import csv_bytes, inert
-from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError, refused
+from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
 from qsbearing.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
@@ -23,67 +26,24 @@ from qsbearing.studies.study import Study
 from qsbearing.studies.variables import Axis
 from qsbearing.threads import thread_count
 
-if TYPE_CHECKING:
-    from pandas import DataFrame
-
-ENDINGS = (".csv", ".xlsx", ".parquet")
 LABELS = ("name", "label", "point", "remark")
 """Headings of columns that are copied: whatever tells the rows apart."""
-MOST_ROWS = 1_000_000
 CASE_ENDS = ("max", "min")
 """Of a result that each ball has, a row holds the largest and the smallest."""
 OF_BALLS = ("load", "angle", "max_pressure", "required_friction", "film_parameter", "overrun_load", "edge_distance")
 """Results of each ball that a row holds, by the ends of their names."""
 
 
-def read_table(path: str) -> dict[str, list[Any]]:
+def read_table(path: str, decimal: str | None = None) -> Columns:
     """Columns of a .csv, .xlsx or .parquet file by their headings; an empty cell is None.
 
+    Args:
+        decimal: what stands before the decimals in a .csv file, "," or "."; None: as the file shows.
+
     Raises:
-        SceneFileError: it cannot be read.
+        SceneFileError: it cannot be read, or its decimals are ambiguous.
     """
-    from zipfile import BadZipFile
-
-    try:
-        import pandas
-
-        ending = os.path.splitext(path)[1].lower()  # noqa: PTH122
-        if ending == ".parquet":
-            frame = pandas.read_parquet(path)
-            rows, headings = frame.astype(object), [str(name) for name in frame.columns]
-        else:
-            whole = _csv(path) if ending == ".csv" else pandas.read_excel(path, header=None, dtype=object)
-            rows = whole.iloc[1:]
-            headings = ["" if _is_empty(cell) else str(cell).strip() for cell in whole.iloc[0]]
-    except ImportError as error:
-        cause = "pip install 'qsbearing[tables]'"
-        raise refused(path, f"needs {error.name or 'a package'} to be read", cause) from None
-    except (OSError, ValueError, KeyError, IndexError, BadZipFile) as error:
-        problem = getattr(error, "strerror", None) or (str(error).partition("\n")[0] or type(error).__name__)
-        raise refused(path, f"cannot be read: {problem}", f"A table is one of {', '.join(ENDINGS)}") from None
-    if not 1 <= len(rows) <= MOST_ROWS:
-        raise refused(path, f"{len(rows):,} rows below the headings", f"From one to {MOST_ROWS:,}")
-    twice = [name for name in dict.fromkeys(headings) if headings.count(name) > 1]
-    if twice or "" in headings:
-        raise refused(path, f"{'a column has no heading' if '' in headings else f'two columns {twice[0]}'}")
-    columns = {name: rows.iloc[:, i].tolist() for i, name in enumerate(headings)}
-    return {name: [None if _is_empty(cell) else cell for cell in column] for name, column in columns.items()}
-
-
-def _csv(path: str) -> DataFrame:
-    """With commas; or, as spreadsheets of half the world write it, with semicolons and decimal commas."""
-    import pandas
-
-    with open(path, encoding="utf-8-sig") as file:  # noqa: PTH123
-        first = file.readline()
-    semicolons = ";" in first and "," not in first
-    options: dict[str, Any] = {"header": None, "dtype": str, "keep_default_na": False, "encoding": "utf-8-sig"}
-    frame = pandas.read_csv(path, sep=";" if semicolons else ",", **options)
-    return frame.map(lambda cell: cell.replace(",", ".")) if semicolons else frame
-
-
-def _is_empty(cell: Any) -> bool:
-    return cell is None or cell != cell or (isinstance(cell, str) and not cell.strip())
+    return stored.read_table(Path(path), LABELS, decimal)
 
 
 def solve_table(

@@ -39,7 +39,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             effects.section(solution, asked, tolerance),
             _results(solution),
             *heat.sections(solution.thermal),
-            *([Section("Readings", readings_tables(found))] if found else []),
+            *([Section("Readings", readings_tables(found, scene))] if found else []),
             curves.section(solution),
             evidence.section([solution]),
         ],

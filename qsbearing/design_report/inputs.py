@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any
@@ -11,16 +12,27 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
 from qsbearing.effects import ElasticRings, RingExpansion
-from qsbearing.io import catalogue
-from qsbearing.io.bearing_table import MODIFIED
+from qsbearing.io.bearing_table import entry_of
 from qsbearing.io.file_keys import reading_tables
+from qsbearing.io.printed_numbers import is_printed
 from qsbearing.io.scene_file import load_scene
 from qsbearing.io.tables import digits_of
 from qsbearing.io.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
 from qsbearing.material import BY_NAME, Material
 from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import BEARING, EFFECTS, MATERIAL, MATERIALS, NUMBERS, OPERATION, PRELOAD, SEATS, Key
+from qsbearing.scene.keys import (
+    BEARING,
+    COEFFICIENTS,
+    EFFECTS,
+    MATERIAL,
+    MATERIALS,
+    NUMBERS,
+    OPERATION,
+    PRELOAD,
+    SEATS,
+    Key,
+)
 from qsbearing.scene.scene import CHOICES, Scene
 from qsbearing.thermal.network import Thermal
 from qsbearing.units import zero_celsius
@@ -28,10 +40,11 @@ from qsbearing.validation import printable
 
 Line = tuple[str, str, str, str]
 FOLLOWS = {
-    "diametral_clearance_mm": "follows from the free contact angle",
-    "free_contact_angle_deg": "follows from the clearance",
+    "diametral_clearance_mm": "computed from the free contact angle",
+    "free_contact_angle_deg": "computed from the clearance",
 }
-"""Of a catalogue entry, which gives one of the two."""
+"""Of the two, the one that is not given."""
+CATALOGUE = "catalogue"
 ELASTIC = {field: key for key, field in SEATS.items()}
 """Keys of what elastic rings touch, by its field."""
 HEADINGS = ("key of a scene file", "value", "unit", "from")
@@ -44,15 +57,16 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
         source: the text of the scene file; empty for an example of the catalogue.
         heat: [thermal] as given; the scene has the temperatures that were found.
     """
+    own, of_file = scene.bearing, document(source).get("bearing")
     rows = grouped(
-        ("Bearing", bearing_lines(scene.bearing, "scene")),
+        ("Bearing", bearing_lines(own, "scene", of_file)),
         ("Operation", numbers(OPERATION, scene.operation)),
         ("Preload", numbers(PRELOAD, scene.preload)),
         (
             "Effects and choices",
-            [*effect_lines((*scene.ring_effects, *scene.ball_effects), heat), *choice_lines(scene)],
+            [*effect_lines((*scene.ring_effects, *scene.ball_effects), heat, own), *choice_lines(scene)],
         ),
-        ("Readings", reading_lines(scene.readings)),
+        ("Readings", reading_lines(scene.readings, own)),
         *thermal_groups(heat),
     )
     words = (
@@ -84,13 +98,19 @@ def as_read(source: str) -> list[Block]:
     return [Paragraph(f"{part} as it was read:"), Code(cut, "toml")] if source else []
 
 
-def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
+def document(source: str) -> dict[str, Any]:
+    """The tables of a file by its text, which was read before; none of no text."""
+    return tomllib.loads(source)
+
+
+def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> list[Line]:
     """A bearing and its materials.
 
     Args:
         given_by: a word for where numbers come from that are not a catalogue's.
+        of_file: the table [bearing] that it was read from, where there is one: what is not in it was computed.
     """
-    entry = catalogue.find((bearing.name or "").removesuffix(MODIFIED))
+    entry = entry_of(bearing)
     published = None if entry is None else load_scene(entry.name).bearing
 
     def origin(key: str, same: bool) -> str:
@@ -100,12 +120,14 @@ def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
         return entry.provenance.get(key) or FOLLOWS.get(key, "")
 
     found: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
-    follows = _what_follows(bearing)
+    computed = _computed(of_file) if isinstance(of_file, dict) else {}
+    follows = {name: short for name, short in _what_follows(bearing).items() if computed.get(name, FOLLOWS[name])}
+    computed = {name: FOLLOWS[name] for name in follows} | computed
     for line in numbers(BEARING, bearing):
         source = origin(line[0], published is not None and line in numbers(BEARING, published))
-        if line[0] in follows:
-            line, source = (line[0], follows[line[0]], line[2], ""), FOLLOWS[line[0]] if source == given_by else source
-        found.append((*line[:3], source))
+        if source == given_by:
+            source = computed.get(line[0], "") or given_by
+        found.append((line[0], follows.get(line[0], line[1]), line[2], source))
     for name in MATERIALS:
         material = getattr(bearing, name)
         if entry is not None and published is not None and getattr(published, name) == material:
@@ -119,6 +141,19 @@ def bearing_lines(bearing: BallBearing, given_by: str) -> list[Line]:
     if entry is not None:
         found.append(("catalogue entry", entry.name, "", entry.source))
     return found
+
+
+def _computed(of_file: dict[str, Any]) -> dict[str, str]:
+    """From what the bearing's numbers that this table does not give were computed; empty for those that it gives."""
+    found: dict[str, str] = {}
+    for name, radii in sorted(COEFFICIENTS.items(), key=lambda each: -len(each[1])):  # that of one groove goes last
+        if name in of_file:
+            found |= dict.fromkeys(radii, f"computed from {name} = {_text(of_file[name])}")
+    angle, clearance = (name in of_file for name in reversed(FOLLOWS))
+    if angle or clearance:
+        found |= {"free_contact_angle_deg": "" if angle else FOLLOWS["free_contact_angle_deg"]}
+        found |= {"diametral_clearance_mm": "" if clearance else FOLLOWS["diametral_clearance_mm"]}
+    return {name: "" if name in of_file else origin for name, origin in found.items()}
 
 
 def _what_follows(bearing: BallBearing) -> dict[str, str]:
@@ -136,8 +171,12 @@ def _material(name: str, material: Material) -> list[Line]:
     return [(f"{name}.{line[0]}", *line[1:3], origin) for line in numbers(MATERIAL, material)]
 
 
-def effect_lines(effects: Iterable[Any], heat: Thermal | None = None) -> list[Line]:
-    """Effects with their numbers and choices; temperatures of nodes are not given, but found by the heat balance."""
+def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: BallBearing | None = None) -> list[Line]:
+    """Effects with their numbers and choices; temperatures of nodes are not given, but found by the heat balance.
+
+    Args:
+        bearing: whose catalogue may have given a number; None: of several.
+    """
     nodes = {node for each in heat.conductances for node in each.between} if heat is not None else set()
     of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
     found: list[Line] = []
@@ -153,15 +192,11 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None) -> list[Li
             elif key is not None and np.ndim(value):
                 found.append(_list(key, np.asarray(value, float)))
             elif key is not None:
-                origin = "heat balance" if each.name in of_nodes else ""
-                found.append(
-                    (
-                        f"{effect.name}.{key.name}",
-                        (digits_of if origin else _text)(key.in_file(float(value))),
-                        printed_unit(key.unit),
-                        origin,
-                    )
-                )
+                number = key.in_file(float(value))
+                is_found = each.name in of_nodes
+                origin = "heat balance" if is_found else _origin(bearing, effect.name, key.name, number)
+                text = (digits_of if is_found else _text)(number)
+                found.append((f"{effect.name}.{key.name}", text, printed_unit(key.unit), origin))
             elif isinstance(value, str):
                 name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name
                 found.append((name, str(value), "", ""))
@@ -195,7 +230,12 @@ def _list(key: Key, values: NDArray) -> Line:
     )
 
 
-def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
+def _origin(bearing: BallBearing | None, table: str, key: str, value: float) -> str:
+    """Where a number of an effect or a reading comes from, if not from the file."""
+    return CATALOGUE if bearing is not None and is_printed(bearing, table, key, value) else ""
+
+
+def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing | None = None) -> list[Line]:
     """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
     found: list[Line] = []
     for name, arguments in asked.items():
@@ -206,7 +246,8 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]]) -> list[Line]:
                 known = None if isinstance(value, str) else _key(keys, key)
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
                 unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
-                found.append((f"{name}.{known.name if known else key}", text, unit, ""))
+                origin = _origin(bearing, name, known.name, known.in_file(value)) if known else ""  # type: ignore[arg-type]
+                found.append((f"{name}.{known.name if known else key}", text, unit, origin))
     return found
 
 

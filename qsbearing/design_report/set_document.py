@@ -100,6 +100,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     said = remarks(messages.warnings(row))
     return Section(
         _name(solution, number),
-        [*said, *report.tables_of_balls(row, nodes), drawn, *readings_tables(found)],
+        [*said, *report.tables_of_balls(row, nodes), drawn, *readings_tables(found, row.scene)],
         f"row-{number + 1}",
     )

@@ -13,6 +13,7 @@ from qsbearing.design_report.inputs import (
     as_read,
     bearing_lines,
     choice_lines,
+    document,
     effect_lines,
     grouped,
     numbers,
@@ -51,18 +52,19 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
     shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
     # At temperatures that are found, each row has the ring effects below.
     rings = of.ring_effects if heat is None or any(row.ring_effects is None for row in of.rows) else ()
-    named = [*effect_lines((*rings, *of.ball_effects)), *choice_lines(of)]
+    alike = of.rows[0].bearing if all(row.bearing is of.rows[0].bearing for row in of.rows) else None
+    named = [*effect_lines((*rings, *of.ball_effects), bearing=alike), *choice_lines(of)]
     rows = grouped(
         ("Shaft", [shaft, *numbers(SHAFT, of.shaft)]),
         *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),
         ("Effects and choices", named),
-        *_alike("Effects", [effect_lines(row.ring_effects or (), heat) for row in of.rows]),
-        ("Readings", reading_lines(of.readings)),
-        *_alike("Readings", [reading_lines(row.readings or {}) for row in of.rows]),
+        *_alike("Effects", [effect_lines(row.ring_effects or (), heat, row.bearing) for row in of.rows]),
+        ("Readings", reading_lines(of.readings, alike)),
+        *_alike("Readings", [reading_lines(row.readings or {}, row.bearing) for row in of.rows]),
         *thermal_groups(heat),
-        *_bearings(of),
+        *_bearings(of, source),
     )
     words = (
         "All input data, in the units and by the keys of the file. A channel of the shaft that is not named carries no "
@@ -155,9 +157,11 @@ def _rows(of: BearingSet) -> Table:
     return Table(headings, list(zip(*cells, strict=True)), "".join(sides), f"Rows: {of.arrangement}")
 
 
-def _bearings(of: BearingSet) -> list[tuple[str, list[Line]]]:
+def _bearings(of: BearingSet, source: str) -> list[tuple[str, list[Line]]]:
     """Each bearing once, with the rows that have it."""
-    found = _by_rows([bearing_lines(row.bearing, "file") for row in of.rows])
+    tables = document(source)
+    own = [row.get("bearing", tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
+    found = _by_rows([bearing_lines(row.bearing, "file", table) for row, table in zip(of.rows, own, strict=True)])
     if len(found) == 1 and len(of.rows) > 1:
         return [("Bearing of all rows", found[0][1])]
     return [(f"Bearing of {numbered('row', which)}", lines) for which, lines in found]

@@ -9,7 +9,6 @@ import numpy as np
 
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, translate
-from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
 from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
@@ -17,11 +16,9 @@ from qsbearing.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.scene.keys import (
     BEARING,
     COEFFICIENTS,
-    DIAMETERS,
-    EFFECT_TABLES,
     IN_PLACE,
     MATERIALS,
-    Key,
+    PRINTED,
 )
 from qsbearing.units import deg, mm
 from qsbearing.validation import SceneError
@@ -49,8 +46,8 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
-    for length in DIAMETERS:  # which the model does not need: `with_diameters` has handed them on
-        good.pop(length.name, None)
+    for printed in PRINTED:  # which the model does not need: `with_printed` has handed them on
+        good.pop(printed.name, None)
     of_radius = _coefficients(good, unusable, errors)
     entry = catalogue.find(good["name"]) if "name" in good else None
     diameter = good.get("ball_diameter_mm")
@@ -104,54 +101,20 @@ def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> d
     return of_radius
 
 
-def with_diameters(document: dict[str, Any]) -> dict[str, Any]:
-    """The tables of a file, with bore and outside diameter of its bearing, or of the catalogue's, in every table that
-    needs them and does not state them itself; rows likewise."""
-    document = dict(document)
-    common = document.get("bearing")
-    for place in ("effects", "readings"):
-        if isinstance(document.get(place), dict):
-            document[place] = _filled(document[place], EFFECT_TABLES if place == "effects" else _reading_keys(), common)
-    if isinstance(document.get("rows"), list):
-        document["rows"] = [_row_filled(row, common) for row in document["rows"]]
-    return document
-
-
-def _row_filled(row: Any, common: Any) -> Any:
-    if not isinstance(row, dict):
-        return row
-    own = row.get("bearing", common)
-    filled = _filled(row, EFFECT_TABLES, own)
-    if isinstance(row.get("readings"), dict):
-        filled = {**filled, "readings": _filled(row["readings"], _reading_keys(), own)}
-    return filled
-
-
-def _reading_keys() -> dict[str, tuple[Key, ...]]:
-    return {name: table.keys for name, table in reading_tables().items()}
-
-
-def _filled(holder: dict[str, Any], within: dict[str, tuple[Key, ...]], bearing: Any) -> dict[str, Any]:
-    if not isinstance(bearing, dict):
-        return holder
-    entry = catalogue.find(bearing["name"]) if isinstance(bearing.get("name"), str) else None
-    known = {} if entry is None else entry.dimensions
-    wide = {key.name: bearing.get(key.name, known.get(key.name)) for key in DIAMETERS}
-    found = dict(holder)
-    for name, keys in within.items():
-        if name in holder and isinstance(holder[name], dict | bool):
-            names = {key.name for key in keys}
-            given = {key: value for key, value in wide.items() if key in names and value is not None}
-            table = {} if holder[name] is True else holder[name]
-            found[name] = {**given, **table} if given and isinstance(table, dict) else holder[name]
-    return found
+def entry_of(bearing: BallBearing) -> catalogue.Entry | None:
+    """The catalogue's entry of a bearing's name, whether or not its numbers were changed."""
+    return catalogue.find(bearing.name.removesuffix(MODIFIED))
 
 
 def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
     """What a bearing is called of which a file gives an entry's name and these keys beside it."""
+    return f"{entry.name}{MODIFIED}" if changed_keys(entry, given) else entry.name
+
+
+def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
+    """Which of the keys that a file gives beside an entry's name have another value than the entry."""
     numbers = {key: value for key, value in given.items() if key != "name"}
-    changed = (isinstance(each, np.ndarray) or each != entry.bearing.get(key) for key, each in numbers.items())
-    return f"{entry.name}{MODIFIED}" if any(changed) else entry.name
+    return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
 
 
 def _find_missing(present: set[str], errors: Errors) -> None:

@@ -10,20 +10,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.io.printed_numbers import is_printed
 from qsbearing.io.tables import digits_of, remarks
 from qsbearing.readings.asked import READINGS
 from qsbearing.result_keys import Shown, printed_unit, split
+from qsbearing.scene.scene import Scene
 
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
 
 
-def readings_tables(readings: Mapping[str, Any]) -> list[Block]:
-    """Tables of each reading: numbers of the bearing; of the contacts' numbers the smallest and the largest."""
+def readings_tables(readings: Mapping[str, Any], scene: Scene) -> list[Block]:
+    """Tables of each reading: numbers of the bearing; of the contacts' numbers the smallest and the largest.
+
+    Args:
+        scene: that asks for them; beside a number that it may give stands whether it does.
+    """
     parts: list[Block] = []
     for name, reading in readings.items():
         title = name.replace("_", " ").capitalize()
-        of_bearing, of_contacts = _of_bearing(title, name, reading), _of_contacts(title, name, reading)
+        of_bearing, of_contacts = _of_bearing(title, name, reading, scene), _of_contacts(title, name, reading)
         if of_bearing and of_contacts:
             of_contacts = replace(of_contacts, caption=f"{title}: contacts")
         parts += [table for table in (of_bearing, of_contacts) if table]
@@ -36,13 +42,28 @@ def readings_tables(readings: Mapping[str, Any]) -> list[Block]:
     return parts
 
 
-def _of_bearing(title: str, name: str, reading: Any) -> Table | None:
+def _of_bearing(title: str, name: str, reading: Any, scene: Scene) -> Table | None:
     found = [(shown, values) for _, shown, is_per_ball, values in READINGS[name].values(reading) if not is_per_ball]
     found = [(shown, values) for shown, values in found if values is not None]
     if not found:
         return None
-    rows = [(shown.plain_name, digits_of(values), printed_unit(split(shown.key)[1])) for shown, values in found]
+    rows = [
+        (f"{shown.plain_name}{_origin(name, shown, scene)}", digits_of(values), printed_unit(split(shown.key)[1]))
+        for shown, values in found
+    ]
     return Table(("quantity", "value", "unit"), rows, "lrl", title)
+
+
+def _origin(name: str, shown: Shown, scene: Scene) -> str:
+    """Of a number that a scene may give or leave to the geometry: which, in brackets; of others nothing."""
+    table = READINGS[name].table
+    key = next((each for each in table.keys if each.name == shown.key), None) if table else None
+    if key is None:
+        return ""
+    value = scene.readings.get(name, {}).get(key.field)
+    if value is None:
+        return " (from the geometry)"
+    return " (catalogue)" if is_printed(scene.bearing, name, key.name, key.in_file(value)) else " (given)"
 
 
 def _of_contacts(title: str, name: str, reading: Any) -> Table | None:

@@ -40,7 +40,7 @@ def result(solution: Solution, readings: Readings) -> list[Block]:
         if readings:
             from qsbearing.io.readings_report import readings_tables  # a scene without readings does not load them
 
-            parts += readings_tables(readings)
+            parts += readings_tables(readings, solution.scene)
     return [*parts, *remarks(found["warnings"], is_apart=True)]
 
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 from pathlib import Path
 from typing import Any
 
 from qsbearing import __version__
-from qsbearing.io.file_errors import SceneFileError, refused
-from qsbearing.io.read_toml import read_text
+from qsbearing.files.errors import refused
+from qsbearing.files.json_text import parsed
+from qsbearing.files.limits import LARGEST_RESULT
+from qsbearing.files.netcdf import attributes_of, json_of
+from qsbearing.files.raw import read_bytes
 from qsbearing.validation import printable
 
 ENDINGS = (".json", ".nc")
-LARGEST_RESULT = 50_000_000
-"""Bytes; a row of a thousand balls takes one million."""
 
 
 class OtherVersionWarning(UserWarning):
@@ -43,29 +43,16 @@ def input_of(path: Path, of_study: bool) -> tuple[dict[str, Any], str]:
 
 def _of_json(path: Path) -> tuple[Any, Any, Any]:
     """Version, input and label."""
-    try:
-        found = json.loads(read_text(path, LARGEST_RESULT))
-    except (ValueError, RecursionError) as error:
-        if isinstance(error, SceneFileError):
-            raise
-        raise refused(path, f"is not JSON: {str(error) or 'nested too deeply'}") from None
+    found = parsed(read_bytes(path, LARGEST_RESULT, "a result"), path)
     found = found if isinstance(found, dict) else {}
     return found.get("version"), found.get("input"), found.get("set") or found.get("bearing")
 
 
 def _of_netcdf(path: Path, of_study: bool) -> tuple[Any, Any, Any]:
     """Likewise."""
-    try:
-        import h5netcdf
-    except ImportError:
-        raise refused(path, "cannot be read", "It needs h5netcdf: pip install 'qsbearing[studies]'") from None
-    try:
-        with h5netcdf.File(path, "r") as file:
-            kept = {name: json.loads(file.attrs.get(name, "null")) for name in ("study", "input")}
-            version = file.attrs.get("qsbearing_version")
-    except (OSError, ValueError, TypeError, KeyError) as error:
-        problem = "no such file" if isinstance(error, FileNotFoundError) else "is not a netCDF file, or is damaged"
-        raise refused(path, problem) from None
+    attributes = attributes_of(path, ("study", "input", "qsbearing_version"))
+    kept = {name: json_of(attributes.get(name), path) for name in ("study", "input")}
+    version = attributes.get("qsbearing_version")
     study = kept["study"] if isinstance(kept["study"], dict) else {}
     whole = study.get("scene")
     if of_study and isinstance(whole, dict):

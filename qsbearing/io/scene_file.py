@@ -8,12 +8,15 @@ from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.files.limits import LARGEST_FILE
+from qsbearing.files.raw import STANDARD_INPUT, read_text
+from qsbearing.files.toml import read_toml
 from qsbearing.io import catalogue, result_file
-from qsbearing.io.bearing_table import bearing_of, with_diameters
+from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import effects_of, find_unused_expansion
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.io.file_keys import reading_tables
-from qsbearing.io.read_toml import read_text, read_toml
+from qsbearing.io.printed_numbers import with_printed
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.spectrum_table import over_spectrum
 from qsbearing.io.table_checks import (
@@ -50,8 +53,9 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     """The scene of a TOML file, or a built-in example by its name.
 
     Args:
-        source: a path, or the name of a catalogue entry, such as "b218". A file with this name has precedence. From a
-            result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that it holds is read.
+        source: a path, or the name of a catalogue entry, such as "b218". A file with this name has precedence; "-" is
+            standard input. From a result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that
+            it holds is read.
 
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
@@ -71,6 +75,8 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
         SceneFileError: it cannot be read.
     """
     path = Path(source)
+    if source in STANDARD_INPUT:
+        return read_toml(path), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.find(source)
         if entry is None:
@@ -81,6 +87,8 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     if path.suffix.lower() in result_file.ENDINGS:
         document, label = result_file.input_of(path, of_study)
         return document, str(source), label
+    if not is_there(path) and catalogue.find(path.stem) is not None:
+        raise refused(path, "no such file", f"The catalogue's {path.stem} is run by name, without {path.suffix}")
     return read_toml(path), str(source), printable(path.stem)
 
 
@@ -91,7 +99,7 @@ def text_of(source: str) -> str:
         SceneFileError: it cannot be read any more.
     """
     path = Path(source)
-    return read_text(path) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
+    return read_text(path, LARGEST_FILE) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
 
 
 def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
@@ -113,7 +121,8 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(with_diameters(document), errors)
+    document, thermal = heated(document, errors)
+    document = with_printed(document)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)
     operation = operation_of(document, errors)
@@ -149,6 +158,14 @@ def is_file(path: Path) -> bool:
     try:
         return path.is_file()
     except (OSError, ValueError):  # a name too long, or with a null character
+        return False
+
+
+def is_there(path: Path) -> bool:
+    """Whether there is anything of this name; no name is an error."""
+    try:
+        return path.exists()
+    except (OSError, ValueError):
         return False
 
 

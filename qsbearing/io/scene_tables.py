@@ -11,7 +11,7 @@ import numpy as np
 
 from qsbearing.effects import BallDiameterDeviations, BallExpansion, ElasticRings, GyroscopicMoment, RingExpansion
 from qsbearing.io import catalogue
-from qsbearing.io.bearing_table import MODIFIED, is_in_radians, label_of
+from qsbearing.io.bearing_table import entry_of, is_in_radians, label_of
 from qsbearing.io.effects_table import AUTO
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.shaft_tables import stiffness_table, surroundings_tables
@@ -92,7 +92,7 @@ def _row(row: Row, with_bearing_of: BearingSet | None) -> Tables:
 def _bearing(bearing: BallBearing, effects: Iterable[Any]) -> Tables:
     if np.any(bearing.radial_interference):
         raise _without_key("bearing.radial_interference", "other effects than these have changed the bearing")
-    entry = catalogue.find(bearing.name.removesuffix(MODIFIED))
+    entry = entry_of(bearing)
     table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
     table["ball_count"] = int(table["ball_count"])
     for side, effect in zip(MATERIALS, (BallExpansion, RingExpansion), strict=True):

@@ -7,9 +7,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from qsbearing.io.bearing_table import bearing_of, with_diameters
+from qsbearing.io.bearing_table import bearing_of
 from qsbearing.io.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.io.printed_numbers import with_printed
 from qsbearing.io.readings_table import asked_readings, errors_in_scene
 from qsbearing.io.scene_file import document_of, heated, operation_of, preload_of, scene_of
 from qsbearing.io.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
@@ -65,7 +66,8 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(with_housing_diameter(with_diameters(document)), errors)
+    document, thermal = heated(document, errors)
+    document = with_housing_diameter(with_printed(document))
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None

@@ -45,7 +45,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
             if readings[number]:
                 from qsbearing.io.readings_report import readings_tables  # a set without readings does not load them
 
-                parts += readings_tables(readings[number])
+                parts += readings_tables(readings[number], solution.rows[number].scene)
         parts += [*heat_tables(found), *_system_life(found)]
     return [*parts, *remarks(warnings_by_rows(solution), is_apart=True)]
 
@@ -95,9 +95,11 @@ def heading(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
     of = solution.set
     name = of.name or "Set"
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
+    number = found["axial_datum_row"]
+    datum = "" if number is None else f"; row {number} is the axial datum of spacers, which move the other rows"
     what = (
         f"{name}  {count}, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
-        f"channels at x = {found['reference_position_mm']:.6g} mm. {asked_for(found)}"
+        f"channels at x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
     )
     preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
     return [Paragraph(what, name), *preload, *ending(found)]

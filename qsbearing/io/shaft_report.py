@@ -13,9 +13,10 @@ from qsbearing.io.tables import digits_of
 from qsbearing.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.sets.set_solution import SetSolution
 from qsbearing.solution.judgement import percent
-from qsbearing.units import mm
+from qsbearing.units import mm, um
 
 DEFLECTION = "Shaft: deflection and internal forces (of the part after x on the part before)"
+GROWTH = "growth by heat is along x, from the reference position, and not in axial"
 CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")
 NOISE = 1e-9
 """Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
@@ -30,12 +31,13 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
         return None
     places = _places(solution)
     at = np.array(list(places.values()))
-    moved, inner = solution.deflection(at), solution.inner_forces(at)
+    moved, inner, grown = solution.deflection(at), solution.inner_forces(at), solution.axial_growth(at)
     line = [
         {
             "at": name,
             "position_mm": float(position / mm),
             "displacement": of_channels(DISPLACEMENT, moved[i]),
+            "axial_growth_um": None if grown is None else number(grown[i] / um),
             "inner_forces": of_channels(LOAD, inner[i]),
         }
         for i, (name, position) in enumerate(places.items())
@@ -44,6 +46,7 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
         name: {
             "position_mm": float(point.position / mm),
             "displacement": of_channels(DISPLACEMENT, point.displacement),
+            "axial_growth_um": None if point.axial_growth is None else number(point.axial_growth / um),
             "effective_stiffness": of_channels(STIFFNESS, point.effective_stiffness),
             "shares": {
                 part: dict(zip(CHANNELS, map(number, share / np.diagonal(point.compliance)), strict=True))
@@ -74,11 +77,13 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
         return []
     straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")
     heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
+    grows = any(each["axial_growth_um"] is not None for each in found["line"])
+    heading += ["growth\nµm"] if grows else []
     rows = [_values(each) for each in found["line"]]
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
-    tables = [Table(heading, cells, caption=DEFLECTION)]
+    tables = [Table(heading, cells, caption=f"{DEFLECTION}; {GROWTH}" if grows else DEFLECTION)]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
@@ -91,7 +96,8 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
 def _values(each: dict[str, Any]) -> list[float]:
     """Of a place on the shaft, as a line of the table has them."""
     bent, inner = list(each["displacement"].values()), list(each["inner_forces"].values())
-    return [each["position_mm"], *bent[:3], bent[4], inner[1], inner[2], inner[4]]
+    grown = [] if each["axial_growth_um"] is None else [each["axial_growth_um"]]
+    return [each["position_mm"], *bent[:3], bent[4], inner[1], inner[2], inner[4], *grown]
 
 
 def _share(value: float | None) -> str:

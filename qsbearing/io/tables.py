@@ -16,8 +16,12 @@ from qsbearing.documents.model import Block, Paragraph, Remark, Table
 from qsbearing.io.catalogue import Entry
 from qsbearing.messages.equal_warnings import both_raceways
 from qsbearing.ranked_warning import Rank, in_order
+from qsbearing.scene.keys import PRINTED
 
 COLOURS = {Rank.WRONG_MODEL: "red", Rank.INCOMPLETE_MODEL: "yellow", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
+
+TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
+_PRINTED = {key.name for key in PRINTED}
 
 
 def digits_of(value: Any) -> str:
@@ -101,7 +105,9 @@ def catalogue_entry(entry: Entry) -> Group:
                 table.add_row("", number.removeprefix(f"{key}."), Text(source, style=_style(source)))
     for key, size in entry.dimensions.items():
         origin = entry.dimensions_source or "catalogue row"
-        table.add_row(key, f"{size:g}", f"{origin}; the default wherever an effect or reading needs this dimension")
+        use = "used wherever an effect or reading takes it and the scene does not state it"
+        use = TOO_LOW if "_face_" in key else use if key in _PRINTED else ""
+        table.add_row(key, f"{size:g}", "; ".join(filter(None, (origin, use))))
     head = Text.assemble((entry.name, "bold"), f"  {entry.description}\n", ("Source: ", "bold"), entry.source)
     return Group(head, Padding(table, (1, 0, 0, 0)))
 

@@ -84,6 +84,7 @@ def excessive(who: str, of: PreloadLoads, unmounted: float, mounted: float) -> R
     """
     return check_data(
         f"Preload excessive: {who} is pressed by {unmounted:.4g} N before fitting, {mounted:.4g} N mounted and "
-        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times the given preload.",
+        f"{of.alone:.4g} N in operation without external loads: more than {EXCESSIVE:g} times the given preload of "
+        f"{of.given:.4g} N.",
         "sets#preload",
     )

@@ -53,8 +53,14 @@ DIAMETERS = (
     Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
     Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
 )
-"""Of the bearing as a whole: what needs them takes them from here, so that a file states them once."""
-IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *DIAMETERS)
+"""Of the bearing as a whole."""
+SHOULDERS = tuple(
+    Key(f"{side}_shoulder_diameter_mm", f"{side}_shoulder_diameter", "mm", mm, LENGTH) for side in ("inner", "outer")
+)
+RATINGS = tuple(Key(f"{kind}_load_rating_N", f"{kind}_load_rating", "N", N, FORCE) for kind in ("dynamic", "static"))
+PRINTED = (*DIAMETERS, Key("width_mm", "width", "mm", mm, LENGTH), *SHOULDERS, *RATINGS)
+"""What a catalogue prints of a bearing besides: what needs one takes it from here, so that a file states it once."""
+IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *PRINTED)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL = (

@@ -3,7 +3,8 @@
 Inner rings move with the shaft, outer ones with the housing, both counted from the reference position. A body grows by
 alpha dT of its sections where it has a temperature of its own, else by that which ring expansion gives it at the rows.
 Between two rows with a spacer, the spacer's length grows as the spacer, and the rest as the body; by as much as the
-inner spacer is longer than the outer, the inner rings are further apart than the outer ones.
+inner spacer is longer than the outer, the inner rings are further apart than the outer ones. What a spacer adds moves
+the rows beyond it, seen from the row that stays (`BearingSet.axial_datum`).
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ class Growth:
         self._of, self._body, self._reference = of, body, of.reference
         expansions = [expansion(of, row) for row in of.rows]
         self._rings_grow = any(each is not None for each in expansions)
+        self._datum = np.asarray(of.rows[of.axial_datum].position, float)
         self._spacers = []
         for spacer in of.spacers:
             first, last = (np.asarray(of.rows[number - 1].position, float) for number in spacer.rows)
@@ -37,13 +39,19 @@ class Growth:
             self._spacers.append((0.5 * (first + last), self._longer(spacer, first, last, rings)))
 
     def __call__(self, position: ArrayLike) -> NDArray:
-        """Counted from the reference position [m]; places may lie along axes before those of the cases."""
+        """By how much a row there is moved [m]; places may lie along axes before those of the cases."""
         x = np.asarray(position, float)
-        total = self._alone(x)
+        total = self.by_heat(x)
         for middle, longer in self._spacers:
-            beyond = (x >= middle).astype(float) - (self._reference >= middle)
+            beyond = (x >= middle).astype(float) - (self._datum >= middle)
             total = total + beyond * longer
         return total
+
+    @property
+    def is_evaluated(self) -> bool:
+        """Whether the scene gives the body a temperature, or rings that grow."""
+        body = getattr(self._of, BODIES[self._body])
+        return self._rings_grow or (body is not None and body.temperature is not None)
 
     def _longer(
         self, spacer: Spacer, first: NDArray, last: NDArray, rings: Sequence[RingExpansion | None]
@@ -53,7 +61,7 @@ class Growth:
         length = getattr(spacer, f"{side}_length")
         if length is None:
             return 0.0
-        mean = (self._alone(last) - self._alone(first)) / (last - first)
+        mean = (self.by_heat(last) - self.by_heat(first)) / (last - first)
         own, given = getattr(spacer, f"{side}_temperature"), getattr(self._of, body)
         datum = REFERENCE_TEMPERATURE if given is None else given.reference_temperature
         warmer: Any = 0.0
@@ -71,9 +79,9 @@ class Growth:
             more = more + np.asarray(spacer.inner_length, float) - np.asarray(spacer.outer_length, float)
         return np.asarray(more)
 
-    def _alone(self, place: NDArray) -> NDArray:
-        """Of the body itself: by its sections, or its one strain; else between two rows by the mean of the strains that
-        ring expansion has there, beyond the outermost by that there."""
+    def by_heat(self, place: NDArray) -> NDArray:
+        """Of the body itself, from the reference position [m]: by its sections, or its one strain; else between two
+        rows by the mean of the strains that ring expansion has there, beyond the outermost by that there."""
         of, reference = self._of, self._reference
         if self._body == SHAFT and of.shaft is not None and of.shaft.temperature is not None:
             ends = of.shaft.ends

@@ -55,8 +55,8 @@ class Row:
     carries: Direction = Direction.PLUS
     """As a member or as its word."""
     offset: ArrayLike = 0.0
-    """How far the row is pressed together while the shaft is at its zero [m]: what ring faces are ground off, or a
-    spacer is longer. Below zero it is a gap."""
+    """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
+    faces are ground off, or a spacer is longer. Below zero it is a gap."""
     sprung: bool = False
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
     housing_stiffness: HousingStiffness | None = None
@@ -96,7 +96,8 @@ class BearingSet(InNotebooks):
     It leaves the shaft's axial channel free for a load or a displacement of its own.
 
     With ring expansion, inner rings part as the shaft grows between them and outer ones as the housing does, both from
-    the reference position; offsets and held displacements are lengths of the shaft.
+    the reference position; offsets and held displacements are lengths of the shaft. Spacers move all rows but the one
+    of `axial_datum`.
 
     Raises:
         SceneError: parts that do not fit together; every error, at once.
@@ -220,6 +221,18 @@ class BearingSet(InNotebooks):
         """
         along, outside = (growth(row.position) for growth in self.growth)
         return np.asarray(offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside))
+
+    @cached_property
+    def axial_datum(self) -> int:
+        """Number, from 0, of the row that spacers leave in its place on the shaft and in the housing: the one of least
+        x that carries in +x and does not float; without such a row, the first in +x, or the first of all."""
+        floating = {number - 1 for group in self.floating for number in group.rows}
+
+        def rank(number: int) -> tuple[bool, bool, float]:
+            row = self.rows[number]
+            return row.sign < 0.0, number in floating or row.sprung, float(np.ravel(row.position)[0])
+
+        return min(range(len(self.rows)), key=rank)
 
     @cached_property
     def reference(self) -> NDArray:

@@ -34,6 +34,9 @@ class ShaftPoint:
     prescribed stay where they are."""
     shares: dict[str, NDArray]
     """Of its diagonal: what `shaft`, `row 1`, `housing 1`, `support 1` and the like contribute; shape (*cases, 5)."""
+    axial_growth: NDArray | None
+    """Of the shaft by heat, from the reference position to there, in +x [m]; beside `displacement`, not in it; shape
+    (*cases). None: the set names no temperature of it."""
 
     @property
     def effective_stiffness(self) -> NDArray:

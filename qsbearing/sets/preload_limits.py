@@ -152,6 +152,7 @@ def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[
     is_pressed = solution.preload_at_rest is not None and bool((solution.preload_at_rest > 0.0).any())
     return [
         _kind(solution),
+        *_with_lengths(solution),
         *_fitted(solution),
         *_at_speed(solution),
         *(_limits(of, found or limits(of)) if is_pressed else []),
@@ -178,8 +179,8 @@ def _kind(solution: SetSolution) -> str:
     of = solution.set
     preload = of.preload
     if preload is None:
-        if any(np.any(np.asarray(row.offset) != 0.0) for row in of.rows):
-            return "No preload is given: the offsets of the rows press them against each other."
+        if solution.preload_at_rest is not None and np.any(solution.preload_at_rest > 0.0):
+            return "No preload is given: offsets or spacers press the rows against each other."
         return "No preload is given: at rest and cold the rows just touch."
     if preload.spring is not None:
         sprung = " and ".join(f"row {number}" for number, row in enumerate(of.rows, 1) if row.sprung)
@@ -194,6 +195,13 @@ def _kind(solution: SetSolution) -> str:
         force = float(np.asarray(getattr(preload, preload.kind)))
         pressed = f"at which {force:.6g} N press the rows of each direction {preload.state}, at rest and cold"
     return f"The rings are held at a fixed distance, {pressed}. Speed, heat and loads change the loads on the rows."
+
+
+def _with_lengths(solution: SetSolution) -> list[str]:
+    given, at_rest = solution.preload_given, solution.preload_at_rest
+    if given is None or at_rest is None or not np.abs(at_rest - given).max() > UNCHANGED * np.abs(given).max():
+        return []
+    return [f"Offsets and spacers change the preload of the rows from {_span(given)} N to {_span(at_rest)} N."]
 
 
 def _fitted(solution: SetSolution) -> list[str]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.quantities import ALL, STIFFNESSES
+from qsbearing.units import um
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
@@ -63,6 +64,9 @@ def _of_points(solution: SetSolution) -> Iterator[SetQuantity]:
                     return np.asarray(of(solution.points[point]), float)
 
                 yield SetQuantity(name, quantity.unit, column, read)
+        if solution.points[point].axial_growth is not None:
+            name = f"{point}_axial_growth"
+            yield SetQuantity(name, "um", f"{name}_um", lambda point=point: solution.points[point].axial_growth / um)  # type: ignore[misc, operator, arg-type]
 
 
 def _of_rows(solution: SetSolution) -> Iterator[SetQuantity]:

@@ -17,6 +17,7 @@ from qsbearing.messages import bearing_set
 from qsbearing.ranked_warning import RankedWarning
 from qsbearing.result_keys import DISPLACEMENT, LOAD
 from qsbearing.scene.operation import CHANNELS
+from qsbearing.sets.axial_growth import SHAFT
 from qsbearing.sets.bearing_set import BearingSet
 from qsbearing.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.sets.elastic_shaft import Structure
@@ -179,7 +180,8 @@ class SetSolution(Plotted):
     def displacement(self) -> NDArray:
         """Of the shaft at the reference position; shape (*cases, 5) [m, m, m, rad, rad].
 
-        Axially from where every row is pressed by its offset and by the preload that is held.
+        Axially from where every row is pressed by its offset and by the preload that is held, and by what heat and
+        spacers move it: heat from the reference position, spacers from the row of `BearingSet.axial_datum`.
         """
         return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
 
@@ -255,10 +257,20 @@ class SetSolution(Plotted):
     def deflection(self, positions: ArrayLike) -> NDArray:
         """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
 
-        Tilt z is the slope of y, tilt y that of -z. Growth by heat is not in it.
+        Tilt z is the slope of y, tilt y that of -z. Growth by heat is not in it: `axial_growth`.
         """
         along = self._known(self._deflection.along(positions))
         return np.asarray(self._shaped(along, *along.shape[1:]))
+
+    def axial_growth(self, positions: ArrayLike) -> NDArray | None:
+        """By how much heat moves these positions [m] of the shaft in +x, seen from the reference position; shape
+        (*cases, position) [m]. None: the set names no temperature of it."""
+        growth = self.set.growth[SHAFT]
+        if not growth.is_evaluated:
+            return None
+        places = np.atleast_1d(np.asarray(positions, float))
+        along = [np.broadcast_to(growth.by_heat(each), self.shape) for each in places]
+        return np.where(np.asarray(self.converged)[..., None], np.stack(along, axis=-1), np.nan)
 
     def inner_forces(self, positions: ArrayLike) -> NDArray:
         """Axial force, shear forces and bending moments of the shaft at these positions [m]: what its part beyond, in
@@ -284,7 +296,9 @@ class SetSolution(Plotted):
         compliance, parts = self._deflection.compliance(position, self._tangent, free, rows)
         shares = {name: np.asarray(self._shaped(self._known(part), 5)) for name, part in parts.items()}
         compliance = np.asarray(self._shaped(self._known(compliance), 5, 5))
-        return ShaftPoint(position, self.deflection(position)[..., 0, :], compliance, shares)
+        growth = self.axial_growth(position)
+        growth = None if growth is None else growth[..., 0]
+        return ShaftPoint(position, self.deflection(position)[..., 0, :], compliance, shares, growth)
 
     @property
     def _followers(self) -> list[int]:
@@ -328,6 +342,18 @@ class SetSolution(Plotted):
         """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other."""
         return self.preload_mounted if self._is_given_mounted else self.preload_unmounted
 
+    @cached_property
+    def preload_given(self) -> NDArray | None:
+        """What the preload alone gives each row, where it is a force that holds the rings: without offsets and spacers.
+        Else what lengths or a spring make at rest; shape (*cases, row) [N]; None likewise."""
+        at_rest = self.preload_at_rest
+        if at_rest is None:
+            return None
+        given = np.array(at_rest)
+        for numbers, side in self._sides.items():
+            given[..., list(numbers)] = side.axial_loads
+        return np.where(given != 0.0, given, at_rest)
+
     @property
     def _is_given_mounted(self) -> bool:
         return self.set.preload is not None and self.set.preload.is_given_mounted
@@ -343,7 +369,7 @@ class SetSolution(Plotted):
         """What is given, left and carried, of each row; None likewise."""
         if not self.set.is_opposed:
             return None
-        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.axial_loads)
+        return PreloadLoads(self.preload_given, self.preload_in_operation, self.axial_loads)
 
     @property
     def preload_state(self) -> NDArray | None:

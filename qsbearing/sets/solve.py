@@ -101,7 +101,7 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
 
 def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
     """Under a preload that is held and given as a force: of each group, the rows of either direction alone, at rest and
-    cold."""
+    cold, without their offsets, which add to what it takes."""
     sides: Sides = {}
     known: dict[tuple[int, ...], SetSolution] = {}
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
@@ -113,18 +113,16 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
         for sign in (1.0, -1.0):
             numbers = tuple(number for number in group if of.rows[number].sign == sign)
             alike = (id(preload), *(of.alike[number] for number in numbers))
-            is_pressed = any(np.any(np.asarray(of.rows[number].offset) != 0.0) for number in numbers)
-            if alike in known and not is_pressed and np.all(known[alike].converged):
+            if alike in known and np.all(known[alike].converged):
                 sides[numbers] = known[alike]
                 continue
+            bare: dict[str, Any] = {"offset": 0.0, "housing_stiffness": None, "readings": None}
             rows = tuple(
-                replace(row, ring_effects=effects_at_rest(of.effects_of(row)), housing_stiffness=None, readings=None)
+                replace(row, ring_effects=effects_at_rest(of.effects_of(row)), **bare)
                 for row in (of.rows[number] for number in numbers)
             )
             side = BearingSet(rows, Operation(axial_load=(sign * force)[()], **STRAIGHT), **choices)
-            sides[numbers] = solve_at_given_temperatures(side, threads, tolerance)
-            if not is_pressed:
-                known[alike] = sides[numbers]
+            sides[numbers] = known[alike] = solve_at_given_temperatures(side, threads, tolerance)
     return sides
 
 

@@ -20,8 +20,8 @@ pytest.importorskip("uvicorn")
 from qsbearing.app import answers, inputs
 from qsbearing.cli import cli
 from qsbearing.effects import EFFECTS
+from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.io.file_errors import SceneFileError
-from qsbearing.io.read_toml import LARGEST_FILE
 from qsbearing.io.scene_file import load_scene
 from qsbearing.studies import keys
 from tests.app.served import asked, served, started

@@ -100,9 +100,10 @@ def test_the_number_of_balls_may_differ_from_row_to_row() -> None:
         ("speed_rpm,speed_rpm\n1,2\n", ["two columns speed_rpm"]),
         ("speed_rpm,operation.speed_rpm\n1,2\n", ["has a column already"]),
         ("name\na\n", ["no column is a key"]),
-        ("speed_rpm\n", ["0 rows"]),
-        ("speed_rpm,\n1,2\n", ["no heading"]),
-        ("", ["cannot be read"]),
+        ("speed_rpm\n", ["no rows"]),
+        ("speed_rpm,\n1,2\n", ["row 1 has 2 cells", "Is a heading missing"]),
+        ("speed_rpm,,axial_load_N\n1,2,3\n", ["no heading"]),
+        ("", ["is empty"]),
         ("ball_material.density_kg_m3,thermal_expansion_per_K\n1,2\n", ["not a numeric key"]),
     ],
 )

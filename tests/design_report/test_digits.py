@@ -41,12 +41,12 @@ def test_what_follows_from_the_given_one_is_not_from_the_scene() -> None:
     given = qs.BallBearing(**GIVEN, free_contact_angle=24 * qs.deg)
     found = {line[0]: line for line in bearing_lines(given, "scene")}
     assert found["free_contact_angle_deg"][1::2] == ("24", "scene")
-    assert found["diametral_clearance_mm"][3] == "follows from the free contact angle"
+    assert found["diametral_clearance_mm"][3] == "computed from the free contact angle"
     assert len(found["diametral_clearance_mm"][1].lstrip("0.")) <= 6
     typed = qs.BallBearing.from_diametral_clearance(**GIVEN, diametral_clearance=0.08 * qs.mm)
     found = {line[0]: line for line in bearing_lines(typed, "scene")}
     assert found["diametral_clearance_mm"][1::2] == ("0.08", "scene")
-    assert found["free_contact_angle_deg"][3] == "follows from the clearance"
+    assert found["free_contact_angle_deg"][3] == "computed from the clearance"
 
 
 def test_a_column_of_remarks_is_there_only_with_remarks() -> None:

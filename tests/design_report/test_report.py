@@ -116,7 +116,7 @@ def test_the_input_says_where_its_numbers_are_from(spindle: Path) -> None:
     assert rows["ball_count"] == ["14", "balls", "scene"]
     assert rows["ball_diameter_mm"][0] == "12.7"
     assert "S 6210 C" in rows["ball_diameter_mm"][2]
-    assert rows["diametral_clearance_mm"][2] == "follows from the free contact angle"
+    assert rows["diametral_clearance_mm"][2] == "computed from the free contact angle"
     assert rows["rigid_N"][:2] == ["800", "N"]
     assert rows["lubricant.oil_temperature_C"][:2] == ["45", "°C"]
 

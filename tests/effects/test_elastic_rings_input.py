@@ -72,7 +72,6 @@ def test_a_file_is_read_written_and_read_again(outer: str, inner: str, tmp_path:
     [
         ('outer = {outside_diameter_mm = 140, width_mm = 30, housing = "free"}', "bottom of the outer groove"),
         ("outer = {outside_diameter_mm = 160, width_mm = 30}", "effects.elastic_rings.outer.housing: missing"),
-        ('outer = {width_mm = 30, housing = "free"}', "effects.elastic_rings.outer.outside_diameter_mm: missing"),
         ('outer = {outside_diameter_mm = 160, widht_mm = 30, housing = "free"}', "Did you mean outer.width_mm?"),
         ('outer = {outside_diameter_mm = "160", width_mm = 30, housing = "free"}', "is not a number"),
         ('outer = {outside_diameter_mm = 160, width_mm = 30, housing = "fre"}', 'not one of "rigid", "free"'),
@@ -87,6 +86,12 @@ def test_a_file_is_read_written_and_read_again(outer: str, inner: str, tmp_path:
 )  # fmt: skip
 def test_mistakes_are_named(line: str, said: str, tmp_path: Path) -> None:
     assert said in refused(written(tmp_path, line))
+
+
+def test_a_size_that_no_catalogue_prints_is_missing(tmp_path: Path) -> None:
+    path = written(tmp_path, 'outer = {width_mm = 30, housing = "free"}')
+    path.write_text(path.read_text().replace("B218", "ISO16281_7ball"))
+    assert "effects.elastic_rings.outer.outside_diameter_mm: missing" in refused(path)
 
 
 FIT = "[effects.ring_expansion]\nbore_diameter_mm = 90\noutside_diameter_mm = {}\nhousing_outside_diameter_mm = 220\n"

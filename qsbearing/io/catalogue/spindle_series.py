@@ -10,6 +10,7 @@ from __future__ import annotations
 import csv
 from functools import cache
 from importlib.resources import files
+from math import cos, radians
 from typing import Any
 
 from qsbearing.io.catalogue.entry import Entry
@@ -18,6 +19,10 @@ SOURCE = "GMN Paul Mueller Industrie, High precision ball bearings, catalogue 40
 HYBRID = "_hybrid"
 LEAST_RIGIDITY = 80.0
 """Axial rigidity at heavy preload [N/um] from which a row's own rigidities tell its groove: their rounding is 0.6 %."""
+LEAST_SHOULDER = 0.14
+"""Height over the bottom of the groove, in ball diameters, from which a printed d1 or D1 is that of the shoulder that
+carries the thrust (chosen: what the ellipse under a thrust of half C0 needs at 15 degrees). The table does not say
+which face of a ring it measures, and some of its diameters lie beyond the bottom of the groove."""
 _DIMENSIONS = {
     "bore_diameter_mm": "d_mm", "outside_diameter_mm": "D_mm", "width_mm": "B_mm",
     "inner_shoulder_diameter_mm": "d1_mm", "outer_shoulder_diameter_mm": "D1_mm",
@@ -57,6 +62,7 @@ def _entry(printed: str, row: dict[str, float], is_hybrid: bool) -> Entry:
     dimensions = {key: row[column] for key, column in _DIMENSIONS.items()}
     if is_hybrid:
         dimensions["static_load_rating_N"] = row["C0_HY"]
+    dimensions = {_of_face(key, value, bearing): value for key, value in dimensions.items()}
     return Entry(
         name + HYBRID * is_hybrid,
         f"{size} spindle bearing, {row['alpha_deg']:g} degrees, {balls} balls (GMN {'HY ' * is_hybrid}{printed})",
@@ -70,6 +76,19 @@ def _entry(printed: str, row: dict[str, float], is_hybrid: bool) -> Entry:
         },
         dimensions,
     )
+
+
+def _of_face(key: str, diameter: float, bearing: dict[str, Any]) -> str:
+    """The key of a printed dimension: a shoulder that is too low for one is only a face of its ring."""
+    side, is_shoulder, rest = key.partition("_shoulder")
+    if not is_shoulder:
+        return key
+    outward, ball = 1.0 if side == "outer" else -1.0, bearing["ball_diameter_mm"]
+    spread = 2.0 * bearing["inner_groove_radius_mm"] - ball
+    bottom = bearing["pitch_diameter_mm"] + outward * (
+        ball + spread * (1.0 - cos(radians(bearing["free_contact_angle_deg"])))
+    )
+    return key if 0.5 * outward * (bottom - diameter) >= LEAST_SHOULDER * ball else f"{side}_face{rest}"
 
 
 def _provenance(printed: str, row: dict[str, float], is_hybrid: bool) -> dict[str, str]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from qsbearing.io.read_toml import read_toml
+from qsbearing.files.toml import read_toml
 from qsbearing.pictures.style import SLIP
 from qsbearing.studies.chunk import IMPOSSIBLE
 from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Judged, Statement, both, falls, judge, rises
