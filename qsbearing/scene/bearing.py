@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import pi
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,7 +25,8 @@ class BearingKind(StrEnum):
     """Shoulders on both sides: contact angles of either sign."""
 
 
-class Outline(NamedTuple):
+@dataclass(frozen=True)
+class Outline:
     """What a catalogue prints of a bearing's rings [m]; None for what is not known."""
 
     bore_diameter: Any = None
