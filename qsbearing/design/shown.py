@@ -8,8 +8,10 @@ import numpy as np
 
 from qsbearing import __version__
 from qsbearing.design.find import Found
+from qsbearing.design.found_remarks import found_remarks
 from qsbearing.design.wanted import Variable
 from qsbearing.io.scene_tables import input_tables
+from qsbearing.io.tables import remarks
 from qsbearing.result_keys import printed_unit
 
 if TYPE_CHECKING:
@@ -62,6 +64,7 @@ def tables(found: Found) -> list[Block]:
         Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
         Table(("result", "found", "asked for", "unit"), results, "lrll", "Results"),
         *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(lines)),
+        *remarks(found_remarks(found), is_apart=True),
     ]
 
 
@@ -77,6 +80,7 @@ def record(found: Found) -> dict[str, Any]:
         "units": found.units,
         "binding": list(found.binding),
         "failed": list(found.failed),
+        "warnings": found_remarks(found),
         "ranges": {key: list(ends) for key, ends in found.ranges.items()},
         "feasible_share": found.feasible_share,
         "evaluations": found.evaluations,

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-THICKNESS = 0.33
+THICKNESS = 0.35
 """Below a groove, over the ball diameter."""
 WIDTH = 4.7
 """Over the thickness of the outer ring below its groove."""
