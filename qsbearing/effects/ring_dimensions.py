@@ -57,7 +57,7 @@ def ring_dimensions(bearing: Any, ring_effects: Iterable[Any] = ()) -> RingDimen
         return next((each for each in found if each is not None), None)
 
     def own(value: Any, usual: Any) -> Any:
-        return usual if value is None else np.asarray(value, float)
+        return (usual if value is None else np.asarray(value, float))[()]  # a number of a single case
 
     outside, width = known("outside_diameter"), known("outer_width", "width")
     outer = own(outside, 2.0 * (outer_bottom + THICKNESS * ball))
