@@ -1,7 +1,8 @@
 """The ball between its rings, cut open: the stress in the steel, and the pressure on the ball beside Hertz's ellipse.
 
 `python -m fem_check.cutaway OUT.png` makes the picture of the guide from the record of `bearing_sector` and its meshes;
-it needs PyVista (extra `render`), which draws without a screen.
+it needs PyVista (extra `render`), which draws without a screen. Beside it stand the three bodies as VTU files, which
+ParaView opens, and from which it is drawn.
 """
 
 from __future__ import annotations
@@ -9,36 +10,25 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy.sparse as sp
 
-from fem_check import records_store, sector_comparison
+from fem_check import fields, records_store, sector_comparison
 from fem_check.contact_problem import Array
-from fem_check.linear_solver import factorise
+from fem_check.fields import Field
 from fem_check.references import hertz
 from fem_check.solids.bearing_sector import OuterSupport, ring_support
-from fem_check.solids.condensation import free_support
+from fem_check.solids.condensation import free_support, moved
 from fem_check.solids.sector_geometry import SectorGeometry
-from fem_check.solids.tetrahedral_body import CURVED_TETRAHEDRA, TetrahedralBody
+from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 RACES = ("inner", "outer")
 SCENE = "b218"
 LEAST, MOST = 0.005, 0.6
 """Stresses shown, over the largest pressure; below a contact von Mises' stress is largest at about 0.6 of it."""
-
-
-@dataclass(frozen=True)
-class Shown:
-    """A body: nodes (3, node) [mm], the ten of each element, and at each node von Mises' stress and pressure [MPa]."""
-
-    nodes: Array
-    elements: Array
-    stress: Array
-    pressure: Array
+STRESS, PRESSURE = "von_mises_MPa", "pressure_MPa"
 
 
 def geometry_of(record: dict[str, Any]) -> SectorGeometry:
@@ -62,7 +52,7 @@ def hertz_ellipse(record: dict[str, Any], geometry: SectorGeometry) -> list[Arra
     return [1e3 * each for each in places]
 
 
-def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, Shown]:
+def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, Field]:
     """The three bodies under the pressures of a record.
 
     Args:
@@ -75,56 +65,33 @@ def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, Shown]
     drawing = geometry.bearing.drawing
     found = {}
     for name in ("ball", *RACES):
-        body = TetrahedralBody(geometry.mesh(name), drawing.ball if name == "ball" else drawing.ring)
-        own = RACES if name == "ball" else (name,)
-        force = sum(frames[race].loads(body, on_ball=name == "ball") @ pressures[race] for race in own)
-        if name == "ball":
+        on_ball = name == "ball"
+        body = TetrahedralBody(geometry.mesh(name), drawing.ball if on_ball else drawing.ring)
+        own = RACES if on_ball else (name,)
+        force = sum(frames[race].loads(body, on_ball=on_ball) @ pressures[race] for race in own)
+        if on_ball:
             fixed, _, carried, share = free_support(body, force)
-            moved = _moved(body, force - carried @ share, fixed)
+            displaced = moved(body, force - carried @ share, fixed)
         else:
-            moved = _moved(body, force, *ring_support(body, geometry, name, OuterSupport.RIGID))
-        pressure = np.zeros(body.space.count)
-        for race in own:
-            frame = frames[race]
-            xi, eta, zeta = frame.coordinates(body.nodes)
-            near = (np.abs(xi) < frame.patch.half_length) & (eta < frame.patch.half_width)
-            height = (frame.ball_height if name == "ball" else frame.groove_height)(xi[near], eta[near])[0]
-            near[near] = np.abs(zeta[near] - height) < 1e-5 * frame.ball.radius
-            pressure[near] = frame.basis.values(xi[near], eta[near]) @ pressures[race]
-        found[name] = Shown(1e3 * body.nodes, body.space.element_nodes, 1e-6 * von_mises(body, moved), 1e-6 * pressure)
+            displaced = moved(body, force, *ring_support(body, geometry, name, OuterSupport.RIGID))
+        pressure = sum(frames[race].pressure_on(body.nodes, pressures[race], on_ball=on_ball) for race in own)
+        found[name] = fields.of_body(body.space, displaced, np.asarray(pressure), body.material)
     return found
 
 
-def _moved(body: TetrahedralBody, force: Array, fixed: Array, turn: sp.csr_matrix | None = None) -> Array:
-    """Displacement (node, 3) under a force."""
-    turn = sp.identity(3 * body.space.count, format="csr") if turn is None else turn
-    free = np.flatnonzero(~fixed.ravel())
-    matrix = sp.csr_matrix(turn.T @ body.stiffness @ turn)
-    moved = np.zeros(3 * body.space.count)
-    moved[free] = factorise(sp.csc_matrix(matrix[free][:, free])).solve((turn.T @ force)[free, None])[:, 0]
-    return (turn @ moved).reshape(-1, 3)
+def files(found: dict[str, Field], picture: Path) -> dict[str, Path]:
+    """Write the bodies as VTU files beside the picture; returns the files."""
+    paths = {name: picture.with_name(f"{picture.stem}_{name}.vtu") for name in found}
+    for name, path in paths.items():
+        found[name].write(path)
+    return paths
 
 
-def von_mises(body: TetrahedralBody, moved: Array) -> Array:
-    """Von Mises' stress at the nodes [Pa], the mean of the elements around each."""
-    from skfem import CellBasis
-
-    family = CURVED_TETRAHEDRA.element()
-    basis = CellBasis(body.mesh, family, quadrature=(family.doflocs.T, np.ones(10)))
-    gradient = np.stack([np.asarray(basis.interpolate(moved[:, axis]).grad) for axis in range(3)])
-    strain = 0.5 * (gradient + gradient.transpose(1, 0, 2, 3))
-    modulus, ratio = body.material.elastic_modulus, body.material.poisson_ratio
-    deviator = strain - np.einsum("iiep,jk->jkep", strain, np.identity(3)) / 3.0
-    stress = np.sqrt(1.5 * np.einsum("ijep,ijep->ep", deviator, deviator)) * modulus / (1.0 + ratio)
-    nodes, count = basis.element_dofs.ravel(), basis.N
-    return np.bincount(nodes, stress.T.ravel(), count) / np.bincount(nodes, minlength=count)
-
-
-def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tuple[int, int]) -> None:
+def draw(found: dict[str, Path], ellipse: Sequence[Array], path: Path, size: tuple[int, int]) -> None:
     """The picture: left the bodies cut open, right the ball from its inner contact, with Hertz's ellipse.
 
     Args:
-        found: the bodies.
+        found: the files of the bodies.
         ellipse: as `hertz_ellipse` has it.
         path: where to.
         size: in pixels.
@@ -135,7 +102,8 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
 
     plotter = pv.Plotter(off_screen=True, shape=(1, 2), border=False, window_size=list(size))
     plotter.set_background("white")
-    most = max(body.pressure.max() for body in found.values())
+    grids = {name: pv.read(file) for name, file in found.items()}
+    most = max(grid.point_data[PRESSURE].max() for grid in grids.values())
     bar = {
         "vertical": False, "width": 0.56, "height": 0.08, "position_x": 0.22, "position_y": 0.06, "color": "black",
         "fmt": "%.0f", "label_font_size": 15,
@@ -148,13 +116,13 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
         "diffuse": 0.72,
         "smooth_shading": True,
     }
-    surfaces = {name: _surface(pv, body) for name, body in found.items()}
+    surfaces = {name: _surface(grid) for name, grid in grids.items()}
     centre, contact, major, minor = map(np.asarray, ellipse)
     plotter.subplot(0, 0)
     for name, surface in surfaces.items():
         # The field falls off as the square of the distance: in logarithms all of it is seen.
         plotter.add_mesh(
-            surface, scalars="stress", clim=(LEAST * most, MOST * most), log_scale=True, split_sharp_edges=True,
+            surface, scalars=STRESS, clim=(LEAST * most, MOST * most), log_scale=True, split_sharp_edges=True,
             show_scalar_bar=name == "ball", scalar_bar_args=bar | {"title": "", "n_labels": 3},
             **look,
         )  # fmt: skip
@@ -164,7 +132,7 @@ def draw(found: dict[str, Shown], ellipse: Sequence[Array], path: Path, size: tu
     half = surfaces["ball"]
     for surface in (half, half.reflect((0.0, 0.0, 1.0), point=(0.0, 0.0, 0.0))):
         plotter.add_mesh(
-            surface, scalars="pressure", clim=(0.0, most), split_sharp_edges=True, show_scalar_bar=surface is half,
+            surface, scalars=PRESSURE, clim=(0.0, most), split_sharp_edges=True, show_scalar_bar=surface is half,
             scalar_bar_args=bar | {"title": " ", "n_labels": 4}, **look,
         )  # fmt: skip
     angle = np.linspace(0.0, 2.0 * np.pi, 181)[:, None]
@@ -185,19 +153,17 @@ SIDE, DOWN, ASIDE = np.array([[-14.0, 9.0, -60.0], [0.0, -1.2, 0.0], [0.0, 0.0, 
 COLOURS = ["#dde2e5", "#a9c4d3", "#0072b2", "#d55e00", "#7a1f00"]
 
 
-def _surface(pv: Any, body: Shown) -> Any:
+def _surface(grid: Any) -> Any:
     """Its curved surface, each facet in sixteen."""
-    cells = np.column_stack([np.full(body.elements.shape[1], 10), body.elements.T]).ravel()
-    grid = pv.UnstructuredGrid(cells, np.full(body.elements.shape[1], pv.CellType.QUADRATIC_TETRA), body.nodes.T)
-    grid.point_data["stress"], grid.point_data["pressure"] = np.maximum(body.stress, 1e-3), body.pressure
+    grid.point_data[STRESS] = np.maximum(grid.point_data[STRESS], 1e-3)  # for its logarithm
     return grid.extract_surface(nonlinear_subdivision=2, algorithm="dataset_surface")
 
 
 def main(path: Path, level: str = "quick", size: tuple[int, int] = (1120, 570)) -> None:
-    """Make the picture of a level's record."""
+    """Make the picture of a level's record, and beside it the files of the bodies that it is drawn from."""
     record = json.loads((records_store.FOLDER / level / "bearing_sector.json").read_text(encoding="utf-8"))
     geometry = geometry_of(record)
-    draw(bodies(record, geometry), hertz_ellipse(record, geometry), path, size)
+    draw(files(bodies(record, geometry), path), hertz_ellipse(record, geometry), path, size)
 
 
 if __name__ == "__main__":

@@ -137,6 +137,72 @@ class CondensedBody:
     solver: str
 
 
+class HeldBlock:
+    """A block under a pressure on its contact, with its planes of symmetry, and its far faces held as a support says.
+
+    Young's modulus is 1.
+    """
+
+    def __init__(
+        self,
+        brick: MeshHex,
+        basis: PressureBasis,
+        poisson_ratio: float,
+        support: Support,
+        progress: Progress = silent,
+        family: ElementFamily = SERENDIPITY,
+    ) -> None:
+        space = self.space = DisplacementSpace(family.body(brick), family)
+        matrix = stiffness(space, poisson_ratio, progress)
+
+        high = space.nodes.max(axis=1)
+        small = 1e-9 * high
+        fixed = np.zeros((space.count, 3), dtype=bool)
+        fixed[space.nodes[0] < small[0], 0] = True
+        fixed[space.nodes[1] < small[1], 1] = True
+        prescribed = np.any(space.nodes > (high - small)[:, None], axis=0)
+        fixed[prescribed] = True
+        self.free = np.flatnonzero(~fixed.ravel())
+        self._prescribed = (3 * np.flatnonzero(prescribed)[:, None] + np.arange(3)).ravel()
+
+        progress("far field", 0.0)
+        count = len(basis.forces)
+        if support is Support.HALF_SPACE:
+            (x, y), _ = basis.samples
+            far = boussinesq.pressure_displacement(
+                space.nodes[:, prescribed], np.stack([x, y]), basis.loads, poisson_ratio
+            )
+            self._prescribed_displacement = far.transpose(1, 0, 2).reshape(-1, count)
+        else:
+            self._prescribed_displacement = np.zeros((len(self._prescribed), count))
+
+        self.loads = _contact_loads(space, basis)
+        self._free_loads = sp.csr_matrix(self.loads[self.free])
+        rows = matrix[self.free]
+        self._coupling = sp.csr_matrix(rows[:, self._prescribed])
+        supported = 3 * np.flatnonzero(prescribed) + 2
+        summing = sp.csr_matrix(
+            (np.ones(supported.size), (np.zeros(supported.size, dtype=int), supported)), shape=(1, matrix.shape[0])
+        )
+        self._reaction_row = sp.csr_matrix(summing @ matrix)
+        progress("factorising", 0.0)
+        square = sp.csc_matrix(rows[:, self.free])
+        del matrix, rows
+        self._factor = factorise(square)
+        self.solver = self._factor.solver
+
+    def moved(self, pressures: Array) -> Array:
+        """Displacements, shape (dof, case), under pressures by their coefficients, shape (basis, case)."""
+        moved = np.zeros((3 * self.space.count, pressures.shape[1]))
+        moved[self._prescribed] = self._prescribed_displacement @ pressures
+        moved[self.free] = self._factor.solve(self._free_loads @ pressures - self._coupling @ moved[self._prescribed])
+        return moved
+
+    def reaction(self, moved: Array) -> Array:
+        """Force along z on the supported faces, of each case."""
+        return np.asarray(self._reaction_row @ moved).ravel()
+
+
 def condense(
     brick: MeshHex,
     basis: PressureBasis,
@@ -155,54 +221,18 @@ def condense(
         progress: progress callback.
         family: the elements that the brick is filled with.
     """
-    space = DisplacementSpace(family.body(brick), family)
-    matrix = stiffness(space, poisson_ratio, progress)
-
-    high = space.nodes.max(axis=1)
-    small = 1e-9 * high
-    fixed = np.zeros((space.count, 3), dtype=bool)
-    fixed[space.nodes[0] < small[0], 0] = True
-    fixed[space.nodes[1] < small[1], 1] = True
-    prescribed = np.any(space.nodes > (high - small)[:, None], axis=0)
-    fixed[prescribed] = True
-    free = np.flatnonzero(~fixed.ravel())
-    prescribed_dofs = (3 * np.flatnonzero(prescribed)[:, None] + np.arange(3)).ravel()
-
-    progress("far field", 0.0)
+    block = HeldBlock(brick, basis, poisson_ratio, support, progress, family)
     count = len(basis.forces)
-    if support is Support.HALF_SPACE:
-        (x, y), _ = basis.samples
-        far = boussinesq.pressure_displacement(space.nodes[:, prescribed], np.stack([x, y]), basis.loads, poisson_ratio)
-        prescribed_displacement = far.transpose(1, 0, 2).reshape(-1, count)
-    else:
-        prescribed_displacement = np.zeros((len(prescribed_dofs), count))
-
-    loads = _contact_loads(space, basis)
-    rows = matrix[free]
-    coupling = sp.csr_matrix(rows[:, prescribed_dofs])
-    supported = 3 * np.flatnonzero(prescribed) + 2
-    summing = sp.csr_matrix(
-        (np.ones(supported.size), (np.zeros(supported.size, dtype=int), supported)), shape=(1, matrix.shape[0])
-    )
-    reaction_row = sp.csr_matrix(summing @ matrix)
-    progress("factorising", 0.0)
-    square = sp.csc_matrix(rows[:, free])
-    del matrix, rows
-    factor = factorise(square)
-    del square
-
     flexibility = np.zeros((count, count))
     reaction = np.zeros(count)
-    inside = _StressPoints.near_centre(space, basis, poisson_ratio)
+    inside = _StressPoints.near_centre(block.space, basis, poisson_ratio)
     stresses = np.zeros((4, inside.points.shape[1], count))
-    free_loads = sp.csr_matrix(loads[free])
+    each = np.identity(count)
     for start in range(0, count, RIGHT_HAND_SIDES):
         some = slice(start, min(start + RIGHT_HAND_SIDES, count))
-        moved = np.zeros((3 * space.count, some.stop - some.start))
-        moved[prescribed_dofs] = prescribed_displacement[:, some]
-        moved[free] = factor.solve(free_loads[:, some].toarray() - coupling @ moved[prescribed_dofs])
-        flexibility[:, some] = loads.T @ moved
-        reaction[some] = np.asarray(reaction_row @ moved).ravel()
+        moved = block.moved(each[:, some])
+        flexibility[:, some] = block.loads.T @ moved
+        reaction[some] = block.reaction(moved)
         stresses[:, :, some] = inside.stresses(moved)
         progress("solving", some.stop / count)
     return CondensedBody(
@@ -212,8 +242,8 @@ def condense(
         reaction=reaction,
         stress_points=inside.points,
         stresses=stresses,
-        dofs=len(free),
-        solver=factor.solver,
+        dofs=len(block.free),
+        solver=block.solver,
     )
 
 

@@ -7,13 +7,14 @@ the contact's proportions, measured on the last mesh but one, where it is no sma
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from fem_check import contact, convergence, elastic_body, measuring, meshing
+from fem_check import contact, convergence, elastic_body, fields, measuring, meshing
 from fem_check.agreement import Level, Row, covered
 from fem_check.contact import ContactSolution
 from fem_check.contact_problem import QUANTITIES, ContactProblem
@@ -66,6 +67,8 @@ class Bodies:
     race: CondensedBody
     basis: PressureBasis
     recipe: meshing.Recipe
+    proportions: tuple[float, float, float]
+    """By which the recipe's brick is stretched along each axis."""
 
     @property
     def edge_element(self) -> float:
@@ -77,15 +80,13 @@ class Bodies:
 @lru_cache(maxsize=96)
 def _block(
     elements: int,
-    ellipticity: float,
-    stretch: tuple[float, float],
+    proportions: tuple[float, float, float],
     poisson_ratio: float,
     family: ElementFamily,
 ) -> tuple[CondensedBody, PressureBasis]:
-    recipe = meshing.half_space(elements)
-    mesh = stretched(meshing.load(recipe), ellipticity * stretch[0], stretch[1], stretch[1])
+    mesh = stretched(meshing.load(meshing.half_space(elements)), *proportions)
     # The patch's cells are k times longer than wide: as many samples along them keep the far field exact.
-    basis = elastic_body.pressure_basis_of(mesh, samples_per_cell=3 if ellipticity < 12.0 else 5)
+    basis = elastic_body.pressure_basis_of(mesh, samples_per_cell=3 if proportions[0] < 12.0 else 5)
     return elastic_body.condense(
         mesh, basis, poisson_ratio, Support.HALF_SPACE, progress=_progress[-1], family=family
     ), basis
@@ -113,13 +114,14 @@ def condensed_bodies(
     """Both half-spaces of a problem, condensed; cached for the next contact of the same proportions."""
     # Rounded so that loads of one bearing share their bodies; the mesh need not know k to more digits.
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
+    proportions = ellipticity * stretch[0], stretch[1], stretch[1]
     _progress.append(progress)
     try:
-        race, basis = _block(elements, ellipticity, stretch, problem.race.poisson_ratio, family)
-        ball, _ = _block(elements, ellipticity, stretch, problem.ball.poisson_ratio, family)
+        race, basis = _block(elements, proportions, problem.race.poisson_ratio, family)
+        ball, _ = _block(elements, proportions, problem.ball.poisson_ratio, family)
     finally:
         _progress.pop()
-    return Bodies(ball, race, basis, meshing.half_space(elements))
+    return Bodies(ball, race, basis, meshing.half_space(elements), proportions)
 
 
 def clear_cache() -> None:
@@ -163,13 +165,25 @@ class MeshStudy:
         return mesh + self.sequence[-1].position_uncertainty(quantity) + 0.5 * (max(aligned) - min(aligned))
 
 
-def mesh_study(problem: ContactProblem, level: Level, progress: Progress = silent) -> MeshStudy:
-    """Solve a contact on every mesh of a level."""
-    counts = SEQUENCES[level]
+def mesh_study(
+    problem: ContactProblem,
+    counts: Sequence[int],
+    progress: Progress = silent,
+    proportions: ContactProblem | None = None,
+) -> MeshStudy:
+    """Solve a contact on a sequence of meshes.
+
+    Args:
+        problem: the contact.
+        counts: elements per semi-axis, coarse to fine.
+        progress: progress callback.
+        proportions: the contact that the meshes are stretched for; None: this one. Contacts of nearly its proportions
+            then share its condensed bodies.
+    """
     sequence, sizes, stretched_out = [], [], []
     for count in counts:
         for stretch in STRETCHES if count == counts[-2] else STRETCHES[:1]:
-            bodies = condensed_bodies(problem, count, stretch, progress=progress)
+            bodies = condensed_bodies(proportions or problem, count, stretch, progress=progress)
             solution, measured = solve_on(problem, bodies)
             if stretch == STRETCHES[0]:
                 sequence.append(measured)
@@ -177,6 +191,27 @@ def mesh_study(problem: ContactProblem, level: Level, progress: Progress = silen
             if count == counts[-2]:
                 stretched_out.append(measured)
     return MeshStudy(problem, solution, sequence, stretched_out, sizes, bodies)
+
+
+def field(study: MeshStudy) -> fields.Field:
+    """Displacement, stress and pressure in the raceway's half-space: the quarter x, y >= 0 of its finest mesh.
+
+    At one position of the contact's edge in the mesh, in the middle of those that the result is the mean of.
+    """
+    solution, bodies = study.solution, study.bodies
+    middle = len(solution.unit_lengths) // 2
+    length, pressure = float(solution.unit_lengths[middle]), solution.pressures[:, middle]
+    race = study.problem.race
+    mesh = stretched(meshing.load(bodies.recipe), *bodies.proportions)
+    block = elastic_body.HeldBlock(mesh, bodies.basis, race.poisson_ratio, elastic_body.Support.HALF_SPACE)
+    # Lengths in the mesh's unit, E = 1: a displacement of the real body is longer by the unit, and by 1/E.
+    moved = block.moved(pressure[:, None]).reshape(-1, 3) / race.elastic_modulus
+    space = block.space
+    x, y, z = space.nodes
+    on_contact = np.zeros(space.count)
+    surface = np.flatnonzero(z < 1e-9 * z.max())
+    on_contact[surface] = bodies.basis.values(x[surface], y[surface]) @ pressure
+    return fields.of_body(space, moved, on_contact, race).scaled(length=length, stress=1.0)
 
 
 def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:

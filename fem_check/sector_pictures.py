@@ -46,17 +46,13 @@ def _surface(mesh: BodyMesh, contacts: list[tuple[ContactFrame, Array, bool]]) -
     triangles = triangles[:, count == 1]  # a face inside belongs to two elements
     kept, numbered = np.unique(triangles, return_inverse=True)
     points = mesh.points[:, kept]
-    pressure = np.zeros(points.shape[1])
-    for frame, coefficients, on_ball in contacts:
-        xi, eta, zeta = frame.coordinates(points)
-        near = (np.abs(xi) < frame.patch.half_length) & (eta < frame.patch.half_width)
-        height = (frame.ball_height if on_ball else frame.groove_height)(xi[near], eta[near])[0]
-        near[near] = np.abs(zeta[near] - height) < 1e-5 * frame.ball.radius
-        pressure[near] = frame.basis.values(xi[near], eta[near]) @ coefficients
+    pressure = sum(
+        frame.pressure_on(points, coefficients, on_ball=on_ball) for frame, coefficients, on_ball in contacts
+    )
     return {
         "points": [_short(1e3 * axis) for axis in points],
         "triangles": numbered.reshape(triangles.shape).T.tolist(),
-        "pressure": _short(1e-6 * pressure),
+        "pressure": _short(1e-6 * np.asarray(pressure)),
     }
 
 

@@ -1,301 +1,266 @@
-"""The one file that knows numba: how the kernel is compiled, cached and announced.
+"""How the kernel runs: as the plain Python that stands in the source, or compiled, whichever answers sooner.
+
+A usual case takes plain Python some hundredths of a second: less than numba takes to be imported, and a hundredth of
+what it takes to compile. So the first cases of a process run plain, with the same digits. As with skis that are rented
+until the rent has come to their price, numba is loaded when plain Python has taken as long as loading takes, and the
+kernel is compiled when it has taken as long as one may wait for that. What a known number of cases would still take
+counts as taken.
 
 `kernel` marks the functions of the solver, `inlined` the small ones on each ball's path, `formula` those that Python
-may call too, `entry` the few through which Python solves. Only entries are written to disk, each with all that it calls
-compiled into it.
-numba would notice a change in an entry's own file only, so the cache lives in a folder named after a digest of all
-compiled files: edit any formula and the kernel is rebuilt.
+calls too, `entry` the few through which Python solves. All names stay plain functions but for the entries, which
+decide; `numba_kernel` is told of the functions when it is needed.
 
 Environment variables:
 
 ``NUMBA_DISABLE_JIT=1``
-    every function here is the plain Python that stands in the source: slower by a factor of hundreds, the same
-    equations.
-``QSBEARING_PLAIN_NUMBA=1``
-    numba's own compiler pipeline in place of `_PartCompiler` below: the same digits, twice the compilation time. For
-    versions of numba that were never tried it is used in any case.
+    everything runs plain.
+``QSBEARING_COMPILED=1``
+    nothing does.
+``QSBEARING_COMPILE_AHEAD=0``
+    no process is started that compiles beside this one (`compile_ahead`).
 """
 
 from __future__ import annotations
 
-import gc
-import hashlib
+import functools
 import os
-import shutil
 import sys
-from collections.abc import Callable
-from pathlib import Path
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from time import thread_time
 from typing import Any, TypeVar, cast
 
-import numba
-import platformdirs
-from numba import config as numba_config
-from numba.core import event as numba_event
-from numba.core.caching import IndexDataCacheFile
-from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, DefaultPassBuilder
-from numba.core.compiler_machinery import LoweringPass, register_pass
-from numba.core.typed_passes import AnnotateTypes
-from numba.core.types import unliteral
-
-from qsbearing.private_folder import fault_of, for_the_user_alone
+import numpy as np
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-COMPILED = not numba_config.DISABLE_JIT  # type: ignore[attr-defined]
-"""False when the kernel runs as plain Python (``NUMBA_DISABLE_JIT=1``)."""
+HAS_NUMBA = find_spec("numba") is not None
+COMPILED = HAS_NUMBA and os.environ.get("NUMBA_DISABLE_JIT", "0") in ("0", "")
+"""False when the kernel runs as plain Python only."""
+ALWAYS = COMPILED and os.environ.get("QSBEARING_COMPILED") == "1"
 
-KEPT_VERSIONS = 4
-"""Compiled kernels of this many versions of the source stay in the user's cache."""
-
-
-def _source_digest() -> str:
-    digest = hashlib.sha256(numba.__version__.encode())
-    for path in sorted(Path(__file__).parent.rglob("*.py")):
-        source = path.read_bytes()
-        if b"qsbearing.compiled" in source or path.name in ("workspace.py", "case.py"):
-            digest.update(source)
-    digest.update(b"parts" if _BUILDS_PARTS else b"plain")
-    return digest.hexdigest()[:16]
-
-
-def _usable_cache_folder() -> tuple[str | None, str]:
-    """(the folder for this source's compiled kernel, made; why None): one to which nobody but the user can write.
-
-    What numba caches is pickled, so that whoever writes to the folder has his own code run.
-    """
-    root = Path(os.environ.get("NUMBA_CACHE_DIR") or platformdirs.user_cache_dir("qsbearing"))
-    try:
-        root = root.resolve()
-        folder = root / f"kernel-{_source_digest()}"
-        with for_the_user_alone():
-            folder.mkdir(parents=True, exist_ok=True)
-        fault = fault_of(folder)
-        if fault is not None:
-            return None, f"{fault}: remove it, or name a folder of your own in NUMBA_CACHE_DIR"
-        os.utime(folder)
-        _forget_old_kernels(root)
-    except OSError as error:
-        return None, f"{error.filename or root}: {error.strerror}"
-    return (str(folder), "") if os.access(folder, os.W_OK) else (None, f"{folder} cannot be written to")
+# Seconds of processor time that plain Python may take before the other is chosen: about what loading takes, with numba
+# and once numba is there, and half of what compiling the solver takes.
+LOADING, LOADING_MORE, COMPILING = 0.3, 0.1, 4.0
+SHARE = 0.1
+"""An entry is loaded or compiled only if this part of the time was its own."""
+FEW = 4
+"""So many cases at once may run plain before it is known what one takes."""
+MANY = 1000
+"""So many always pay."""
 
 
-def _forget_old_kernels(root: Path) -> None:
-    by_age = sorted(root.glob("kernel-*"), key=lambda path: path.stat().st_mtime, reverse=True)
-    for stale in by_age[KEPT_VERSIONS:]:
-        shutil.rmtree(stale, ignore_errors=True)
+class _Work(threading.local):
+    """What a thread is at."""
+
+    cases = 1
+    """In the call at hand."""
+    ahead = 0.0
+    """Seconds of plain Python that the cases to come would take, this call's included."""
+    plain = 0.0
+    """Seconds of plain Python so far."""
 
 
-# The pipeline of parts relies on internals of numba that were tried with these versions only.
-_BUILDS_PARTS = (0, 61) <= numba.version_info[:2] <= (0, 68) and os.environ.get("QSBEARING_PLAIN_NUMBA") != "1"
-_CACHE_FOLDER, _NO_FOLDER = _usable_cache_folder() if COMPILED else (None, "")
-_entries: set[str] = set()
+class _Process:
+    """What holds for the process."""
+
+    always = ALWAYS
+    compiles_ahead = False
+    """Whether a process may be started that compiles."""
+    fault = ""
+    """Why numba cannot be loaded."""
+    plain = 0.0
+    """Seconds of plain Python so far, of all threads."""
+    is_slowness_said = False
+    lock = threading.RLock()
 
 
-class _Part(JITCodeLibrary):
-    """The code of a kernel function: there to be linked into an entry, neither optimised nor made machine code itself.
-
-    Left to itself, numba does both for every function, each time with all that it calls, and so with the lowest ones
-    many times. An entry does it once for all: well under half of the compilation time, the same digits, the same time
-    a point.
-    """
-
-    def _optimize_functions(self, ll_module: Any) -> None:
-        ll_module.data_layout = self._codegen._data_layout
-
-    def finalize(self) -> None:
-        """Nothing is left to do."""
-        self._finalized = True
-
-    def get_pointer_to_function(self, name: str) -> int:
-        """None: there is no machine code."""
-        return 0
-
-    @property
-    def codegen(self) -> _Part:
-        """Who sets the environment, which machine code alone has."""
-        return self
-
-    def set_env(self, name: str, environment: object) -> None:
-        """Nowhere."""
-
-
-class _Whole(JITCodeLibrary):
-    """The code of an entry, with all parts that it calls, and that they call."""
-
-    def finalize(self) -> None:
-        """Link, optimise, make machine code."""
-        called = dict.fromkeys(self._linking_libraries)
-        waiting = list(called)
-        while waiting:
-            library = waiting.pop()
-            of_part = library._linking_libraries if isinstance(library, _Part) else ()
-            waiting += [each for each in of_part if each not in called]
-            called |= dict.fromkeys(of_part)
-        self._linking_libraries = list(called)
-        super().finalize()
-
-
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _IntoLibrary(LoweringPass):
-    """Before a function is lowered: makes the library that takes its code."""
-
-    _name = "qsbearing_into_library"
-
-    def __init__(self) -> None:
-        super().__init__()
-
-    def run_pass(self, state: Any) -> bool:
-        state.library = state.pipeline.library(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library.enable_object_caching()
-        return True
-
-
-class _PartCompiler(CompilerBase):
-    """numba's compiler, but for where the code goes."""
-
-    library: type[JITCodeLibrary] = _Part
-
-    def define_pipelines(self) -> list[Any]:
-        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        passes.add_pass_after(_IntoLibrary, AnnotateTypes)
-        passes.finalize()
-        return [passes]
-
-
-class _WholeCompiler(_PartCompiler):
-    library = _Whole
-
-
-# error_model "numpy": no hidden branch before each division; the formulas guard their own.
-# no_cfunc_wrapper: nothing calls these from C, and each wrapper is another function to compile.
-# _nrt: nothing here allocates, so there are no references to count.
-# No fastmath: the same digits on every run, and NaN stays NaN.
-_OPTIONS: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False, "no_rewrites": True}
-_PART: Any = {"no_cpython_wrapper": True} | ({"pipeline_class": _PartCompiler} if _BUILDS_PARTS else {})
-_WHOLE: Any = {"pipeline_class": _WholeCompiler} if _BUILDS_PARTS else {}
-_njit: Any = numba.njit  # its stubs do not know these options
-
-
-def _once(dispatcher: Any) -> Any:
-    """Compiled once for all values of an argument: numba compiles a function anew for each number written in a call."""
-    if COMPILED:
-        template = dispatcher.get_call_template
-        dispatcher.get_call_template = lambda args, names: template(
-            [unliteral(each) for each in args], {name: unliteral(each) for name, each in names.items()}
-        )
-    return dispatcher
+_work, _process = _Work(), _Process()
+_functions: dict[Any, str] = {}
+_entries: list[Entry] = []
 
 
 def kernel(function: F) -> F:
-    """Compile a function of the kernel, for the entries that call it; compiled, Python cannot call it."""
-    return cast(F, _once(_njit(**_OPTIONS, **_PART)(function)))
+    """A function of the kernel, called by others of it."""
+    _functions[function] = "kernel"
+    return function
 
 
 def inlined(function: F) -> F:
-    """Compile a small function of each ball's evaluation and step, to stand in its callers' machine code.
+    """A small function of each ball's evaluation and step, to stand in its callers' machine code.
 
     Left to itself, LLVM calls most of them: a batch takes a tenth longer. The digits are the same.
     """
-    return cast(F, _once(_njit(**_OPTIONS, **_PART, forceinline=True)(function)))
+    _functions[function] = "inlined"
+    return function
 
 
 def formula(function: F) -> F:
-    """Compile a closed formula, for the kernel and for Python alike."""
-    return cast(F, _njit(**_OPTIONS, **_WHOLE)(function))
+    """A closed formula, for the kernel and for Python alike."""
+    _functions[function] = "formula"
+    return function
 
 
 def entry(function: F) -> F:
-    """Compile a function that Python calls: cached on disk, the interpreter's lock released."""
-    _entries.add(function.__qualname__)
-    before = numba_config.CACHE_DIR  # type: ignore[attr-defined]
-    try:
-        numba_config.CACHE_DIR = _CACHE_FOLDER or before  # type: ignore[attr-defined]
-        with for_the_user_alone():
-            dispatcher = _njit(**_OPTIONS, **_WHOLE, nogil=True, cache=_CACHE_FOLDER is not None)(function)
-    finally:
-        numba_config.CACHE_DIR = before  # type: ignore[attr-defined]
-    if COMPILED and _CACHE_FOLDER is not None:
-        _keep_to(_CACHE_FOLDER, dispatcher)
-    return cast(F, dispatcher)
+    """A function of the kernel that Python calls, with plain numbers, arrays and tuples of them."""
+    return cast(F, functools.wraps(function)(Entry(function)))
 
 
-def _share(folder: str, dispatcher: Any) -> None:
-    """Keep it by its module's name, where numba takes the path of the file: an installation and the copy of the source
-    from which it was made are compiled once. What the file holds still counts, when it was written does not."""
-    cache, function = dispatcher._cache, dispatcher.py_func
-    cache._cache_path = cache._impl.locator._cache_path = str(Path(folder) / function.__module__)
-    content = hashlib.sha256(Path(function.__code__.co_filename).read_bytes()).hexdigest()
-    cache._cache_file = IndexDataCacheFile(cache._cache_path, cache._impl.filename_base, content)
+class Entry:
+    """A function through which Python solves or reads: plain, or compiled as soon as that pays."""
 
+    def __init__(self, function: Any) -> None:
+        self.function = function
+        self.name = f"{function.__module__}.{function.__qualname__}"
+        self._plain = 0.0
+        self._compiled: Any = None
+        _entries.append(self)
 
-def _load_alone(cache: Any, signature: Any, target: Any) -> Any:
-    """As `load_overload` does, but numba does not first take in all that it can compile: a fifth of a start's time."""
-    with cache._guard_against_spurious_io_errors():
-        return cache._load_overload(signature, target)
+    def __call__(self, *args: Any) -> Any:
+        if self._compiled is not None:
+            return self._compiled(*args)
+        if self.runs_plain(args):
+            try:
+                return self.plain(*args)
+            except (ArithmeticError, ValueError):
+                # What numba gives without a word, plain Python may refuse: a number that is none.
+                if not self.take_up(args):
+                    raise
+        return (self._compiled or self.plain)(*args)
 
+    @property
+    def is_compiled(self) -> bool:
+        """Whether it is, in this process."""
+        return self._compiled is not None
 
-def _keep_to(folder: str, dispatcher: Any) -> None:
-    """Cache there only, for the user alone; a damaged file is said and compiled anew, where numba would end in an error
-    of pickle."""
-    cache = dispatcher._cache
-    if not Path(cache.cache_path).is_relative_to(folder):  # numba's own choice of another, which nobody has looked at
-        cache.disable()
-    elif _BUILDS_PARTS:
-        _share(folder, dispatcher)
-    load, save = _load_alone if _BUILDS_PARTS else type(cache).load_overload, cache.save_overload
-
-    def load_or_discard(signature: Any, target: Any) -> Any:
+    def plain(self, *args: Any) -> Any:
+        """Run plain; warns of numbers that are none no more than compiled."""
+        began = thread_time()
         try:
-            return load(cache, signature, target)
-        except Exception as error:  # a damaged pickle may raise anything
-            what = f"{type(error).__name__}: {error}"
-            print(f"qsbearing: a file in {folder} is damaged ({what}): it is compiled again", file=sys.stderr)
-            with for_the_user_alone():
-                cache.flush()
-            return None
+            with np.errstate(all="ignore"):
+                return self.function(*args)
+        finally:
+            taken = thread_time() - began
+            self._plain += taken
+            _work.plain += taken
+            _process.plain += taken
 
-    def save_for_the_user(signature: Any, data: Any) -> None:
-        with for_the_user_alone():
-            save(signature, data)
+    def runs_plain(self, args: tuple[Any, ...]) -> bool:
+        """Whether these arguments are for plain Python; loads or compiles it where they are not."""
+        if self._compiled is not None:
+            return False
+        if not can_compile():
+            _say_slow()
+            return True
+        if _process.always:
+            return not self.take_up(args)
+        if not self._pays(LOADING_MORE if "numba" in sys.modules else LOADING):
+            return True
+        if self.load(args):
+            return False
+        if self._compiles_beside(args):
+            return True
+        return not (self._pays(COMPILING) and self.take_up(args))
 
-    cache.load_overload, cache.save_overload = load_or_discard, save_for_the_user
+    def load(self, args: tuple[Any, ...]) -> bool:
+        """Take it up if it was compiled before; whether it is taken up."""
+        if self._compiled is None and can_compile():
+            from qsbearing.compiled_files import is_kept
+
+            if is_kept(self.name):
+                self._take_up(args, False)
+        return self._compiled is not None
+
+    def take_up(self, args: tuple[Any, ...]) -> bool:
+        """Load or compile it for such arguments; False where numba cannot be loaded."""
+        if self._compiled is None and can_compile():
+            self._take_up(args, True)
+        return self._compiled is not None
+
+    def _take_up(self, args: tuple[Any, ...], compiles: bool) -> None:
+        with _process.lock:
+            if self._compiled is not None:
+                return
+            try:
+                from qsbearing import numba_kernel
+            except (ImportError, OSError, MemoryError) as error:
+                _process.fault = f"numba cannot be loaded ({' '.join(str(error).split())[-200:]})"
+                print(f"qsbearing: {_process.fault}: cases are solved as plain Python", file=sys.stderr, flush=True)
+                return
+            self._compiled = numba_kernel.compiled_entry(self.function, self.name, args, _functions, compiles)
+
+    def _pays(self, price: float) -> bool:
+        """Whether plain Python has cost as much, or would with what is known to come."""
+        if _work.cases >= MANY or (self._plain == 0.0 and _work.cases > FEW):
+            return True
+        own = self._plain * (1.0 + _work.ahead / _process.plain if _process.plain else 1.0)
+        return _process.plain + _work.ahead >= price and own >= SHARE * price
+
+    def _compiles_beside(self, args: tuple[Any, ...]) -> bool:
+        """Whether another process compiles it, or is about to, while this one can go on."""
+        if not _process.compiles_ahead or _work.ahead >= COMPILING or _work.cases >= MANY:
+            return False
+        from qsbearing import compile_ahead
+
+        with _process.lock:
+            return compile_ahead.is_compiling(self.name, args)
 
 
-class _Compilation(numba_event.Listener):
-    """Watches our entries being compiled, and says so once, on stderr: numba fires only where it found no copy.
-
-    Meanwhile no garbage is collected: the compiler's many live objects would be gone through again and again, an eighth
-    of its time, for next to none that is dead.
-    """
-
-    def __init__(self) -> None:
-        self._said = False
-        self._depth = 0
-        self._collects = False
-
-    def on_start(self, event: numba_event.Event) -> None:
-        if self._depth == 0:
-            self._collects = gc.isenabled()
-            gc.disable()
-        self._depth += 1
-        function = event.data["dispatcher"].py_func
-        if self._said or not function.__module__.startswith("qsbearing") or function.__qualname__ not in _entries:
-            return
-        self._said = True
-        what = "the fallback for hard cases" if "fallback" in function.__module__ else "the solver"
-        if ".readings." in function.__module__:
-            what = "a reading"
-        if "lanes" in function.__module__:
-            what = "the solver of batches"
-        when = f"once, cached in {_CACHE_FOLDER}" if _CACHE_FOLDER else f"at each start, not cached: {_NO_FOLDER}"
-        print(f"qsbearing: compiling {what}, some seconds ({when})", file=sys.stderr, flush=True)
-
-    def on_end(self, event: numba_event.Event) -> None:
-        self._depth -= 1
-        if self._depth == 0 and self._collects:
-            gc.enable()
+@contextmanager
+def cases(count: int, ahead: float = 0.0) -> Iterator[None]:
+    """What is called within is for so many cases at once; plain Python would take so many seconds more in all."""
+    before = _work.cases, _work.ahead
+    _work.cases, _work.ahead = count, ahead
+    try:
+        yield
+    finally:
+        _work.cases, _work.ahead = before
 
 
-if COMPILED:
-    numba_event.register("numba:compile", _Compilation())
+def plain_seconds() -> float:
+    """Processor time that this thread has spent in plain Python."""
+    return _work.plain
+
+
+def is_compiled(entry: Any) -> bool:
+    """Whether this entry is, in this process."""
+    return bool(entry.is_compiled)
+
+
+def can_compile() -> bool:
+    """Whether there is another way than plain Python."""
+    return COMPILED and not _process.fault
+
+
+def may_run_plain(count: int) -> bool:
+    """Whether some of so many cases may run plain before others are compiled."""
+    return can_compile() and not (_process.always or count >= MANY)
+
+
+def always_compiled() -> None:
+    """From now on nothing runs plain: for those who measure."""
+    _process.always = COMPILED
+
+
+def compile_ahead() -> None:
+    """From now on a process beside this one may compile what this one will need: for those who go on solving."""
+    _process.compiles_ahead = COMPILED and os.environ.get("QSBEARING_COMPILE_AHEAD", "1") != "0"
+
+
+def _say_slow() -> None:
+    """Once, where many cases are solved plain for want of numba."""
+    if _process.is_slowness_said or HAS_NUMBA or _work.cases < MANY:
+        return
+    _process.is_slowness_said = True
+    what = "solving a batch as plain Python, hundreds of times slower: install numba (pip install numba)"
+    print(f"qsbearing: {what}", file=sys.stderr, flush=True)
+
+
+def _after_fork() -> None:
+    _process.lock = threading.RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)

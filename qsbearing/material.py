@@ -93,3 +93,8 @@ def material_errors(field: str, material: Material) -> list[ErrorDetail]:
         *within(f"{field}.density", material.density, DENSITY, 100.0, 25000.0),
         *([] if expansion is None else within(f"{field}.thermal_expansion", expansion, EXPANSION, -1e-5, 1e-4)),
     ]
+
+
+def material_named(word: str) -> Material | None:
+    """The material of `BY_NAME` that a word names, in any letters, with an underscore in place of a space too."""
+    return BY_NAME.get(word.lower().replace("_", " "))

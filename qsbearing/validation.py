@@ -22,6 +22,7 @@ from qsbearing.units import deg, mm, rpm
 _PLAIN = (float, int, np.float64)
 
 _DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")
 
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
@@ -131,10 +132,21 @@ def shown(value: Any) -> str:
     return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
 
 
-def decimal_comma(text: object) -> str:
-    """The number that a text with a decimal comma means, with a point: 22.225 for "22,225"; empty for any other."""
-    found = _DECIMAL_COMMA.fullmatch(text.strip()) if isinstance(text, str) else None
-    return f"{found[1]}.{found[2]}" if found else ""
+def comma_advice(text: object) -> str:
+    """How to write a number that a text has with a comma, such as "22,225"; empty for any other text.
+
+    A comma before three digits may stand before decimals or between thousands: both readings.
+    """
+    given = text.strip() if isinstance(text, str) else ""
+    decimals, whole = _DECIMAL_COMMA.fullmatch(given), given.replace(",", "")
+    point = f"{decimals[1]}.{decimals[2]}" if decimals else ""
+    if not _THOUSANDS.fullmatch(given):
+        return f"Decimals take a point: {point}" if point else ""
+    if not point:
+        return f"Thousands take no comma: {whole}"
+    value = f"{float(point):g}"
+    meant = point if point == value else f"{point}, which is {value}"
+    return f"Write {whole} (thousands take no comma) or {meant} (decimals take a point)"
 
 
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:

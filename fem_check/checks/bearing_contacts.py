@@ -38,7 +38,7 @@ from fem_check.scenes import (
     solve_set,
     solved,
 )
-from fem_check.solids.true_contact import READ, TrueContact, room
+from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
 
 ELEMENTS = {Level.QUICK: (3, 4, 5), Level.RELEASE: (4, 6, 8)}
 """Of true bodies, per semi-axis."""
@@ -126,13 +126,18 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
     angle, pressed = round(contact.reported("angle"), 6), float(f"{contact.reported('load'):.5g}")
     groove = contact.drawing.groove(contact.race, angle)
     balls = int(np.asarray(contact.solution.scene.bearing.ball_count).ravel()[0])
-    found = []
-    try:
-        profile = profile_of(contact)
+
+    def solved(mesh_load: float) -> tuple[CondensedContact, list[list[dict[str, float]]]]:
+        profile = profile_of(contact, mesh_load)
+        found = []
         for number, count in enumerate(elements):
             progress(f"{contact.race}, true bodies, {count} elements per semi-axis", number / len(elements))
-            condensed = TrueContact(groove, balls, pressed, count, profile).condensed()
+            condensed = TrueContact(groove, balls, mesh_load, count, profile).condensed()
             found.append([condensed.over_hertz(pressed, follows_surface=True, parabola=each) for each in (False, True)])
+        return condensed, found
+
+    try:
+        condensed, found = with_room(solved, pressed)
     except (MeshError, ContactError, np.linalg.LinAlgError) as problem:
         return str(problem)
     values = {}
@@ -144,10 +149,11 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
     return OverHertz(values, mesh, condensed.solver)
 
 
-def profile_of(contact: Heaviest) -> RingProfile:
-    """The section of a contact's ring."""
+def profile_of(contact: Heaviest, load: float | None = None) -> RingProfile:
+    """The section of a contact's ring, with room for the contact at a load [N]; None: at its own."""
     scene, source = contact.solution.scene, contact.source
-    needs = room(contact.drawing.groove(contact.race, contact.reported("angle")), contact.reported("load"))
+    groove = contact.drawing.groove(contact.race, contact.reported("angle"))
+    needs = room(groove, contact.reported("load") if load is None else load)
     return ring_sections(scene, source).profile(drawing_at_rest(scene, source), contact.race, needs)
 
 
@@ -287,7 +293,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         true: dict[str, OverHertz | Refused] = {}
         for race, contact in contacts.items():
             progress(f"{race}, half-spaces", 0.0)
-            ideal[race] = half_space_contact.mesh_study(contact.problem, level, progress)
+            ideal[race] = half_space_contact.mesh_study(contact.problem, half_space_contact.SEQUENCES[level], progress)
             true[race] = true_bodies(contact, ELEMENTS[level], progress)
         on_half_spaces = equilibrium_rows(contacts, HALF_SPACES, _of_half_spaces(contacts, ideal), level)
         of_true_bodies = equilibrium_rows(contacts, TRUE_BODIES, _of_true_bodies(contacts, true), level)

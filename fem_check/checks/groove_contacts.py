@@ -48,5 +48,5 @@ def single(
     case: str, problem: ContactProblem, level: Level, progress: Progress, source: str
 ) -> tuple[list[Row], MeshStudy]:
     """One contact: its rows and the mesh study."""
-    found = half_space_contact.mesh_study(problem, level, progress)
+    found = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[level], progress)
     return half_space_contact.rows(case, found, level, source), found

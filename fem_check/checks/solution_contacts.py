@@ -336,7 +336,7 @@ def contact_rows(
             continue
         of_shape: list[Row] = []
         for extreme in extremes:
-            study = half_space_contact.mesh_study(extreme.problem, level, progress)
+            study = half_space_contact.mesh_study(extreme.problem, half_space_contact.SEQUENCES[level], progress)
             of_shape += element_rows(contacts, study, level)
         rows += collapsed(of_shape, f"{of_race}; finite elements")
     return rows, study

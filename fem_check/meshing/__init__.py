@@ -13,6 +13,7 @@ from fem_check.meshing.files import (
     load,
     locate,
     manifest,
+    origin,
     read,
     write_committed,
 )
@@ -37,6 +38,7 @@ __all__ = [
     "locate",
     "make",
     "manifest",
+    "origin",
     "read",
     "write_committed",
 ]

@@ -158,3 +158,8 @@ def read(path: Path) -> MeshHex:
         if not np.any(on_plane, axis=0).all():
             raise MeshError(f"{path}: faces tagged {tag} do not lie where that tag belongs")
     return mesh
+
+
+def origin(recipe: Recipe) -> str:
+    """Where a recipe's mesh is from: shipped with the package, or made by gmsh on this machine."""
+    return "shipped" if recipe.file_name in manifest() else "made by gmsh"

@@ -130,7 +130,8 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
         raise MeshError(
             f"a contact at {np.degrees(angle):.1f} deg whose elements need {np.degrees(reach):.1f} deg to either side "
             f"does not fit a groove from {-np.degrees(section.low_shoulder):.0f} to "
-            f"{np.degrees(section.high_shoulder):.0f} deg"
+            f"{np.degrees(section.high_shoulder):.0f} deg: reduce the load, or state the shoulder's diameter if the "
+            "groove reaches farther"
         )
     _refuse_too_thin(section)
     with gmsh_model() as gmsh:

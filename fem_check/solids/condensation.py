@@ -62,6 +62,16 @@ def condense_supported(
     return CondensedSolid(flexibility, len(free), solver, moved - (of_held @ forces[held]).toarray(), dilation)
 
 
+def moved(body: TetrahedralBody, force: Array, fixed: Array, turn: sp.csr_matrix | None = None) -> Array:
+    """Displacement (node, 3) under a force, held as for `condense_supported`."""
+    turn = sp.identity(3 * body.space.count, format="csr") if turn is None else turn
+    free = np.flatnonzero(~fixed.ravel())
+    matrix = sp.csr_matrix(turn.T @ body.stiffness @ turn)
+    found = np.zeros(3 * body.space.count)
+    found[free] = factorise(sp.csc_matrix(matrix[free][:, free])).solve((turn.T @ force)[free, None])[:, 0]
+    return np.asarray(turn @ found).reshape(-1, 3)
+
+
 def _dilation(body: TetrahedralBody, matrix: sp.csr_matrix) -> float:
     position = body.nodes.T.ravel()
     return float(position @ (matrix @ position))

@@ -155,6 +155,22 @@ class ContactFrame:
         offset = points[:2] - self.origin[:, None]
         return np.stack([self.tangent @ offset, points[2], self.normal @ offset])
 
+    def pressure_on(self, points: Array, pressure: Array, *, on_ball: bool) -> Array:
+        """Pressure at points of a body, zero away from the contact, (point,).
+
+        Args:
+            points: (axial, radial, tangential), (3, point).
+            pressure: its coefficients, (basis,).
+            on_ball: which body's surface.
+        """
+        xi, eta, zeta = self.coordinates(points)
+        near = (np.abs(xi) < self.patch.half_length) & (eta < self.patch.half_width)
+        height = (self.ball_height if on_ball else self.groove_height)(xi[near], eta[near])[0]
+        near[near] = np.abs(zeta[near] - height) < 1e-5 * self.ball.radius
+        found = np.zeros(points.shape[1])
+        found[near] = self.basis.values(xi[near], eta[near]) @ pressure
+        return found
+
     @cached_property
     def resultants(self) -> Array:
         """Force on the raceway in the plane, of each basis function, both halves; shape (2, basis)."""

@@ -23,6 +23,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from qsbearing.app import answers
+from qsbearing.compiled import compile_ahead
 from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.io.file_errors import MOST_SHOWN
@@ -62,7 +63,8 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL) -> Starlette:
     """
     first = answers.start(source)
     warm = {"document": first["document"], "label": first["label"]}
-    answers.solved(**warm)  # the solver is compiled and the drawing loaded before somebody waits
+    compile_ahead()
+    answers.solved(**warm)  # the drawing is loaded before somebody waits
 
     async def start(request: Request) -> Response:
         return JSONResponse(first)

@@ -9,7 +9,13 @@ from typing import Any
 import numpy as np
 
 from qsbearing.chooser import choose
+<<<<<<< HEAD
+=======
+from qsbearing.chooser.comparison import by_quantity
+from qsbearing.compiled import is_compiled
+>>>>>>> main
 from qsbearing.effects import EFFECTS, Entry
+from qsbearing.kernel.solve_case import solve_cases
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.changes import Change, changes
 from qsbearing.solution.comparison import by_quantity
@@ -42,6 +48,7 @@ class Row:
     actual: dict[str, float | None] | None
     """The same, found by solving with and without it; likewise."""
     time_with_over_without: float | None
+    """Where the kernel runs compiled."""
     verdict: str
     why: str
     add: list[str]
@@ -157,15 +164,17 @@ def verdict(
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 
-def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float]:
+def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float | None]:
     """What a solve with it and one without differ by, and the time of the first over that of the other: medians of
-    solves in turn."""
+    solves in turn, of the compiled kernel; None where it runs as plain Python."""
     scenes = finer, coarser
-    times: list[list[float]] = [[], []]
-    found: list[Solution] = []
+    found = [solve(each, threads=1) for each in scenes]
+    times = [[each.seconds] for each in found]
+    with_it, without = found
+    if not is_compiled(solve_cases):
+        return by_quantity(without, with_it), None
     while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
         found = [solve(each, threads=1) for each in scenes]
         for taken, each in zip(times, found, strict=True):
             taken.append(each.seconds)
-    with_it, without = found
     return by_quantity(without, with_it), statistics.median(times[0]) / statistics.median(times[1])

@@ -33,7 +33,11 @@ MOST_POINTS = 100_000_000
 @click.option("--minimise", metavar="NAME", help="A result to make as small as the limits allow.")
 @click.option("--maximise", metavar="NAME", help="A result to make as large as the limits allow.")
 @click.option(
-    "--points", type=click.IntRange(1, MOST_POINTS), metavar="N", help="Number of sample points over all ranges."
+    "--points",
+    type=click.IntRange(1, MOST_POINTS),
+    metavar="N",
+    help="Number of points over all ranges that the "
+    "search begins with; it then solves some thousand more near the best of them.",
 )
 @click.option("--seed", type=click.IntRange(0), default=0, metavar="N", help="Seed of the sample; 0 if not given.")
 @click.option(

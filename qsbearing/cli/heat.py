@@ -38,7 +38,8 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
     """Find the steady temperatures of SCENE, a bearing or a set of rows with a table [thermal].
 
     Steady states are followed from standstill with rising speed, up to the speed at which their curve turns back
-    (thermal runaway of the preload) or reaches the temperature limit.
+    (thermal runaway of the preload) or reaches the temperature limit. Where the friction is that of the contacts alone,
+    a lower bound, this is also shown with Palmgren's friction of the whole bearing.
 
     Exit codes: 0 a steady state is found, 1 there is none or no equilibrium, 2 bad input.
     """
@@ -57,10 +58,15 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         from qsbearing.io.json_record import how_it_ended, thermal
         from qsbearing.io.thermal_report import course_record, speeds_record
 
-        found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "transient": None}
+        found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
+        found["transient"] = None
         if transient is None:
             with solving(loaded):
                 found["speeds"] = speeds_record(state)
+            if loaded.thermal.friction == "contacts":
+                from qsbearing.io.thermal_report import whole_bearing_record
+
+                found["whole_bearing"] = whole_bearing_record(loaded)
         else:
             try:
                 found["transient"] = course_record(_course(state, transient, start))
@@ -102,12 +108,12 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
 
 def _show(found: dict[str, Any]) -> None:
     from qsbearing.documents.model import Block, Paragraph
-    from qsbearing.io.thermal_report import course_table, speeds_table, thermal_tables
+    from qsbearing.io.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 
     parts: list[Block] = (
         thermal_tables(found["thermal"]) if found["status"] == "converged" else [Paragraph(found["message"])]
     )
-    for name, table in (("speeds", speeds_table), ("transient", course_table)):
+    for name, table in (("speeds", speeds_table), ("whole_bearing", whole_bearing_table), ("transient", course_table)):
         if found[name] is not None:
             parts += [table(found[name]), Paragraph(found[name]["message"], is_apart=True)]
     print_table(parts)
@@ -119,4 +125,4 @@ def _picture(found: dict[str, Any], state: ThermalState, title: str, target: str
 
     if found["transient"] is not None:
         return picture_bytes(over_time(found["transient"], title), target)
-    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm, title), target)
+    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm, title, found["whole_bearing"]), target)

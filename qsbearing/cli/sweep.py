@@ -22,6 +22,7 @@ from qsbearing.cli.files import (
 )
 from qsbearing.cli.output import UNSOLVED, note, print_table, progress_bar, refuse
 from qsbearing.cli.vary import study_of, vary_option
+from qsbearing.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -127,7 +128,7 @@ def _place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]
     elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
         found.append(f"--out {out}: the file exists already; --overwrite replaces it")
     if form == ".parquet" and missing("pyarrow"):
-        found.append("--out *.parquet needs pyarrow: pip install pyarrow")
+        found.append(f"--out *.parquet needs pyarrow: {pip_install('tables')}")
     if resume and form != ".nc":
         found.append("--resume needs --out FILE.nc: only then are the finished chunks kept")
     return found

@@ -61,7 +61,10 @@ class Found:
     objective (without one: each goal) stays within 1 %. Empty where no point is feasible."""
     feasible_share: float
     """Of the sample over the whole box, goals within 1 %."""
+    sampled: int
+    """Points of the sample."""
     evaluations: int
+    """All points that were solved: those of the sample and those near the best of them."""
     seconds: float
     scene: Scene | BearingSet
     """With the values found."""
@@ -94,7 +97,8 @@ def find(
         goals: "NAME=VALUE", such as "effective_stiffness_radial_y=200", in the unit of the result.
         limits: "NAME<=VALUE" or "NAME>=VALUE", such as "inner.max_pressure_MPa<=1700".
         minimise, maximise: a result's name.
-        points: of the sample; 4,096 for one variable, doubled with each further one.
+        points: of the sample; 4,096 for one variable, doubled with each further one. Some thousand more are then
+            solved near the best ones.
         seed: of the sample.
         progress: called with the points done and all that are expected.
 
@@ -170,7 +174,7 @@ def searched(
 
     return Found(
         asked, best.is_feasible, values, results, units, _binding(asked, best), _failed(asked, best), ranges,
-        best.feasible_share, best.evaluations, time.perf_counter() - began, scene, for_pictures,
+        best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files import table as stored
 from qsbearing.files.table import Columns
-from qsbearing.io.csv_table import csv_bytes, inert
+from qsbearing.io.csv_table import csv_bytes, xlsx_bytes
 from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
 from qsbearing.scene.scene import Scene
 from qsbearing.studies import keys
@@ -21,7 +21,7 @@ from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.results import Result
 from qsbearing.studies.results import find as find_result
-from qsbearing.studies.scenes import base_scene, scene_of_points
+from qsbearing.studies.scenes import base_scene, check_base, scene_of_points
 from qsbearing.studies.study import Study
 from qsbearing.studies.variables import Axis
 from qsbearing.threads import thread_count
@@ -51,7 +51,8 @@ def solve_table(
     table: dict[str, list[Any]],
     file: str = "points",
     progress: Callable[[int, int], object] | None = None,
-) -> dict[str, list[Any]]:
+    keep: Callable[[Columns], object] | None = None,
+) -> Columns:
     """Solve a scene at each row of a table.
 
     Args:
@@ -59,6 +60,7 @@ def solve_table(
         table: columns by heading: keys of the scene file, and `LABELS`, which are copied.
         file: what to call the table in errors.
         progress: called with the rows done and all of them.
+        keep: called with the columns of some rows, as they are returned, as soon as these are solved.
 
     Returns:
         The columns of the table, then `status` (a row that describes no bearing is "impossible"), `reason`, and the
@@ -73,22 +75,32 @@ def solve_table(
     good = np.flatnonzero([not reason for reason in reasons])
     study = Study.of(source, {key: _some(values[key][good]) for key in values})
     some = {key: column[good] for key, column in values.items()}
+    check_base(study)
     plan = _plan(study, some, good.size)
-    found = {result.column: np.full(count, np.nan) for result in plan.results}
-    status = ["impossible"] * count
-    for start in range(0, good.size, CHUNK):
-        numbers = good[start : start + CHUNK]
-        chunk = solve_points(plan, {key: column[numbers] for key, column in values.items()}, thread_count())
-        for place, row in enumerate(numbers):
-            status[row] = STATUSES[chunk.status[place]]
-            reasons[row] = chunk.reasons[chunk.reason[place]]
-        for result in plan.results:
-            found[result.column][numbers] = chunk.results[result.name]
-        if progress is not None:
-            progress(int(numbers[-1]) + 1, count)
     given = table | {heading: _written(table[heading], values[key]) for heading, key in named.items()}
-    results = {name: column.tolist() for name, column in found.items() if name not in table}
-    return given | {"status": status, "reason": reasons} | results
+    whole: Columns = {}
+    for start in range(0, count, CHUNK):
+        rows = slice(start, min(start + CHUNK, count))
+        numbers = good[(good >= rows.start) & (good < rows.stop)]
+        found = {result.column: np.full(rows.stop - rows.start, np.nan) for result in plan.results}
+        status = ["impossible"] * (rows.stop - rows.start)
+        if numbers.size:
+            chunk = solve_points(plan, {key: column[numbers] for key, column in values.items()}, thread_count())
+            for place, row in enumerate(numbers):
+                status[row - start] = STATUSES[chunk.status[place]]
+                reasons[row] = chunk.reasons[chunk.reason[place]]
+            for result in plan.results:
+                found[result.column][numbers - start] = chunk.results[result.name]
+        results = {name: column.tolist() for name, column in found.items() if name not in table}
+        part = {name: cells[rows] for name, cells in given.items()}
+        part |= {"status": status, "reason": reasons[rows]} | results
+        if keep is not None:
+            keep(part)
+        for name, cells in part.items():
+            whole.setdefault(name, []).extend(cells)
+        if progress is not None:
+            progress(rows.stop, count)
+    return whole
 
 
 def _written(cells: list[Any], numbers: NDArray) -> list[Any]:
@@ -130,9 +142,10 @@ def _numbers(table: dict[str, list[Any]], named: dict[str, str], count: int) -> 
                 if isinstance(cell, bool):
                     raise ValueError
                 values[key][row] = float(cell)
-            except (TypeError, ValueError):
+            except (TypeError, ValueError, OverflowError):
                 pass
             if not np.isfinite(values[key][row]):
+                values[key][row] = np.nan
                 wrong[row].append(f"{heading}: " + ("the cell is empty" if cell is None else "is not a finite number"))
     return values, ["; ".join(parts) for parts in wrong]
 
@@ -170,19 +183,35 @@ def _kept(known: tuple[Result, ...]) -> list[Result]:
     return [each for each in kept if each is not None]
 
 
-def table_bytes(columns: dict[str, list[Any]], ending: str) -> bytes:
-    """The columns as a file of this ending."""
+def table_bytes(columns: Columns, ending: str) -> bytes:
+    """The columns as a file of this ending; a cell that its format has no room for is a text, or empty."""
     if ending == ".csv":
         return csv_bytes(columns)
-    import pandas
+    return xlsx_bytes(columns) if ending == ".xlsx" else _parquet_bytes(columns)
+
+
+def _parquet_bytes(columns: Columns) -> bytes:
+    import pyarrow
+    from pyarrow import parquet
 
     data = BytesIO()
-    frame = pandas.DataFrame(columns)
-    if ending == ".xlsx":
-        frame.map(inert).to_excel(data, index=False)
-    else:
-        for heading in frame.columns:
-            if heading.lower() not in (*LABELS, "status", "reason"):
-                frame[heading] = pandas.to_numeric(frame[heading], errors="coerce")  # a column has one type
-        frame.to_parquet(data, index=False)
+    held = {
+        name: _alike(cells) if name.lower() in (*LABELS, "status", "reason") else list(map(_number, cells))
+        for name, cells in columns.items()
+    }
+    parquet.write_table(pyarrow.table(held), data)
     return data.getvalue()
+
+
+def _alike(cells: list[Any]) -> list[Any]:
+    """Labels of one kind: numbers beside texts are texts too."""
+    kinds = {type(cell) for cell in cells if cell is not None}
+    return cells if len(kinds) <= 1 else [None if cell is None else str(cell) for cell in cells]
+
+
+def _number(cell: Any) -> float | None:
+    try:
+        found = float(cell)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    return found if np.isfinite(found) else None

@@ -58,7 +58,8 @@ def tables(found: Found) -> list[Block]:
         lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
     lines += [f"Binding: {each}" for each in found.binding]
     lines += [f"Not met: {each}" for each in found.failed]
-    lines.append(f"{found.evaluations:,} points, {found.seconds:.2g} s")
+    more = found.evaluations - found.sampled
+    lines.append(f"{found.sampled:,} points over all ranges and {more:,} near the best ones, {found.seconds:.2g} s")
     return [
         Paragraph(heading(found)),
         Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
@@ -83,6 +84,7 @@ def record(found: Found) -> dict[str, Any]:
         "warnings": found_remarks(found),
         "ranges": {key: list(ends) for key, ends in found.ranges.items()},
         "feasible_share": found.feasible_share,
+        "sampled": found.sampled,
         "evaluations": found.evaluations,
         "seconds": found.seconds,
     }
@@ -94,7 +96,12 @@ def picture(found: Found) -> Figure:
 
     ranged = [each for each in found.wanted.variables if not each.values]
     over = ranged[:2] or [found.wanted.variables[0]]
-    axes = [Along(each.key, found.units[each.key], _spread(each), found.values[each.key], each.is_log) for each in over]
+    places = {each.key: _spread(each) for each in over}
+    if len(over) == 1:  # the curve meets the star
+        places = {key: np.union1d(values, [found.values[key]]) for key, values in places.items()}
+    axes = [
+        Along(each.key, found.units[each.key], places[each.key], found.values[each.key], each.is_log) for each in over
+    ]
     grid = dict(zip((each.key for each in over), np.meshgrid(*(each.values for each in axes)), strict=True))
     results = found.evaluate({key: np.asarray(value) for key, value in found.values.items()} | grid)
     shown = [

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.studies import keys
-from qsbearing.validation import decimal_comma
+from qsbearing.validation import comma_advice
 
 MOST_VARIABLES = 6
 """Of a search over a scene (chosen: 16,000 points still see every pair of them in some detail)."""
@@ -150,6 +151,9 @@ def _variable(name: str, given: Any) -> Variable:
     if is_log and low_end <= 0.0:
         raise ValueError(f"starts at {low_end:g}: a logarithmic range needs a start above zero")
     if key.name in WHOLE:
+        least, most = BALL_COUNT_RANGE
+        if low_end < least or high_end > most:
+            raise ValueError(f"is beyond what a bearing has: {least} to {most} balls")
         whole = tuple(float(value) for value in range(ceil(low_end), floor(high_end) + 1))
         if len(whole) < 2:
             raise ValueError("holds fewer than two whole numbers")
@@ -178,8 +182,8 @@ def _number(given: Any) -> float:
     try:
         value = float(given)
     except (TypeError, ValueError):
-        with_point = decimal_comma(given)
-        cause = f". Decimals take a point: {with_point}" if with_point else ""
+        advice = comma_advice(given)
+        cause = f". {advice}" if advice else ""
         raise ValueError(f"{str(given).strip()!r} is not a number{cause}") from None
     if isinstance(given, bool) or not isfinite(value):
         raise ValueError(f"{given} is not a finite number")

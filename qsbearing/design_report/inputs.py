@@ -177,7 +177,7 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
     Args:
         bearing: whose catalogue may have given a number; None: of several.
     """
-    nodes = {node for each in heat.conductances for node in each.between} if heat is not None else set()
+    nodes = heat.found_nodes if heat is not None else ()
     of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
     found: list[Line] = []
     for effect in effects:

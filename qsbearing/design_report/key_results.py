@@ -110,6 +110,9 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     given = set(range(len(CHANNELS))) - free
     reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "N m"), given)
     lines = [(f"displacement of the {what}", moved), (f"effective stiffness, {freedom(free)}", stiff)]
+    middle = solution.axial_from_middle if isinstance(solution, Solution) else None
+    if middle is not None:
+        lines.insert(1, ("axial displacement from the middle", f"{_number(float(middle) / um)} µm"))
     lines.append(("load where a displacement is given", reactions))
     return [line for line in lines if line[1]]
 

@@ -91,7 +91,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
 
 def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     row = solution.rows[number]
-    nodes = () if solution.thermal is None else solution.thermal.thermal.nodes
+    heat = None if solution.thermal is None else solution.thermal.thermal
     drawn = picture(
         contact_ellipses(row),
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
@@ -100,6 +100,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     said = remarks(messages.warnings(row))
     return Section(
         _name(solution, number),
-        [*said, *report.tables_of_balls(row, nodes), drawn, *readings_tables(found, row.scene)],
+        [*said, *report.tables_of_balls(row, heat), drawn, *readings_tables(found, row.scene)],
         f"row-{number + 1}",
     )

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import inlined
-from qsbearing.effects.entry import Entry, Errors, effect, largest, uncompiled
+from qsbearing.effects.entry import Entry, Errors, effect, for_arrays, largest
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 
@@ -43,7 +43,7 @@ def centrifugal_force(
 def _over_load(point: OperatingPoint) -> NDArray:
     bearing = point.bearing
     orbit = (point.orbital_speed, 0.0, 0.0)
-    force, _, _ = uncompiled(centrifugal_force)(bearing.ball_mass, bearing.pitch_diameter, orbit)
+    force, _, _ = for_arrays(centrifugal_force)(bearing.ball_mass, bearing.pitch_diameter, orbit)
     return point.over_load(force)
 
 

@@ -13,8 +13,8 @@ When not      a seat with clearance, which must close first; ribbed or split hou
               from finite elements); a section that rolls about its circumference, which a face that is held prevents
 Parameters    of each ring its width, its diameter away from the groove, its shoulders and what holds it: rigid (it does
               not deflect), free, a housing or shaft of some diameter; or compliances by harmonic in place of all that
-Indicator     the turn of the contact angle by the largest deflection, over the contact angle; without parameters that
-              of a free outer ring of usual section
+Indicator     the turn of the contact angle by the largest deflection under the loads of rigid rings, over the contact
+              angle: far too much under radial loads, which bent rings share anew; without parameters it is solved
 Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housing="free")
 """
 

@@ -228,6 +228,6 @@ def error_in(
     return lambda point: np.asarray(times * errors(point)[quantity])
 
 
-def uncompiled(function: Any) -> Any:
-    """A function of the kernel as plain Python, which takes arrays."""
-    return getattr(function, "py_func", function)
+def for_arrays(function: Any) -> Any:
+    """A function of the kernel, stated for numbers, whose formulas hold for arrays as well."""
+    return function

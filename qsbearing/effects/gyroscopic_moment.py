@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import inlined
-from qsbearing.effects.entry import Entry, Errors, effect, largest, uncompiled
+from qsbearing.effects.entry import Entry, Errors, effect, for_arrays, largest
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 from qsbearing.validation import RATIO, choose, raise_if_any, within
@@ -115,7 +115,7 @@ def _over_load(point: OperatingPoint) -> NDArray:
     bearing, (rotation, attitude) = point.bearing, point.rotation
     axis = (np.sin(attitude), np.cos(attitude), 0.0, 0.0, 0.0, 0.0)
     orbit = (point.orbital_speed, 0.0, 0.0)
-    moment, _, _ = uncompiled(gyroscopic_moment)(bearing.ball_inertia, orbit, (rotation, 0.0, 0.0), axis)
+    moment, _, _ = for_arrays(gyroscopic_moment)(bearing.ball_inertia, orbit, (rotation, 0.0, 0.0), axis)
     return point.over_load(2.0 * np.abs(moment) / np.asarray(bearing.ball_diameter, float))
 
 

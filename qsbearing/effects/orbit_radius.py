@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.compiled import kernel
-from qsbearing.effects.entry import Entry, Errors, choice, largest, uncompiled
+from qsbearing.effects.entry import Entry, Errors, choice, for_arrays, largest
 from qsbearing.effects.operating_point import OperatingPoint
 from qsbearing.effects.parting import parting_errors
 
@@ -50,7 +50,7 @@ def _relative_change(point: OperatingPoint) -> NDArray:
     pitch = np.asarray(bearing.pitch_diameter, float)[..., None]
     length = np.asarray(np.asarray(bearing.outer_groove_radius) - 0.5 * np.asarray(bearing.ball_diameter))[..., None]
     free = np.cos(np.asarray(bearing.free_contact_angle, float))[..., None]
-    radius = uncompiled(displaced_radius)(pitch, length, free, np.cos(outer.angle), outer.approach)
+    radius = for_arrays(displaced_radius)(pitch, length, free, np.cos(outer.angle), outer.approach)
     return np.where(point.is_heavy, np.abs(radius / (0.5 * pitch) - 1.0), 0.0)
 
 

@@ -18,7 +18,7 @@ Parameters    bore and outside diameter of the bearing; interference (diametral,
               without a seat grows freely
 Indicator     the turn of the free contact angle over the contact angle; without parameters that by rotation of an
               inner ring thin at the bottom of its groove, u = rho omega^2 r^3/E, more than which no other bore gives
-              (measured: displacement, angles and loads within a factor of two of what solving finds)
+              (measured: displacement, angles and loads within a factor of two), of batches too large to be solved
 Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner_ring_temperature=60 + zero_celsius)
 """
 

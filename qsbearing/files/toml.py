@@ -10,6 +10,7 @@ from typing import Any
 from qsbearing.files.errors import refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
+from qsbearing.validation import comma_advice
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
@@ -17,7 +18,7 @@ _DEEP_KEY = re.compile(
     r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){%d}""" % DEEPEST_KEY  # noqa: UP031 - braces
 )
 
-DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$")
+_WITH_COMMA = re.compile(r"=\s*([+-]?[\d.]+,[\d.,]+)\s*(?:#.*)?$")
 """A value such as 12,7."""
 
 
@@ -57,6 +58,24 @@ def tables_of(text: str, path: Path) -> dict[str, Any]:
         raise refused(path, problem, _line_of(text, str(error))) from None
 
 
+def check_tables(document: dict[str, Any], path: Path) -> None:
+    """See that tables from elsewhere than a text have no more keys than those of one.
+
+    Raises:
+        SceneFileError: they have more, or are nested deeper.
+    """
+    count, level, inner = 0, 0, [document]
+    while inner:
+        count += sum(map(len, inner))
+        level += 1
+        if count > MOST_KEYS or level > DEEPEST_KEY:
+            what = f"{MOST_KEYS:,} keys" if count > MOST_KEYS else f"{DEEPEST_KEY} tables within each other"
+            raise refused(path, f"has more than {what}", "Data of another program?")
+        values = (each for table in inner for each in table.values())
+        lists = (value if isinstance(value, list) else [value] for value in values)
+        inner = [each for found in lists for each in found if isinstance(each, dict)]
+
+
 def _line_of(text: str, message: str) -> str:
     """The line that a TOML message points at."""
     number = message.partition("(at line ")[2].partition(",")[0]
@@ -64,8 +83,9 @@ def _line_of(text: str, message: str) -> str:
     if not number.isdecimal() or int(number) > len(lines):
         return ""
     line = lines[int(number) - 1].strip()
-    comma = DECIMAL_COMMA.search(line)
-    hint = f". Decimals take a point: {comma[1]}.{comma[2]}" if comma else ""
+    comma = _WITH_COMMA.search(line)
+    advice = comma_advice(comma[1]) if comma else ""
+    hint = f". {advice}" if advice else ""
     if "Cannot declare" in message and line.startswith("["):
         hint = ". This table is in the file already: put all its keys in one place"
     return f"line {number}: {line[:80]}{hint}"

@@ -27,14 +27,18 @@ from qsbearing.units import deg, um, zero_celsius
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.thermal.network import Thermal
 
 
-def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any]:
+def record(
+    solution: Solution, readings: Readings, index: Place = (), thermal_of: Thermal | None = None
+) -> dict[str, Any]:
     """One case as the object that `run --json` prints.
 
     Args:
         readings: what the scene asked to be read off.
         index: the case, along the solution's case axes; nothing for a single case.
+        thermal_of: of a row, the set's heat balance, which has found its temperatures.
 
     Returns:
         None stands for a number that there is not: not called for by the scene, not solved, or not defined.
@@ -51,13 +55,20 @@ def record(solution: Solution, readings: Readings, index: Place = ()) -> dict[st
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
         "elastic_rings": elastic_rings(solution, index),
-        "temperatures": temperatures(solution, index),
+        "temperatures": temperatures(solution, index, thermal_of),
         "thermal": thermal(solution, index),
         **motion_and_stiffness(solution, index),
+        "axial_from_middle_um": _from_middle(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
         **_choice(solution, index),
     }
+
+
+def _from_middle(solution: Solution, index: Place) -> float | None:
+    """Of a deep-groove bearing."""
+    found = solution.axial_from_middle
+    return None if found is None else number(np.asarray(found)[index] / um)
 
 
 def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
@@ -158,16 +169,19 @@ def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | Non
     return found
 
 
-def temperatures(solution: Solution, index: Place = ()) -> dict[str, dict[str, Any]] | None:
-    """Of rings, shaft and housing, and whether each is given; None where the scene gives none."""
+def temperatures(
+    solution: Solution, index: Place = (), thermal_of: Thermal | None = None
+) -> dict[str, dict[str, Any]] | None:
+    """Of rings, shaft and housing, and whether each is given or found; None where the scene gives none."""
     effect = solution.scene.ring_expansion
     if effect is None or not effect.is_warm:
         return None
-    nodes = () if solution.thermal is None else solution.thermal.thermal.nodes
+    balance = thermal_of if solution.thermal is None else solution.thermal.thermal
+    found = () if balance is None else balance.found_nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": "heat balance" if body in nodes else each.taken_from,
+            "from": "heat balance" if body in found and each.taken_from == "given" else each.taken_from,
         }
         for body, each in effect.temperatures.items()
     }

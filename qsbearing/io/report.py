@@ -20,6 +20,7 @@ from qsbearing.units import deg, mm, mrad, rpm, um
 
 if TYPE_CHECKING:
     from qsbearing.sets.set_solution import SetSolution
+    from qsbearing.thermal.network import Thermal
 
 SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
@@ -58,15 +59,13 @@ def tables(solution: Solution) -> list[Table]:
     return _tables(solution, record(solution, {}))
 
 
-def tables_of_balls(solution: Solution, nodes: Collection[str] = ()) -> list[Table]:
+def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:
     """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion.
 
     Args:
-        nodes: bodies whose temperatures the heat balance of a set has found.
+        thermal_of: of a row, the set's heat balance, which has found its temperatures.
     """
-    found = record(solution, {})
-    for body, each in (found["temperatures"] or {}).items():
-        each["from"] = "heat balance" if body in nodes else each["from"]
+    found = record(solution, {}, (), thermal_of)
     return [*_expansion(solution, found), *_of_balls(solution, found)]
 
 
@@ -179,9 +178,10 @@ def asked_for(found: dict[str, Any]) -> str:
 
 def duration(seconds: float) -> str:
     """How long a solve took."""
-    if seconds >= 0.1:
-        return f"{seconds:.2g} s (including the start of the compiled solver)"
-    return f"{seconds * 1e3:.2g} ms"
+    return f"{seconds:.2g} s" if seconds >= 0.1 else f"{seconds * 1e3:.2g} ms"
+
+
+FROM_MIDDLE = "axial from middle"
 
 
 def channels_table(
@@ -195,7 +195,12 @@ def channels_table(
         shown = digits(load, of_moments if channel.is_rotation else noise)
         imposed = "load" if i in solution._free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
-    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title)
+    middle, notes = found.get("axial_from_middle_um"), []
+    if middle is not None:
+        rows.insert(1, (FROM_MIDDLE, digits(middle, 1e-9), "µm", "", "", ""))
+        notes = [("axial:", "from where the balls just touch one side, at the free contact angle"),
+                 (f"{FROM_MIDDLE}:", "from where the grooves of both rings lie in one plane")]  # fmt: skip
+    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title, notes=notes)
 
 
 RINGS = (

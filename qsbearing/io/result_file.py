@@ -12,6 +12,7 @@ from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_RESULT
 from qsbearing.files.netcdf import attributes_of, json_of
 from qsbearing.files.raw import read_bytes
+from qsbearing.files.toml import check_tables
 from qsbearing.validation import printable
 
 ENDINGS = (".json", ".nc")
@@ -35,6 +36,7 @@ def input_of(path: Path, of_study: bool) -> tuple[dict[str, Any], str]:
     if not isinstance(document, dict):
         cause = "`qsbearing run --json` and `sweep --out FILE.nc` write one; results of older versions have none"
         raise refused(path, "holds no input that it could be reproduced from", cause)
+    check_tables(document, path)
     if version != __version__:
         said = f"{path}: made by qsbearing {version}; this is {__version__}, whose numbers may differ"
         warnings.warn(printable(said), OtherVersionWarning, stacklevel=2)

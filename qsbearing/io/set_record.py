@@ -56,7 +56,8 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
 
 
 def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
-    row, own = solution.set.rows[i], record(solution.rows[i], readings)
+    heat = None if solution.thermal is None else solution.thermal.thermal
+    row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat)
     state = solution.preload_state
 
     def of_row(values: NDArray | None) -> float | None:

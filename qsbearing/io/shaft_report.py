@@ -16,7 +16,6 @@ from qsbearing.solution.judgement import percent
 from qsbearing.units import mm, um
 
 DEFLECTION = "Shaft: deflection and internal forces (of the part after x on the part before)"
-GROWTH = "growth by heat is along x, from the reference position, and not in axial"
 CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")
 NOISE = 1e-9
 """Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
@@ -78,12 +77,12 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")
     heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
     grows = any(each["axial_growth_um"] is not None for each in found["line"])
-    heading += ["growth\nµm"] if grows else []
+    heading += ["growth by\nheat µm"] if grows else []
     rows = [_values(each) for each in found["line"]]
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
-    tables = [Table(heading, cells, caption=f"{DEFLECTION}; {GROWTH}" if grows else DEFLECTION)]
+    tables = [Table(heading, cells, caption=DEFLECTION)]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]

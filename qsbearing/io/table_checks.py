@@ -19,7 +19,7 @@ from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.scene.scene import CHOICES
-from qsbearing.validation import ErrorDetail, SceneError, decimal_comma
+from qsbearing.validation import ErrorDetail, SceneError, comma_advice
 
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
 """The keys of a file whose words are those of a choice."""
@@ -72,7 +72,7 @@ def checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tu
             usable.pop(name, None)
             if detail["type"] == "extra_forbidden":
                 meant = unknown_key(f"{path}.{name}", name, model.__name__, table[name], errors)
-                unusable |= {meant} - set(table)
+                unusable |= {meant} if meant not in table else set()
             else:
                 errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
                 unusable.add(name)
@@ -110,9 +110,8 @@ def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail
     if kind == "finite_number" or type(value) is int:
         return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
     cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
-    with_point = decimal_comma(value)
-    if with_point:
-        cause += f" and with a decimal point: {with_point}"
+    if advice := comma_advice(value):
+        cause += f". {advice}"
     elif isinstance(value, bool):
         cause = cause.partition(", ")[0]
     return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)

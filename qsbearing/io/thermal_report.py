@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.io.readings_record import number
 from qsbearing.io.tables import digits_of
+from qsbearing.scene.scene import Scene
 from qsbearing.solution.case_index import Place
 from qsbearing.thermal.state import Course, State, ThermalState, in_words
 from qsbearing.units import rpm, zero_celsius
+from qsbearing.validation import SceneError
+
+if TYPE_CHECKING:
+    from qsbearing.sets.bearing_set import BearingSet
 
 
 def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
@@ -56,6 +62,34 @@ def speeds_record(state: ThermalState) -> dict[str, Any]:
         "at_limit": None if curve.at_limit is None else _at_speed(state, curve.at_limit),
         "states": [_at_speed(state, each) for each in curve.states],
     }
+
+
+WHOLE = "With Palmgren's friction of the whole bearing"
+
+
+def whole_bearing_record(of: Scene | BearingSet) -> dict[str, Any]:
+    """Steady states over speed with Palmgren's friction in place of that of the contacts; without states where it lacks
+    numbers, which its message then names."""
+    from qsbearing.io.file_errors import translate
+    from qsbearing.sets.solve import solve_set
+    from qsbearing.thermal.solve import solve
+    from qsbearing.thermal.whole_bearing import with_whole_friction
+
+    try:
+        whole, assumed = with_whole_friction(of)
+        state = (solve(whole) if isinstance(whole, Scene) else solve_set(whole)).thermal
+    except SceneError as error:
+        reasons = " ".join(f"{translate(each)}." for each in error.errors)
+        return {"message": f"{WHOLE}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
+    assert state is not None
+    found = speeds_record(state)
+    basis = f"{WHOLE} (assumed: {', '.join(assumed)})" if assumed else WHOLE
+    return {**found, "message": f"{basis}: {found['message'][0].lower()}{found['message'][1:]}", "assumed": assumed}
+
+
+def whole_bearing_table(found: dict[str, Any]) -> Table:
+    """Of this record."""
+    return replace(speeds_table(found), caption="Likewise, with Palmgren's friction of the whole bearing")
 
 
 def _at_speed(state: ThermalState, each: State) -> dict[str, Any]:

@@ -19,6 +19,8 @@ from qsbearing.scene.keys import (
     Key,
 )
 
+TITLES = ("name", "title")
+"""Outside all tables they would be a title."""
 LARGEST = 1e30
 """Of a number that is worth converting: far beyond any load, far within floats."""
 
@@ -56,6 +58,8 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         section: bearing, operation, effects, the table of an effect, or material; empty for a key outside all tables.
         value: what the file gives under that key.
     """
+    if not section and name in TITLES:
+        return Suggestion("A scene is called after its file; `name` under [bearing] is an entry of the catalogue")
     for table, keys in _tables().items():
         if table != section and name in keys:
             return Suggestion(f"It belongs under {_title(table)}")

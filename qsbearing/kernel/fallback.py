@@ -191,6 +191,7 @@ def solve_unfinished(
     balls: ndarray,
     own: ndarray,
     tolerance: float,
+    budget: int,
     is_warm: bool,
     results: ndarray,
     positions: ndarray,
@@ -198,6 +199,7 @@ def solve_unfinished(
 ) -> None:
     """Solve the cases of these numbers; arguments as for `solve_cases`, iterations added to its own."""
     work = workspaces[0]
+    work.budget = budget
     for k in which:
         case, result = cases[k], results[k]
         prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])

@@ -431,13 +431,13 @@ def solve_in_lanes(
 
 
 def solve_batch(
-    cases: NDArray, workspaces: NDArray, balls: NDArray, own: NDArray, tolerance: float, is_warm: bool,
-    results: NDArray, positions: NDArray, controls: NDArray,
+    cases: NDArray, workspaces: NDArray, balls: NDArray, own: NDArray, tolerance: float, budget: int,
+    is_warm: bool, results: NDArray, positions: NDArray, controls: NDArray,
 ) -> int:  # fmt: skip
     """As `solve_cases`, from no start; in lanes what they can, whose kernel is compiled only where they know a case."""
     known = lanes_know(cases)
     if not known.any():
-        return int(solve_cases(cases, workspaces, balls, own, tolerance, is_warm, results, positions, controls))
+        return int(solve_cases(cases, workspaces, balls, own, tolerance, budget, is_warm, results, positions, controls))
     memory = lane_memory(balls.size)
     results["status"] = np.where(known, WAITING, UNFINISHED)
     solve_in_lanes(cases, workspaces, balls, own, *memory, tolerance, results, positions, controls)
@@ -445,6 +445,6 @@ def solve_batch(
     if left.size == 0:
         return 0
     found = results[left], positions[left], controls[left]
-    unfinished = solve_cases(cases[left], workspaces, balls, own[left], tolerance, is_warm, *found)
+    unfinished = solve_cases(cases[left], workspaces, balls, own[left], tolerance, budget, is_warm, *found)
     results[left], positions[left], controls[left] = found
     return int(unfinished)

@@ -48,8 +48,8 @@ UNFINISHED = 3
 # criterion; a sound one.
 NOTHING, REFUSED, CONTRADICTED, SOUND = 0, 1, 2, 3
 
-# Iterations that a case may spend, all strategies together: a thousand times what a usual case takes.
 BUDGET = 10_000
+"""Iterations that a case may spend, all strategies together: a thousand times what a usual case takes."""
 
 
 @kernel
@@ -80,7 +80,7 @@ def prepare(
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
     work.regularisation = REGULARISATION * case.series_stiffness
     set_spin_constants(case, work.ball_count, balls)
-    work.at_rest, work.iterations, work.budget, work.residual = False, 0, BUDGET, 1.0
+    work.at_rest, work.iterations, work.residual = False, 0, 1.0
     for i in range(5):
         work.displacement[i] = result.displacement[i] * work.in_plane[i] if is_warm else 0.0
         if case.displacement_given[i]:
@@ -267,6 +267,7 @@ def solve_cases(
     balls: ndarray,
     own: ndarray,
     tolerance: float,
+    budget: int,
     is_warm: bool,
     results: ndarray,
     positions: ndarray,
@@ -276,9 +277,11 @@ def solve_cases(
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
     case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
-    there are none. An unfinished case keeps its start. Returns how many are unfinished.
+    there are none. A case that has taken `budget` iterations is not taken further. An unfinished case keeps its start.
+    Returns how many are unfinished.
     """
     work = workspaces[0]
+    work.budget = budget
     unfinished = 0
     for k in range(cases.size):
         case, result = cases[k], results[k]

@@ -120,16 +120,19 @@ def _where(part: float) -> str:
 
 def _unsupported(case: NDArray) -> str:
     """Which channel the open side leaves unsupported."""
-    loads = np.where(case["displacement_given"].astype(bool), 0.0, case["prescribed"])
-    if case["displacement_given"][0]:
+    held = case["displacement_given"].astype(bool)
+    loads = np.where(held, 0.0, case["prescribed"])
+    if held[0]:
         return "the prescribed axial displacement does not keep the balls in contact."
     if loads[0] < 0.0:
         return "the axial load acts in -x, and the bearing has no support in that direction."
     side = np.abs(loads[1:]) / np.array([1.0, 1.0, 0.5 * case["pitch_diameter"], 0.5 * case["pitch_diameter"]])
-    if side.max() == 0.0:
-        side = np.abs(case["prescribed"][1:])
-    channel = CHANNELS[int(side.argmax()) + 1].label
-    return f"the load in channel {channel} is too large for the axial load to keep the balls in contact."
+    causes = [f"the load in channel {CHANNELS[int(side.argmax()) + 1].label}"] if side.max() > 0.0 else []
+    moved = [CHANNELS[i] for i in np.flatnonzero(held & (case["prescribed"] != 0.0))]
+    causes += [f"the prescribed {each.label}{'' if each.is_rotation else ' displacement'}" for each in moved]
+    if not causes:
+        return "the axial load is too small to keep the balls in contact."
+    return f"{' or '.join(causes)} is too large for the axial load to keep the balls in contact."
 
 
 def chosen(solution: Solution, named: Scene) -> list[str]:

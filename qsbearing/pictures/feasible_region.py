@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -49,13 +49,19 @@ class Shown:
     conditions: Sequence[tuple[str, float]] = ()
     """Its goals (=) and limits (<=, >=)."""
 
-    @property
-    def forbidden(self) -> NDArray:
-        """Where one of its limits is not met."""
-        out = np.zeros(self.values.shape, bool)
+    def breaks(self, values: NDArray) -> NDArray:
+        """Where values of it do not meet one of its limits."""
+        out = np.zeros(values.shape, bool)
         for sense, level in self.conditions:
-            out |= (self.values > level) & (sense == "<=") | (self.values < level) & (sense == ">=")
+            out |= (values > level) & (sense == "<=") | (values < level) & (sense == ">=")
         return out
+
+    def crossings(self, x: NDArray) -> Iterator[NDArray]:
+        """Where along x it meets a limit just so, by straight lines between its values."""
+        for _, level in self.conditions:
+            before, after = self.values[:-1] - level, self.values[1:] - level
+            at = np.flatnonzero(before * after < 0.0)
+            yield x[at] + (x[at + 1] - x[at]) * before[at] / (before[at] - after[at])
 
 
 def draw_region(x: Along, y: Along | None, shown: Sequence[Shown], objective: str, title: str, best: str) -> Figure:
@@ -75,7 +81,7 @@ def draw_region(x: Along, y: Along | None, shown: Sequence[Shown], objective: st
     axes.set_facecolor("0.93")
     _scales(axes, x, y)
     known = np.isfinite([each.values for each in shown]).all(axis=0)
-    outside = np.any([each.forbidden for each in shown], axis=0)
+    outside = np.any([each.breaks(each.values) for each in shown], axis=0)
     if known.any():
         axes.contourf(x.values, y.values, np.ma.masked_array(np.zeros(known.shape), ~known), [-1, 1], colors=["white"])
     _lines(axes, x, y, shown)
@@ -124,8 +130,8 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
     """One panel for each result; where one of the limits is not met, all are shaded."""
     figure = figure_of_size(6.6, 0.8 + 2.1 * len(shown))
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
-    outside = np.any([each.forbidden for each in shown], axis=0)
     steps = len(x.values) <= 30
+    spans = _forbidden(x, shown, steps)
     for axes, each in zip(panels, shown, strict=True):
         plain(axes)
         axes.plot(x.values, each.values, "o-" if steps else "-", color="black", linewidth=1.2, markersize=3)
@@ -135,9 +141,8 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
                 f"{sense} {level:g}".replace("<=", "≤").replace(">=", "≥"), (1.0, level), fontsize=8, ha="right",
                 va="bottom", xycoords=("axes fraction", "data"), color=RED,
             )  # fmt: skip
-        low, high = axes.get_ylim()
-        axes.fill_between(x.values, low, high, where=outside, color=FORBIDDEN, linewidth=0, step="mid", zorder=0)
-        axes.set_ylim(low, high)
+        for begin, end in spans:
+            axes.axvspan(begin, end, color=FORBIDDEN, linewidth=0, zorder=0)
         axes.set_ylabel(with_unit(words(each.name), each.unit).replace(", ", ",\n"), fontsize=8)
         there = np.isfinite(each.values)
         if there.any():
@@ -146,9 +151,23 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
         if x.is_log:
             axes.set_xscale("log")
     panels[-1].set_xlabel(x.heading, fontsize=9)
-    said = f"Star: {best}" + ("; grey: a limit is not met" if outside.any() else "")
+    said = f"Star: {best}" + ("; grey: a limit is not met" if spans else "")
     figure.suptitle(f"{title}\n{said}" if title else said, fontsize=9, x=0.01, ha="left", parse_math=False)
     return figure
+
+
+def _forbidden(x: Along, shown: Sequence[Shown], steps: bool) -> list[tuple[float, float]]:
+    """The stretches along x on which a limit is not met: from where it is just met; of single values, each with half of
+    the way to the next ones."""
+    if steps:
+        ends = np.concatenate([x.values[:1], 0.5 * (x.values[1:] + x.values[:-1]), x.values[-1:]])
+        middle = x.values
+    else:
+        ends = np.unique(np.concatenate([x.values, *(at for each in shown for at in each.crossings(x.values))]))
+        middle = 0.5 * (ends[1:] + ends[:-1])
+    broken = np.any([each.breaks(np.interp(middle, x.values, each.values)) for each in shown], axis=0)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], broken, [False]])))
+    return [(float(ends[begin]), float(ends[end])) for begin, end in edges.reshape(-1, 2)]
 
 
 def _scales(axes: Axes, x: Along, y: Along) -> None:

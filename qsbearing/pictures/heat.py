@@ -15,15 +15,16 @@ NODES = {"inner ring": "inner", "outer ring": "outer"}
 """Nodes that are drawn as their raceways are elsewhere."""
 
 
-def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
+def over_speed(found: dict[str, Any], own: float, title: str = "", whole: dict[str, Any] | None = None) -> Figure:
     """Steady states over speed.
 
     Args:
         found: "speeds" of `qsbearing heat --json`.
         own: the scene's speed [rpm].
         title: names the bearing.
+        whole: "whole_bearing" of the same, whose onset of runaway is marked as well.
     """
-    fold = found["fold"]
+    fold, at_whole = found["fold"], None if whole is None else whole["fold"]
     states, at_fold = along_curve(found)
     figure, axes = _two("speed, rpm", title, states)
     _draw(axes, states, [each["speed_rpm"] for each in states], at_fold)
@@ -31,6 +32,10 @@ def over_speed(found: dict[str, Any], own: float, title: str = "") -> Figure:
         each.axvline(own, color=GREY, linewidth=0.8, linestyle=":", label="the scene's speed")
         if fold is not None:
             each.axvline(fold["speed_rpm"], color=RED, linewidth=0.9, linestyle="--", label="runaway begins")
+        if at_whole is not None:
+            each.axvline(
+                at_whole["speed_rpm"], color=RED, linewidth=0.9, linestyle="-.", label="with Palmgren's friction"
+            )
         each.set_xlim(left=0.0)
     _named(axes)
     return figure

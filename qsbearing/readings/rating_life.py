@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.compiled import entry
 from qsbearing.contact.first_yield import STATIC_PRESSURE
-from qsbearing.ranked_warning import good_to_know, wrong_model
+from qsbearing.ranked_warning import RankedWarning, good_to_know, wrong_model
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
@@ -57,6 +57,8 @@ ROTATING, STATIONARY = 3.0, 10.0 / 3.0
 one that stands tires where it is loaded most."""
 
 
+PRACTICE, LONGEST_HOURS = 5.0, 200_000.0
+"""aISO and a life in hours above which nobody should count on a life (chosen by practice; no standard states them)."""
 NEEDS = ("load", "max_pressure"), ()
 
 
@@ -258,12 +260,26 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     )
     found.append((np.isnan(P) & np.isfinite(system), uncovered))
     if factor is not None:
+        found.append(((factor > PRACTICE) & (factor < LARGEST), beyond_practice(f"aISO is above {PRACTICE:g}")))
         capped = f"aISO is at the upper limit of ISO 281, {LARGEST:g}: the modified life is not a prediction"
         found.append((factor >= LARGEST, good_to_know(capped, CHOICES)))
-    return Life(
+    found_life = Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
-        remarks(found, shape),
+        (),
     )  # fmt: skip
+    hours = found_life.duration / HOUR
+    long = f"the life is above {LONGEST_HOURS:,.0f} h ({LONGEST_HOURS / 8760.0:.0f} years)"
+    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), beyond_practice(long)))
+    return replace(found_life, warnings=remarks(found, shape))
+
+
+def beyond_practice(what: str) -> RankedWarning:
+    """A remark on a life that is too long to count on."""
+    return good_to_know(
+        f"{what}, a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or "
+        "damage end a bearing's life before fatigue does",
+        CHOICES,
+    )
 
 
 def _turning(solution: Solution) -> tuple[NDArray, NDArray]:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.installation import pip_install
 from qsbearing.rotordynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
 from qsbearing.solution.status import Status
 from qsbearing.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
@@ -79,13 +80,13 @@ def _element(matrix: NDArray, speed: NDArray | None, tilt: Tilt, element: dict[s
     try:
         import ross
     except ImportError as error:
-        raise ImportError(f"to_ross needs ROSS: pip install 'qsbearing[ross]' ({error})") from error
+        raise ImportError(f"to_ross needs ROSS: {pip_install('ross')} ({error})") from error
     axis = _SPEED_IN_ROSS.get(ross.__version__.split(".")[0])
     if axis is None:
         known = " and ".join(_SPEED_IN_ROSS)
         raise ImportError(
             f"to_ross knows ROSS {known}, not {ross.__version__}, where its arguments may mean something else: "
-            "pip install 'qsbearing[ross]'"
+            f"{pip_install('ross')}"
         )
     moved = translations(matrix, Tilt.HELD if tilt is Tilt.INCLUDED else tilt)
     entries: dict[str, Any] = {f"k{a}{b}": moved[..., i, j] for i, a in enumerate("xy") for j, b in enumerate("xy")}

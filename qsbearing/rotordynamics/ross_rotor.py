@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.installation import pip_install
 from qsbearing.material import Material
 from qsbearing.rotordynamics.ross_bearing import to_ross
 from qsbearing.validation import ErrorDetail, SceneError
@@ -67,7 +68,7 @@ def rotor(
     try:
         import ross
     except ImportError as error:
-        raise ImportError(f"a rotor of ROSS needs it: pip install 'qsbearing[ross]' ({error})") from error
+        raise ImportError(f"a rotor of ROSS needs it: {pip_install('ross')} ({error})") from error
     named = [*places, *(holder.position for holder in holders), *(disk["position"] for disk in disks)]
     materials: dict[str, Any] = {}
     elements, nodes = [], [low]

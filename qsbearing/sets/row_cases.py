@@ -12,8 +12,9 @@ from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.assembly import LEAST_LOAD
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.results import stiffness_of_cases
-from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
+from qsbearing.kernel.solve_case import UNFINISHED
 from qsbearing.kernel.workspace import working_memory
+from qsbearing.solution.solve_records import solve_records
 
 
 class Found(NamedTuple):
@@ -88,7 +89,9 @@ class RowCases:
             some = np.flatnonzero(known == is_warm)
             if some.size:
                 own = self.own[which][some]
-                found.put(some, _solved(cases[some], self.balls, own, tolerance, is_warm, found.part(some), is_trial))
+                part = found.part(some)
+                solve_records(cases[some], self.balls, own, tolerance, is_warm, part, by_fallback=not is_trial)
+                found.put(some, part)
         return found, found.results["status"] == CONVERGED
 
     def least_load(self, which: NDArray) -> NDArray:
@@ -110,16 +113,3 @@ class RowCases:
         out = np.empty((which.size, 5, 5))
         stiffness_of_cases(cases, *working_memory(self.balls), *self.found.part(which), self.own[which], out)
         return out
-
-
-def _solved(
-    cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, found: Found, is_trial: bool
-) -> Found:
-    given = (cases, *working_memory(balls), own, tolerance, is_warm, *found)
-    solve_cases(*given)
-    unfinished = np.flatnonzero(found.results["status"] == UNFINISHED)
-    if unfinished.size and not is_trial:
-        from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
-
-        solve_unfinished(unfinished, *given)
-    return found

@@ -73,6 +73,10 @@ class SetSolution(Plotted):
         self.thermal: ThermalState | None = None
         """As `Solution.thermal`."""
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Plain data: rows as they are known, and not what the solver works with."""
+        return vars(self) | {"rows": self.rows, "_row_solution": None}
+
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """As `Solution.mark_unsolved`."""
         self._outcome.status[np.reshape(cases, -1)] = code

@@ -50,7 +50,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     preload = 0.0 if of.preload is None else getattr(of.preload, of.preload.kind)
     offsets = [np.asarray(row.offset) + 0.0 * np.asarray(preload) for row in of.rows]
     shape = Problem(of, offsets, tolerance, 1).shape
-    machine = HotSet(of, shape, lambda each: solve_at_given_temperatures(each, threads, tolerance))
+    machine = HotSet(of, shape, partial(solve_at_given_temperatures, threads=threads, tolerance=tolerance))
     solution: SetSolution = at_steady_temperatures(machine)
     return solution
 
@@ -67,14 +67,19 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
 
     in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
 
-    def unloaded(effects_at_rest: AtRest | None) -> SetSolution:
-        return solve_at_given_temperatures(without_load(of, offsets, effects_at_rest), threads, tolerance)
-
+    unloaded = partial(_unloaded, of, offsets, threads, tolerance)
     seconds = time.perf_counter() - began
     again = partial(solve_at_given_temperatures, threads=threads, tolerance=tolerance)
     return SetSolution(
         of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds, again
     )
+
+
+def _unloaded(
+    of: BearingSet, offsets: list[NDArray], threads: int | None, tolerance: float, effects_at_rest: AtRest | None
+) -> SetSolution:
+    """Not a closure: with a result, it is pickled."""
+    return solve_at_given_temperatures(without_load(of, offsets, effects_at_rest), threads, tolerance)
 
 
 def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest | None) -> BearingSet:

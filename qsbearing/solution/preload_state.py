@@ -52,9 +52,11 @@ def states(of: PreloadLoads) -> NDArray:
 
 
 def share(of: PreloadLoads) -> NDArray:
-    """What is carried over what is given; NaN where nothing is given."""
+    """What is carried over what is given; NaN where nothing is given, or next to nothing."""
     given, _, carried = np.broadcast_arrays(*of)
-    return np.divide(carried, given, out=np.full(given.shape, np.nan), where=given > 0.0)
+    with np.errstate(over="ignore"):
+        found = np.divide(carried, given, out=np.full(given.shape, np.nan), where=given > 0.0)
+    return np.where(np.isinf(found), np.nan, found)
 
 
 def is_reduced(of: PreloadLoads) -> NDArray:

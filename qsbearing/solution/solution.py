@@ -17,6 +17,7 @@ from qsbearing.effects.raceway_control import RacewayControl
 from qsbearing.kernel import results
 from qsbearing.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
 from qsbearing.result_keys import DISPLACEMENT, LOAD
+from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import preload_state, ring_stiffness
 from qsbearing.solution.case_index import Index, Place, place_of
@@ -251,6 +252,19 @@ class Solution(Plotted):
             out[part, :3] *= cases["length"][:, None]
         out[:, 0] += self._maker.axial_datum_shift()
         return self._shaped(out, 5)
+
+    @property
+    def axial_from_middle(self) -> Any:
+        """Axial displacement from where the grooves of both rings lie in one plane; shape (*cases) [m].
+
+        Of a deep-groove bearing, whose `displacement` counts from where its balls just touch one side. None of an
+        angular-contact bearing, which has no middle.
+        """
+        scene = self.scene
+        if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
+            return None
+        to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift
+        return (self.displacement[..., 0] + to_middle)[()]
 
     @cached_property
     def load(self) -> NDArray:

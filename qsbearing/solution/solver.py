@@ -9,15 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.compiled import COMPILED
+from qsbearing.compiled import can_compile
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
-from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
-from qsbearing.kernel.workspace import working_memory
 from qsbearing.scene.scene import Scene
 from qsbearing.solution.closing_seats import solve_closing, with_touching
 from qsbearing.solution.flatten import CaseMaker
 from qsbearing.solution.solution import Solution
+from qsbearing.solution.solve_records import solve_records
 from qsbearing.solution.solved_cases import KEPT
 from qsbearing.threads import in_threads, thread_count
 
@@ -71,17 +70,10 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         if count <= KEPT:
             made[part.start] = records
         results, positions, controls = (array[part] for array in found)
-        memory, own = working_memory(maker.ball_axis), maker.own_balls(records, part.start)
-        given = (records, *memory, own, tolerance, start is not None, results, positions, controls)
-        solve_all = solve_cases
-        if COMPILED and count >= LEAST_BATCH and start is None:
-            from qsbearing.kernel.lanes import solve_batch
-
-            solve_all = solve_batch
-        if solve_all(*given):
-            from qsbearing.kernel.fallback import solve_unfinished  # compiled only when a case first needs it
-
-            solve_unfinished(np.flatnonzero(results["status"] == UNFINISHED), *given)
+        own = maker.own_balls(records, part.start)
+        is_batch = can_compile() and count >= LEAST_BATCH and start is None
+        into = results, positions, controls
+        solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=is_batch)
 
     in_threads(solve_stretch, count, workers)
     cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)

@@ -9,10 +9,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 from qsbearing import __version__, quantities
 from qsbearing.documents.in_notebooks import Plotted
+from qsbearing.files.toml import check_tables
 from qsbearing.io import catalogue
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.io.scene_file import document_of
@@ -79,6 +81,8 @@ class Study(Plotted):
         Raises:
             SceneFileError: everything that is wrong with the study, at once; what its points find is found by `sweep`.
         """
+        if isinstance(source, dict):
+            check_tables(source, Path("study"))
         document, file, label = (dict(source), "study", "") if isinstance(source, dict) else document_of(source, True)
         errors: list[FileErrorDetail] = []
         if document.pop("spectrum", None) is not None:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.io.file_errors import FileErrorDetail
 from qsbearing.io.unknown_key import LARGEST
 from qsbearing.studies import keys
-from qsbearing.validation import decimal_comma, shown
+from qsbearing.validation import comma_advice, shown
 
 MOST_VALUES = 1_000_000
 """Along one axis, whose values are all in memory: 60 MB of them, where samples are made as they are needed."""
@@ -132,8 +132,7 @@ def _number(given: Any) -> float:
             raise TypeError
         value = float(given)
     except (TypeError, ValueError):
-        with_point = decimal_comma(given)
-        cause = f"Decimals take a point: {with_point}" if with_point else f"One of: {FORMS}"
+        cause = comma_advice(given) or f"One of: {FORMS}"
         raise VariableError(f"{shown(given)} is not a number. {cause}") from None
     if not isfinite(value):
         raise VariableError(f"{shown(given)} is endless: every value must be a finite number")

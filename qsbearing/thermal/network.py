@@ -24,6 +24,9 @@ from qsbearing.validation import (
 READING_OF = {"contacts": "friction", "skf": "friction_estimate", "palmgren": "friction_estimate"}
 """The models of friction, and the reading whose arguments each takes."""
 
+LOWER_BOUND = ', with the friction model "contacts", a lower bound of the heat'
+"""What verdicts add that rest on it."""
+
 COLDEST, HOTTEST = 150.0, 800.0
 """Kelvin, of any temperature that is given: what catches mistakes of unit."""
 
@@ -109,6 +112,16 @@ class Thermal:
         named = {*self.fixed, *self.heats, *(() if self.oil is None else ("oil",))}
         named |= {end for each in self.conductances for end in each.between}
         return tuple(node for node in NODES if node in named)
+
+    @property
+    def bound(self) -> str:
+        """What a sentence on its temperatures adds where the friction model leaves heat out; else nothing."""
+        return LOWER_BOUND if self.friction == "contacts" else ""
+
+    @property
+    def found_nodes(self) -> tuple[str, ...]:
+        """Those whose temperatures the heat balance finds."""
+        return tuple(node for node in self.nodes if node not in self.fixed)
 
     @property
     def oil_node(self) -> str | None:

@@ -31,7 +31,7 @@ def solve(scene: Scene, *, threads: int | None = None, tolerance: float = solver
         without an equilibrium, or not converged where none was found.
     """
     shape = CaseMaker(scene).shape
-    system = HotBearing(scene, shape, lambda each: solver.solve(each, threads=threads, tolerance=tolerance))
+    system = HotBearing(scene, shape, partial(solver.solve, threads=threads, tolerance=tolerance))
     solution: Solution = at_steady_temperatures(system)
     return solution
 
@@ -71,9 +71,14 @@ def at_steady_temperatures(system: HotSystem) -> Any:
         thermal=system.thermal,
         speed=_speed(system),
         heat_up=partial(heat_up, system),
-        follow=lambda: curve or follow_speeds(Heated(system), FARTHEST),
+        follow=partial(_followed, curve, system),
     )
     return solution
+
+
+def _followed(known: SpeedCurve | None, system: HotSystem) -> SpeedCurve:
+    """Not a closure: with a result, it is pickled."""
+    return known or follow_speeds(Heated(system), FARTHEST)
 
 
 def _speed(system: HotSystem) -> NDArray:

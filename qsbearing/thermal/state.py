@@ -77,6 +77,8 @@ class Course:
     """The axial load of each row [N]; shape (instant, row)."""
     end: str
     """What ended it: time, limit (of temperature), or no_equilibrium (of the bearing)."""
+    bound: str
+    """`Thermal.bound`."""
 
     def message(self) -> str:
         """What becomes of the preload, in a sentence or two."""
@@ -87,8 +89,8 @@ class Course:
         state = f"{hottest.replace('_', ' ')} at {ends[hottest] - zero_celsius:.1f} °C"
         if self.end != "time":
             what = "The temperature limit is reached" if self.end == "limit" else "The bearing loses its equilibrium"
-            return f"{what} after {self.time[-1]:.4g} s: {state}, axial load {_digits(last)} N."
-        text = f"After {self.time[-1]:.4g} s: {state}, axial load {_digits(last)} N"
+            return f"{what} after {self.time[-1]:.4g} s{self.bound}: {state}, axial load {_digits(last)} N."
+        text = f"After {self.time[-1]:.4g} s{self.bound}: {state}, axial load {_digits(last)} N"
         if loads[peak] <= (1.0 + OVERSHOOT) * last:
             return f"{text}. The axial load never exceeds this value by more than {100 * OVERSHOOT:.0f} %."
         over = 100.0 * (loads[peak] / last - 1.0)
@@ -154,15 +156,18 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({in_words(name)}): one more watt of heat "
-                f"makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run away."
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({in_words(name)}){self.thermal.bound}: one more "
+                f"watt of heat makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run "
+                "away."
             )
         limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
         if verdict is Verdict.UNDECIDED:
-            return f"No steady state below {limit} was found; this does not prove that there is none."
+            return (
+                f"No steady state below {limit} was found{self.thermal.bound}; this does not prove that there is none."
+            )
         curve = self.speeds
         own = f"{float(self.speed) / rpm:.5g} rpm"
-        head = f"No steady state below {limit} at {own}: followed from standstill, steady states"
+        head = f"No steady state below {limit} at {own}{self.thermal.bound}: followed from standstill, steady states"
         if verdict is Verdict.RUNAWAY and curve.fold is not None:
             fold = self.described(curve.fold)
             return f"Thermal runaway of the preload. {head} exist up to {fold}, where their curve turns back."
@@ -171,17 +176,18 @@ class ThermalState:
 
     def onset(self) -> str:
         """Where the steady states of a single case, followed from standstill in speed, end."""
-        curve = self.speeds
+        curve, bound = self.speeds, self.thermal.bound
         if curve.fold is not None:
-            return f"Thermal runaway of the preload begins at {self.described(curve.fold)}."
+            return f"Thermal runaway of the preload begins at {self.described(curve.fold)}{bound}."
         limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
         if curve.at_limit is not None:
             return (
-                f"The temperature limit of {limit} is reached at {self.described(curve.at_limit)}, before any runaway."
+                f"The temperature limit of {limit} is reached at {self.described(curve.at_limit)}, before any "
+                f"runaway{bound}."
             )
         if not curve.states:
             return "Steady states could not be followed from standstill."
-        return f"Steady states were followed up to {self.described(curve.states[-1])}, without runaway."
+        return f"Steady states were followed up to {self.described(curve.states[-1])}, without runaway{bound}."
 
     def described(self, state: State) -> str:
         """A state of the curve in words."""

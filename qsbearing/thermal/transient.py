@@ -81,4 +81,4 @@ def heat_up(
         raise SceneError([ErrorDetail("thermal", "heating up cannot start: the cold bearing has no equilibrium")])
     end = "no_equilibrium" if count < POINTS else "limit" if found.status == 1 else "time"
     named = {name: value[:count] for name, value in balance.named(T).items()}
-    return Course(time[:count], named, powers.T[:count], system.preloads(solution).T[:count], end)
+    return Course(time[:count], named, powers.T[:count], system.preloads(solution).T[:count], end, system.thermal.bound)

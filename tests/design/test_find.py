@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,10 @@ from fem_check.book.cases.bearing_design import LIMITS, PRINTED, PRINTED_CAPACIT
 from qsbearing.cli import cli
 from qsbearing.design.find import Found
 from qsbearing.design.optimum import search
+from qsbearing.design.shown import picture, record, tables
 from qsbearing.design.wanted import Variable, wanted
+from qsbearing.documents.model import Paragraph
+from qsbearing.pictures.feasible_region import Along, Shown, draw_region
 from tests.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
 CLOSE = 1e-3
@@ -177,6 +181,33 @@ def test_bad_input_is_said_at_once(vary: dict[str, str], asked: dict[str, list[s
         qs.find(copy.deepcopy(SPINDLE), vary, **asked, points=64)
     for words in said:
         assert words in str(error.value)
+
+
+def test_grey_begins_where_the_limit_is_met() -> None:
+    """Between the points of the curve too, and under the star; single values keep half of the way to the next ones."""
+
+    def spans(figure: Any) -> list[Any]:
+        return [(each.get_x(), each.get_x() + each.get_width()) for each in figure.axes[0].patches]
+
+    x = np.linspace(0.0, 40.0, 41)
+    middle = Shown("a", "N", np.abs(x - 20.25), [("<=", 5.1)])
+    beyond = Shown("b", "N", np.where(x > 35.0, np.nan, x), [(">=", 3.3)])
+    found = spans(draw_region(Along("speed_rpm", "rpm", x, 20.0), None, [middle, beyond], "", "", "best"))
+    assert found == [pytest.approx((0.0, 15.15)), pytest.approx((25.35, 40.0))]
+    few = Along("ball_count", "", np.arange(12.0, 17.0), 14.0)
+    listed = spans(draw_region(few, None, [Shown("a", "N", few.values, [("<=", 14.0)])], "", "", "best"))
+    assert listed == [pytest.approx((14.5, 16.0))]
+
+
+def test_what_is_shown_of_a_search_is_what_it_did() -> None:
+    """Grey begins under the star; points over the ranges and near the best ones are counted apart."""
+    stiff = qs.find(copy.deepcopy(SPINDLE), RIGID, limits=[f"{PRESSURE}<=1500"], maximise=STIFF, points=200)
+    (grey,) = picture(stiff).axes[0].patches
+    assert grey.get_x() == pytest.approx(stiff.values["rigid_N"], rel=1e-5)  # limits are met to 1e-6
+    assert record(stiff)["sampled"] == 200 < record(stiff)["evaluations"]
+    last = tables(stiff)[-1]
+    assert isinstance(last, Paragraph)
+    assert last.text.startswith(f"200 points over all ranges and {stiff.evaluations - 200:,} near the best ones")
 
 
 def test_a_logarithmic_range_is_spread_evenly_over_its_logarithm() -> None:

@@ -11,6 +11,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.design import point_table
 from qsbearing.design.point_table import read_table, solve_table, table_bytes
 
 pandas = pytest.importorskip("pandas")
@@ -132,3 +133,78 @@ def test_no_row_solved_is_exit_code_1(tmp_path: Path) -> None:
     assert run("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
     (tmp_path / "a.csv").write_text("axial_load_N\nx\n")
     assert run("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
+
+
+# What is solved is not lost -------------------------------------------------------------------------------------------
+
+BAD_CELLS = ("inf", "1e999", "-inf", "nan", "9" * 5000, "true", "ten", "1_0_", "\x07")
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx", ".parquet"])
+def test_a_bad_cell_costs_its_row(ending: str, tmp_path: Path) -> None:
+    path, out = tmp_path / "points.csv", tmp_path / f"out{ending}"
+    path.write_text(
+        "name,axial_load_N\n" + "".join(f"a\x01{i},{cell}\n" for i, cell in enumerate(BAD_CELLS)) + "b,1000\n"
+    )
+    result = run("run", "b218", "--points", path, "--out", out)
+    assert result.exit_code == 0, result.output
+    found = read_table(str(out))
+    assert found["status"] == ["impossible"] * len(BAD_CELLS) + ["converged"]
+    assert [path.name for path in tmp_path.iterdir() if "part" in path.name] == []
+
+
+@pytest.mark.parametrize("value", [10**400, -(10**400), float("inf"), None, "x", [1.0], True, 1j])
+def test_a_bad_value_of_python_costs_its_row(value: object) -> None:
+    found = solve_table("b218", {"axial_load_N": [value, 1000.0]})
+    assert found["status"] == ["impossible", "converged"]
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx", ".parquet"])
+@pytest.mark.parametrize("error", [KeyboardInterrupt(), OSError(28, "No space left on device"), MemoryError()])
+def test_rows_that_are_solved_are_kept_where_the_rest_fails(
+    ending: str, error: BaseException, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, out = tmp_path / "points.csv", tmp_path / f"out{ending}"
+    path.write_text("axial_load_N\n1000\n2000\n3000\n")
+    monkeypatch.setattr(point_table, "CHUNK", 2)
+    solve = point_table.solve_points
+    calls: list[int] = []
+
+    def failing(*arguments: object) -> object:
+        calls.append(1)
+        if len(calls) == 2:
+            raise error
+        return solve(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(point_table, "solve_points", failing)
+    result = CliRunner().invoke(cli, ["run", "b218", "--points", str(path), "--out", str(out)])
+    assert f"2 rows with their results are kept in {out}.part, as CSV" in result.stderr
+    assert not out.exists()
+    kept = out.with_name(f"{out.name}.part")
+    assert pandas.read_csv(kept)["status"].tolist() == ["converged"] * 2
+    monkeypatch.setattr(point_table, "solve_points", solve)
+    assert run("run", "b218", "--points", path, "--out", out).exit_code == 0
+    assert out.exists() and not kept.exists()
+
+
+@pytest.mark.parametrize("ending", [".xlsx", ".parquet"])
+def test_rows_are_kept_as_csv_where_their_file_cannot_be_written(
+    ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object) -> bytes:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(point_table, "table_bytes", fails)
+    (tmp_path / "points.csv").write_text("axial_load_N\n1000\n")
+    out = tmp_path / f"out{ending}"
+    result = run("run", "b218", "--points", tmp_path / "points.csv", "--out", out)
+    assert result.exit_code == 2 and "No space left" in result.stderr
+    assert pandas.read_csv(tmp_path / f"out{ending}.part")["status"].tolist() == ["converged"]
+
+
+def test_labels_of_every_kind_are_written(tmp_path: Path) -> None:
+    table = {"name": [1, "a", None, 2.5], "axial_load_N": [1000.0] * 4}
+    for ending in (".csv", ".xlsx", ".parquet"):
+        out = tmp_path / f"r{ending}"
+        out.write_bytes(table_bytes(solve_table("b218", dict(table)), ending))
+        assert [None if cell is None else str(cell) for cell in read_table(str(out))["name"]] == ["1", "a", None, "2.5"]

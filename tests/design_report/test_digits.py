@@ -9,6 +9,7 @@ from qsbearing.design_report.inputs import bearing_lines
 from qsbearing.io import report
 from qsbearing.io.thermal_report import _course_table
 from qsbearing.scene.operation import STRAIGHT
+from tests.thermal.spindle import scene
 
 GIVEN = {
     "ball_count": 16, "ball_diameter": 7.14 * qs.mm, "pitch_diameter": 46.5 * qs.mm,
@@ -25,8 +26,8 @@ def warm() -> qs.Solution:
 
 
 def test_temperatures_that_a_set_has_found_are_not_given() -> None:
-    for nodes, origin in (((), "given"), (("inner_ring", "balls"), "heat balance")):
-        (table,) = (each for each in report.tables_of_balls(warm(), nodes) if each.caption.startswith("Temperatures"))
+    for heat, origin in ((None, "given"), (scene().thermal, "heat balance")):
+        (table,) = (each for each in report.tables_of_balls(warm(), heat) if each.caption.startswith("Temperatures"))
         assert {row[0]: row[2] for row in table.rows}["inner ring"] == origin
 
 

@@ -173,6 +173,6 @@ def test_release_level_other_shapes(k):
     from fem_check.checks.other_contacts import slender_problem
 
     problem: ContactProblem = slender_problem(k)
-    found = half_space_contact.mesh_study(problem, agreement.Level.RELEASE)
+    found = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.Level.RELEASE])
     rows = half_space_contact.rows("case", found, agreement.Level.RELEASE, "Hertz")
     assert [row for row in rows if row.verdict != "pass"] == []

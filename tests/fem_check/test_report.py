@@ -346,7 +346,7 @@ def test_two_commands_make_it_the_second_from_records_alone(tmp_path: Path) -> N
     shipped = {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")}
     run = CliRunner().invoke(cli, ["run", "patch_test", "--level", level, "--out", str(tmp_path / "x")])
     assert run.exit_code == 0
-    refused = "run", "contact --scene b218 --race inner --load-N 1000", "cost", "release"
+    refused = "run", "contact --scene b218 --race inner --load-N 1000", "cost", "release", "book"
     asked = "report --records x --out report", "list", *refused
     done = subprocess.run(
         [sys.executable, "-c", COMMANDS, *asked], capture_output=True, text=True, check=True, cwd=tmp_path

@@ -12,12 +12,14 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.compiled import _OPTIONS, _WHOLE, COMPILED, _njit
+from qsbearing.compiled import COMPILED
+from qsbearing.compiled import _functions as kinds
 from qsbearing.kernel import lanes
 from qsbearing.kernel.admissibility import CONVERGED
 from qsbearing.kernel.case import RESULT
 from qsbearing.kernel.lane_state import BALL_LANES, LANES, RING_LANES, lane_memory
-from qsbearing.kernel.solve_case import UNFINISHED, solve_cases
+from qsbearing.kernel.lanes import evaluate_ball_lanes, propose_lanes, step_ball_lanes
+from qsbearing.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.kernel.workspace import working_memory
 from qsbearing.solution import solver
 from qsbearing.solution.flatten import CaseMaker
@@ -33,13 +35,13 @@ def solved_by(solve: Any, maker: CaseMaker, cases: NDArray) -> Found:
     """Results, positions and controls."""
     shape = (cases.size, maker.ball_axis)
     found = np.zeros(cases.size, RESULT), np.zeros((*shape, maker.position_size)), np.zeros(shape, np.int8)
-    solve(cases, *working_memory(maker.ball_axis), maker.own_balls(cases), solver.TOLERANCE, False, *found)
+    solve(cases, *working_memory(maker.ball_axis), maker.own_balls(cases), solver.TOLERANCE, BUDGET, False, *found)
     return found
 
 
 def in_lanes_alone(cases: NDArray, memory: NDArray, balls: NDArray, own: NDArray, *rest: Any) -> None:
     """As `solve_batch`, without what is left to the scalar kernel."""
-    tolerance, _, *found = rest
+    tolerance, _, _, *found = rest
     found[0]["status"] = lanes.WAITING
     lanes.solve_in_lanes(cases, memory, balls, own, *lane_memory(balls.size), tolerance, *found)
 
@@ -166,18 +168,19 @@ PACKED = {
 @pytest.mark.skipif(platform.machine() not in PACKED, reason="no instruction known of this processor")
 def test_loops_over_lanes_are_packed() -> None:
     """A compiler that packs none makes lanes slower than one case at a time."""
+    from qsbearing import numba_kernel
 
     def evaluate(rings: NDArray, balls: NDArray) -> None:
-        lanes.evaluate_ball_lanes(rings[0], balls[0])
+        evaluate_ball_lanes(rings[0], balls[0])
 
     def step(rings: NDArray, balls: NDArray) -> None:
-        lanes.step_ball_lanes(rings[0], balls[0])
+        step_ball_lanes(rings[0], balls[0])
 
     def propose(rings: NDArray, balls: NDArray) -> None:
-        lanes.propose_lanes(rings[0], balls, 1)
+        propose_lanes(rings[0], balls, 1)
 
     for function, least in ((evaluate, 200), (step, 50), (propose, 10)):
-        compiled = _njit(**_OPTIONS, **_WHOLE)(function)
+        compiled = numba_kernel.filled(function, kinds)
         compiled(np.ones(1, RING_LANES), np.ones(1, BALL_LANES))
         (text,) = compiled.inspect_asm().values()
         found = len(re.findall(PACKED[platform.machine()], text))

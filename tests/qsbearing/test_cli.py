@@ -19,6 +19,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.installation import pip_install
 from qsbearing.io import output_file
 from qsbearing.io.catalogue import find
 from qsbearing.io.csv_table import csv_bytes
@@ -343,7 +344,7 @@ def test_a_plot_without_matplotlib_says_what_to_install(tmp_path: Path, monkeypa
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     result = call("run", "b218", "--plot", tmp_path / "out.png")
     assert result.exit_code == 2
-    assert "pip install 'qsbearing[plot]'" in result.stderr
+    assert pip_install("plot") in result.stderr
 
 
 def test_a_bad_scene_leaves_no_output_behind(scene: Any, tmp_path: Path) -> None:

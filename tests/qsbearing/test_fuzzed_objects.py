@@ -30,20 +30,20 @@ from .any_scene import CHOICES, bearings, bounded, few, many, operations
 @pytest.fixture(autouse=True, scope="module")
 def nothing_but_numbers() -> Iterator[list[int]]:
     """Look at every case record on its way into the solver."""
-    solve_cases, passed = solving.solve_cases, [0]
+    solve_records, passed = solving.solve_records, [0]
 
-    def watched(cases: NDArray, *rest: Any) -> int:
+    def watched(cases: NDArray, *rest: Any, **options: Any) -> None:
         for name in cases.dtype.names or ():
             field = cases[name]
             if field.dtype.kind == "f":
                 assert np.isfinite(field).all(), f"the solver is handed {name} = {field}"
         passed[0] += cases.size
-        return solve_cases(cases, *rest)
+        solve_records(cases, *rest, **options)
 
     # Compiling, or loading, the kernel takes its own time.
     assert_result(qs.solve(qs.load_scene("b218")))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(solving, "solve_cases", watched)
+        patch.setattr(solving, "solve_records", watched)
         yield passed
 
 

@@ -37,6 +37,23 @@ def warnings_of(bearing: qs.BallBearing, effects: tuple[Any, ...] = (), **operat
     return " ".join(qs.warnings(solution))
 
 
+@pytest.mark.parametrize(
+    ("operation", "said"),
+    [
+        ({"axial_load": 50.0, "tilt_y": 0.0, "tilt_z": 0.03}, "the prescribed tilt z is too large"),
+        ({"axial_load": 50.0, "tilt_y": 0.03, "tilt_z": 0.0}, "the prescribed tilt y is too large"),
+        ({"axial_load": 50.0, "moment_z": 300.0, "tilt_y": 0.0}, "the load in channel tilt z is too large"),
+        ({"axial_load": 50.0, "radial_load_y": 400.0, "tilt_y": 0.0, "tilt_z": 0.03},
+         "the load in channel radial y or the prescribed tilt z is too large"),
+    ],
+)  # fmt: skip
+def test_what_is_too_large_is_called_by_what_it_is(operation: dict[str, float], said: str) -> None:
+    """A displacement that is given is no load."""
+    bearing = qs.load_scene("7210C").bearing
+    solution = qs.solve(qs.Scene(bearing, qs.Operation(**operation)))
+    assert said in qs.message(solution)
+
+
 # Many cases -----------------------------------------------------------------------------------------------------------
 
 

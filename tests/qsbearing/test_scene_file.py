@@ -278,6 +278,13 @@ def test_unknown_names_and_missing_files(tmp_path: Path) -> None:
         (b"[bearing]\nball_count 16\n", "line 2: ball_count 16"),
         (b'[bearing]\nname = "B218"\nname = "B218"\n', "line 3"),
         (b"[bearing]\nball_diameter_mm = -12,75  # Komma\n", "Decimals take a point: -12.75"),
+        (
+            b"[operation]\nspeed_rpm = 22,000\n",
+            "Write 22000 (thousands take no comma) or 22.000, which is 22 (decimals take a point)",
+        ),
+        (b"[operation]\nspeed_rpm = 1,234.5 # rpm\n", "Thousands take no comma: 1234.5"),
+        (b"[operation]\nspeed_rpm = 1,000,000\n", "Thousands take no comma: 1000000"),
+        (b"[bearing]\nball_diameter_mm = 0,125\n", "Decimals take a point: 0.125"),
         (b"a = " + b"9" * 5000, "is not TOML"),
         (b"a = " + b"[" * 20000, "is not TOML"),
         (b"# " + b"x" * 1_000_001, "longer than 1 MB"),
@@ -430,7 +437,8 @@ def test_every_usual_word_stands_for_a_key_that_there_is() -> None:
         (
             "'22,225'",
             "= '22,225': is not a number",
-            "A number in mm, without quotation marks and with a decimal point: 22.225",
+            "A number in mm, without quotation marks. Write 22225 (thousands take no comma) or 22.225 "
+            "(decimals take a point)",
         ),
         ("'22.225'", "= '22.225': is not a number", "A number in mm, without quotation marks"),
         ("true", "= true: is not a number", "A number in mm"),

@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
-from fem_check.book.cases.gmn_rigidities import LEAST_RIGIDITY, column, columns, fitted_groove
+from fem_check.book.cases.gmn_rigidities import LEAST_RIGIDITY, column, columns, fitted_groove, rounding
 from fem_check.book.published import gmn_rows
 from qsbearing.cli import cli
 from qsbearing.io import catalogue
@@ -61,30 +61,73 @@ def test_every_example_solves() -> None:
 def test_what_is_inferred_is_what_the_rigidities_say() -> None:
     rows = gmn_rows()
     fitted = fitted_groove(rows)
-    stiff = column(rows, "CaxS") >= LEAST_RIGIDITY
-    assert stiff.sum() > 50
-    assert np.abs(column(rows, "inferred_f") - fitted)[stiff].max() <= 0.51e-4, "four decimals"
-    series = np.array([row["name"].split()[0] + ("619" if "S 619" in row["name"] else "") for row in rows])
-    for each in set(series):
-        median = np.median(fitted[stiff & (series == each)])
-        assert np.abs(column(rows, "inferred_f")[~stiff & (series == each)] - median).max(initial=0.0) <= 0.51e-4
+    inferred, is_s = column(rows, "inferred_f"), np.array([row["name"].startswith("S") for row in rows])
+    own = is_s | (column(rows, "CaxS") >= LEAST_RIGIDITY)
+    assert np.abs(inferred - fitted)[own].max() <= 0.51e-4, "four decimals"
+    assert np.abs(inferred[~own] - np.median(fitted[own & ~is_s])).max() <= 0.51e-4, "one for all of series KH"
 
 
-def test_computed_rigidities_are_the_printed_ones() -> None:
-    """Twice the axial stiffness at the printed preloads; bearings by their names, so through all of the catalogue."""
-    rows = [row for row in gmn_rows() if row["CaxS"] >= LEAST_RIGIDITY]
-    found = []
-    for row in rows:
-        entry = next(
-            each for each in spindle_bearings().values() if each.source.split("row ")[1].startswith(row["name"])
-        )
-        document = {"bearing": {"name": entry.name}, "operation": {"axial_load_N": 1.0}}
-        bearing = scene_of(document, "").bearing
-        solution = qs.solve(qs.Scene(bearing, qs.Operation(axial_load=columns([row], "Fv")[0])))
-        found.append(2e-6 * solution.stiffness[:, 0, 0])
-    off = np.array(found) / columns(rows, "Cax") - 1.0
-    # f has four decimals: 0.5e-4 of 0.02 in f - 0.5 is 0.1 % of the stiffness; the fit itself leaves up to 1.1 % rms.
-    assert np.sqrt((off**2).mean(axis=1)).max() < 0.013
+def test_a_row_of_few_digits_has_the_groove_of_its_stiffer_twin() -> None:
+    """Fitted to rigidities of two digits at 15 degrees; held against the same bearing's at 25 degrees, of three."""
+    rows = {row["name"]: row for row in gmn_rows() if row["name"].startswith("S")}
+    pairs = [
+        (row["inferred_f"], rows[twin]["inferred_f"])
+        for name, row in rows.items()
+        if row["CaxS"] < LEAST_RIGIDITY
+        and (twin := name.replace(" C ", " E ")) in rows
+        and rows[twin]["CaxS"] >= LEAST_RIGIDITY
+    ]
+    apart = np.diff(pairs, axis=1)
+    # Rounding alone, 1 to 2.8 % of three rigidities that go with exp(-20 f), leaves 0.0007 of f; the median of the
+    # series, which stood there before, is off by 0.0043 and the groove that the static rating asks for by 0.0011.
+    assert len(pairs) == 9 and np.sqrt((apart**2).mean()) < 0.0008
+
+
+MISPRINT = ("KH 61903 E TA", 1)
+"""62 N/um at medium preload, between 35 and 67: every other row of its kind has some 0.77 of the last, here 52."""
+AMONG_THEMSELVES = 1.5
+"""By how much the printed rigidities of one row disagree beyond their rounding [%]: rows whose rounding is below 0.5 %
+leave up to 1.3 % (S 61907 E)."""
+C_OVER_PRINTED = {"S": (0.95, 1.0), "S small": (0.88, 1.0), "KH": (1.07, 1.14)}
+C0_OVER_PRINTED = {"S": (0.91, 1.0), "S small": (0.81, 1.0), "KH": (1.29, 1.35)}
+"""What the geometry makes of C and C0. S: the maker's ratings are those of the inner groove, f 0.0013 below the mean of
+both that the rigidities tell, and C0 goes with exp(-30 f), C with half of that. Small (below 80 N/um): the rigidities
+ask for a groove wider by up to 0.0098 (S 627 C). KH: no one groove has both, C0 asks for f = 0.561, the rigidities for
+0.538. What is used of a named bearing are the printed ones."""
+
+
+def test_what_is_computed_of_every_row_is_what_is_printed() -> None:
+    """Bearings by their names, so through all of the catalogue: dimensions and ratings, exactly; twice the axial
+    stiffness at the printed preloads, within their rounding; C and C0 of the geometry, as far as they can."""
+    rows = {row["name"]: row for row in gmn_rows()}
+    entries = {
+        each.source.split("row ")[1].partition(";")[0]: each for each in spindle_bearings().values()
+    }  # the last of a row is the hybrid one
+    assert set(entries) == set(rows)
+    for name, row in rows.items():
+        entry = entries[name]
+        steel = entry.name.removesuffix("_hybrid")
+        if steel == "7210C":  # an example too, with a groove of its own
+            assert row["inferred_f"] == pytest.approx(6.58 / 12.7, abs=1e-4)
+        made = scene_of({"bearing": {"name": steel}, "operation": {"axial_load_N": 1.0}}, "")
+        hybrid = scene_of({"bearing": {"name": entry.name}, "operation": {"axial_load_N": 1.0}}, "")
+        numbers, of_hybrid = qs.catalogue_numbers(made.bearing), qs.catalogue_numbers(hybrid.bearing)
+        used = [numbers[key] / qs.mm for key in ("bore_diameter", "outside_diameter", "width")]
+        assert used == pytest.approx([row["d_mm"], row["D_mm"], row["B_mm"]], rel=1e-12), name
+        used = [numbers["dynamic_load_rating"], numbers["static_load_rating"], of_hybrid["static_load_rating"]]
+        assert used == [row["C"], row["C0"], row["C0_HY"]], name
+        solution = qs.solve(qs.Scene(made.bearing, qs.Operation(axial_load=columns([row], "Fv")[0])))
+        printed = columns([row], "Cax")[0]
+        off = 100.0 * np.abs(2e-6 * solution.stiffness[:, 0, 0] / printed - 1.0)
+        wrong = [(name, i) for i in np.flatnonzero(off > rounding(printed) + AMONG_THEMSELVES)]
+        assert set(wrong) <= {MISPRINT}, (wrong, off)
+        kind = "KH" if name.startswith("KH") else "S" if row["CaxS"] >= LEAST_RIGIDITY else "S small"
+        for least_most, computed, key in (
+            (C_OVER_PRINTED, qs.readings.dynamic_load_rating(made.bearing), "C"),
+            (C0_OVER_PRINTED, qs.readings.static_load_rating(made.bearing), "C0"),
+        ):
+            least, most = least_most[kind]
+            assert least <= float(computed) / row[key] <= most, (name, key)
 
 
 def test_an_example_that_is_a_row_too_keeps_its_numbers_and_has_the_row_s_dimensions() -> None:

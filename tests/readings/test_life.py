@@ -145,13 +145,30 @@ def test_a_modification_factor_at_its_limit_is_said() -> None:
     found = qs.readings.life(solution, viscosity_ratio=3.0, contamination_factor=0.9)
     assert found.life_modification_factor[0] == 50.0
     assert found.is_at_limit.tolist() == [True, False]
-    (said,) = (sentence for sentence in found.warnings if "aISO" in sentence)
+    (said,) = (sentence for sentence in found.warnings if "upper limit" in sentence)
     assert said.startswith("1 of 2 cases, the first 0: aISO is at the upper limit of ISO 281, 50")
     assert found.duration[0] == pytest.approx(50.0 * found.basic_duration[0])
     plain = qs.readings.life(solution)
     assert plain.is_at_limit is None
     assert plain.duration == pytest.approx(plain.basic_duration)
     assert plain.basic_duration == pytest.approx(plain.basic_reference_rating_life / 50.0)
+
+
+def test_a_life_that_nobody_should_count_on_is_said() -> None:
+    """From an aISO of 5 on, and from 200,000 h; a life at rest is infinite and no such life."""
+    of = solved(turning(np.full(3, 300.0), axial_load=np.array([5e3, 15e3, 60e3])))
+    slow = qs.readings.life(of, viscosity_ratio=2.0, contamination_factor=0.35)
+    factor, hours = slow.life_modification_factor, slow.duration / 3600.0
+    assert ((factor > 5.0) & (factor < 50.0)).any() and not (factor > 5.0).all()
+    assert (hours > 200_000.0).any() and not (hours > 200_000.0).all()
+    said = [each for each in slow.warnings if "limit of practice" in each]
+    for count, begin in (
+        (np.sum((factor > 5.0) & (factor < 50.0)), "aISO is above 5,"),
+        (np.sum(hours > 200_000.0), "the life is above 200,000 h (23 years),"),
+    ):
+        assert sum(begin in each and each.startswith(f"{count} of 3 cases") for each in said) == 1, said
+    resting_life = qs.readings.life(solved(resting(B218, axial_load=9e3)))
+    assert not any("practice" in each for each in resting_life.warnings)
 
 
 def test_arrays_and_unsolved_cases() -> None:

@@ -62,6 +62,7 @@ def test_files_of_every_kind_hold_the_same(tmp_path: Path) -> None:
         (("b218", "--vary", "speed=0:1:3"), "Did you mean speed_rpm"),
         (("b218", "--vary", "rpm=0:1:3"), "Did you mean speed_rpm?"),
         (("b218", "--vary", "speed_rpm=0:1000,5:3"), "Decimals take a point: 1000.5"),
+        (("b218", "--vary", "speed_rpm=0:22,000:3"), "Write 22000 (thousands take no comma) or 22.000, which is 22"),
         (("b217", "--vary", "speed_rpm=0:1:3"), "Did you mean B218"),
         (("b218", "--vary", "speed_rpm=0:1:3", "--out", "r.txt"), "must end in"),
         (("b218", "--vary", "speed_rpm=0:1:3", "--resume"), "--resume needs"),

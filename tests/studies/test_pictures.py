@@ -326,3 +326,20 @@ def test_a_long_title_has_more_lines() -> None:
     canvas.draw()
     assert figure.get_tightbbox(canvas.get_renderer()).x1 <= 4.0
     assert figure.get_suptitle().count("\n") >= 2
+
+
+@pytest.mark.parametrize(
+    "vary", [{"axial_load_N": "1000:9000:4"}, VARIED["map"], {"ball_diameter_mm": "normal(22.225,0.002)"}]
+)
+def test_every_result_that_a_study_names_is_drawn(vary: dict[str, str]) -> None:
+    """Zero everywhere or of another kind than most readers want."""
+    named = [
+        "inner_angle_max", "outer_load_max", "inner_max_pressure_max", "ring_displacement_axial",
+        "ring_displacement_radial_y", "outer_semi_major_axis_max",
+    ]  # fmt: skip
+    results = sweep(Study.of("b218", vary, samples=64, quantities=named))
+    shown = [name for panel in select(results).panels for name in panel]
+    assert sorted(shown) == sorted(named)
+    drawn = picture(results)
+    FigureCanvasAgg(drawn).draw()
+    assert len(drawn.axes) == len(select(results).panels)

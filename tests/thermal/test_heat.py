@@ -16,8 +16,10 @@ from scipy.optimize import fsolve
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.io.json_record import record
 from qsbearing.io.scene_file import scene_of
 from qsbearing.io.scene_tables import input_tables
+from qsbearing.io.set_record import set_record
 from qsbearing.io.thermal_report import along_curve, speeds_record, thermal_tables
 from qsbearing.studies.variables import VariableError, variable_of
 from qsbearing.thermal.state import ThermalState
@@ -229,6 +231,25 @@ def test_a_set_has_its_rows_own_temperatures_and_a_shared_shaft() -> None:
     ambient = AMBIENT + qs.zero_celsius
     away = (T["shaft"] - ambient) + sum(3.0 * (T[f"outer_ring {n}"] - ambient) for n in (1, 2))
     assert away + 6.0 * (T["housing"] - ambient) == pytest.approx(made + 5.0, rel=1e-9)
+
+
+def origins(temperatures: dict[str, Any]) -> dict[str, str]:
+    return {body: each["from"] for body, each in temperatures.items()}
+
+
+def test_temperatures_of_the_heat_balance_are_not_called_given() -> None:
+    """Those of a set's rows neither. Those of [thermal.fixed] are, and bodies that only conduct are as their rings."""
+    found = set_record(qs.solve_set(pair()), [{}, {}])
+    for row in found["rows"]:
+        of = origins(row["temperatures"])
+        assert of == dict.fromkeys(("inner_ring", "outer_ring", "shaft"), "heat balance") | {
+            "housing": "as the outer ring"
+        }
+    thermal = tables()["thermal"]
+    fixed = thermal["fixed"] | {"outer_ring_C": 40.0}
+    single = record(qs.solve(scene(thermal=thermal | {"fixed": fixed})), {})
+    assert origins(single["temperatures"])["inner_ring"] == "heat balance"
+    assert origins(single["temperatures"])["outer_ring"] == "given"
 
 
 def test_nothing_is_loaded_or_given_unless_named(monkeypatch: pytest.MonkeyPatch) -> None:

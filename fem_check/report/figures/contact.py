@@ -20,9 +20,9 @@ def pressure_map(entry: Entry) -> Figure:
     x, y, p = (np.asarray(contact["ellipse"][name]) for name in "xyp")
     loaded = x**2 + y**2 < 1.15
     figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
-    # One quarter is solved; the picture is mirrored in both planes of symmetry.
+    # One quarter is solved, of true bodies one half; the picture is mirrored in the planes of symmetry.
     every_x, every_y, every_p = [], [], []
-    for sx in (1, -1):
+    for sx in (1, -1) if x.min() >= 0.0 else (1,):
         for sy in (1, -1):
             every_x.append(sx * x[loaded])
             every_y.append(sy * y[loaded])

@@ -64,10 +64,14 @@ def chosen(
     return sorted(kept, key=lambda entry: (entry.dimensions["bore_diameter_mm"], entry.name))
 
 
+LONGEST_NAME = 60
+"""Letters of a name that is compared with others, which takes the square of its length."""
+
+
 def nearest(name: str) -> str:
     """A sentence that helps whoever asked for a name that the catalogue does not hold."""
     names = {entry.name.lower(): entry.name for entry in (*entries(), *spindle_bearings().values())}
-    wanted = name.strip().lower()
+    wanted = name.strip().lower()[:LONGEST_NAME]
     begun = [full for low, full in names.items() if wanted and low.removeprefix("kh").startswith(wanted)]
     if begun and any(letter.isdigit() for letter in wanted):
         return f"Did you mean {' or '.join(begun[:4])}?"

@@ -18,7 +18,9 @@ from qsbearing.io.catalogue.entry import Entry
 SOURCE = "GMN Paul Mueller Industrie, High precision ball bearings, catalogue 4000 0813 EN, tables of spindle bearings"
 HYBRID = "_hybrid"
 LEAST_RIGIDITY = 80.0
-"""Axial rigidity at heavy preload [N/um] from which a row's own rigidities tell its groove: their rounding is 0.6 %."""
+"""Axial rigidity at heavy preload [N/um] from which the rigidities of a row of series KH tell its groove: their
+rounding is 0.6 %. Below it the rows of KH, whose grooves are alike, have the median of the others. Those of series S
+are not alike: each has its own, which agrees with that of the same bearing at 25 degrees to 0.0007."""
 LEAST_SHOULDER = 0.14
 """Height over the bottom of the groove, in ball diameters, from which a printed d1 or D1 is that of the shoulder that
 carries the thrust (chosen: what the ellipse under a thrust of half C0 needs at 15 degrees). The table does not say
@@ -96,10 +98,11 @@ def _provenance(printed: str, row: dict[str, float], is_hybrid: bool) -> dict[st
         "ball_count": "Z", "ball_diameter_mm": "Dw", "pitch_diameter_mm": "dm", "free_contact_angle_deg": "alpha",
     }  # fmt: skip
     found = {key: f"catalogue row {printed}, column {column}" for key, column in columns.items()}
+    is_median = printed.startswith("KH") and row["CaxS"] < LEAST_RIGIDITY
     fitted = (
-        "the value that meets the row's three printed axial rigidities best, with steel of 208 GPa"
-        if row["CaxS"] >= LEAST_RIGIDITY
-        else "the median of its series, because the row's own rigidities are printed to too few digits"
+        "the median of its series, because the row's own rigidities are printed to too few digits"
+        if is_median
+        else "the value that meets the row's three printed axial rigidities best, with steel of 208 GPa"
     )
     groove = f"inferred: not in the catalogue. f = {row['inferred_f']:g}, equal in both rings (assumed), is {fitted}"
     if printed.startswith("KH"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -70,7 +71,8 @@ def select(
 
     Args:
         x: key along the horizontal axis; the longest axis if not given.
-        y: results to show; angles, loads and stiffness if not given, or what tells most on a map.
+        y: results to show; if not given, those that the study names, else angles, loads and stiffness, or what tells
+            most on a map.
         kind: of the picture, if not the one that suits the axes.
         at: for keys of further axes, the value to show; their first if not given.
 
@@ -144,7 +146,9 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
 
 
 def _default(results: Dataset, kind: Kind) -> list[str]:
-    """What most readers want; of it, what is there and not zero everywhere."""
+    """What the study names; else what most readers want, and of it what is there and not zero everywhere."""
+    if asked := [name for name in _named(results) if kind is not Kind.AZIMUTH or BALL in results[name].dims]:
+        return asked
     if kind is Kind.MAP:
         wanted = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
         wanted += ["ring_effective_stiffness_axial"]
@@ -162,6 +166,12 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
         found += [str(name) for name in results.data_vars if name not in (*found, *_NOT_RESULTS)]
         found = [name for name in found if _varies(results, name)][:6]
     return found
+
+
+def _named(results: Dataset) -> list[str]:
+    """The results that the study asks for by name; none where it keeps all."""
+    named = json.loads(results.attrs.get("study", "{}")).get("study", {}).get("quantities", [])
+    return [str(name) for name in results.data_vars if named and (name in named or name not in _NOT_RESULTS)]
 
 
 _NOT_RESULTS = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")

@@ -24,6 +24,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
+<<<<<<< HEAD
+=======
+from qsbearing.chooser import comparison
+from qsbearing.compiled import always_compiled
+>>>>>>> main
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import comparison
@@ -94,6 +99,7 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
         scene: bearing and operation; its effects and choices matter for all but the levels, which have their own.
         progress: told what is being measured, before each of `steps`.
     """
+    always_compiled()
     where = machine()
     progress("errors along the speed")
     along = errors(scene)

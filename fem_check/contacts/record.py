@@ -1,0 +1,103 @@
+"""What is known of chosen contacts beside their rows: bearing, materials, shapes, meshes; the numbers of pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+from typing import Any
+
+import numpy as np
+
+from fem_check.contact_problem import ElasticConstants
+from fem_check.contacts import half_spaces, true_bodies
+from fem_check.contacts.chosen import ANGLES, Chosen
+from fem_check.contacts.half_spaces import Shape, ellipticity
+from fem_check.contacts.true_bodies import TrueBodies
+from fem_check.groove import RACES
+from fem_check.pictures import contact_pictures
+from fem_check.references import hertz
+
+
+def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence: Sequence[int]) -> dict[str, Any]:
+    """Entries of the record, and the pressure of each contact for its picture."""
+    entries = []
+    for each in contacts:
+        shape = next(shape for shape in shapes if each in shape.alike)
+        entry = _contact(each) | {"case": half_spaces.case_of(each)}
+        if len(shape.alike) > 1:
+            entry["similar_to_load_N"] = shape.study.problem.load
+        entries.append(entry)
+    return {"bearing": _bearing(contacts[0]), "elements": list(sequence), "contacts": entries}
+
+
+def of_true_bodies(contacts: Sequence[TrueBodies], sequence: Sequence[int]) -> dict[str, Any]:
+    """The same of true bodies; and which rows the meshes are too coarse to judge."""
+    entries = [_contact(each.chosen) | {"case": each.case, "mesh": true_bodies.mesh_of(each)} for each in contacts]
+    known = {"bearing": _bearing(contacts[0].chosen), "elements": list(sequence), "contacts": entries}
+    return known | {"undecided": [case for each in contacts for case in each.undecided]}
+
+
+def _bearing(contact: Chosen) -> dict[str, Any]:
+    bearing = contact.bearing.bearing
+    lengths = ("ball_diameter", "pitch_diameter", *(f"{race}_groove_radius" for race in RACES))
+    return {
+        "name": contact.groove.name,
+        "ball_count": round(float(np.ravel(bearing.ball_count)[0])),
+        **{f"{name}_mm": 1e3 * float(np.ravel(getattr(bearing, name))[0]) for name in lengths},
+        "free_contact_angle_deg": degrees(float(np.ravel(bearing.free_contact_angle)[0])),
+        "ball_material": _material(bearing.ball_material.name, contact.groove.ball),
+        "ring_material": _material(bearing.ring_material.name, contact.groove.race),
+    }
+
+
+def _material(name: str, constants: ElasticConstants) -> dict[str, Any]:
+    return {
+        "name": name,
+        "elastic_modulus_GPa": 1e-9 * constants.elastic_modulus,
+        "poisson_ratio": constants.poisson_ratio,
+    }
+
+
+def _contact(contact: Chosen) -> dict[str, Any]:
+    problem = contact.problem
+    return {
+        "label": contact.label,
+        "race": contact.groove.race_name,
+        "load_N": contact.load,
+        "contact_angle_deg": degrees(contact.groove.contact_angle),
+        "angle": contact.angle,
+        "angle_is": ANGLES[contact.angle],
+        "balls": contact.balls,
+        "curvature_sum_across_per_mm": 1e-3 * problem.curvature_x,
+        "curvature_sum_along_per_mm": 1e-3 * problem.curvature_y,
+        "ellipticity": ellipticity(problem),
+    }
+
+
+def pressures_of_half_spaces(shapes: Sequence[Shape]) -> list[dict[str, Any]]:
+    """The numbers of a map of each shape's pressure, at its heaviest load."""
+    found = []
+    for shape in shapes:
+        heaviest = max(shape.alike, key=lambda each: each.load)
+        found.append(contact_pictures(shape.study.solution, shape.study.bodies, _title(heaviest)))
+    return found
+
+
+def pressures_of_true_bodies(contacts: Sequence[TrueBodies]) -> list[dict[str, Any]]:
+    """The numbers of a map of each contact's pressure."""
+    found: list[dict[str, Any]] = []
+    for each in contacts:
+        finest, exact = each.solved.finest, hertz(each.chosen.problem)
+        assert finest is not None
+        a, b, p0 = exact.semi_major_axis, exact.semi_minor_axis, exact.max_pressure
+        x, y = finest.contact.frame.basis.points
+        pressure = finest.pressure(each.chosen.load)
+        contact = {"label": _title(each.chosen), "name": each.chosen.problem.name, "load_N": each.chosen.load}
+        contact |= {"a_mm": 1e3 * a, "b_mm": 1e3 * b, "p0_MPa": 1e-6 * p0}
+        contact["ellipse"] = {"x": (x / a).tolist(), "y": (y / b).tolist(), "p": (pressure / p0).tolist()}
+        found.append({"contact": contact})
+    return found
+
+
+def _title(contact: Chosen) -> str:
+    return f"at {degrees(contact.groove.contact_angle):.2f}°"

@@ -1,0 +1,186 @@
+"""The record of chosen contacts as blocks of a document: what was solved, one table of agreement, what it rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from fem_check import row_text
+from qsbearing.documents.model import Badge, Block, Group, Paragraph, Remark, Table
+from qsbearing.documents.terminal import STYLES
+
+Row = dict[str, Any]
+Entry = dict[str, Any]
+
+SHOWN = {
+    "approach": ("approach δ", "µm", 1e6),
+    "semi_major_axis": ("semi-axis a", "mm", 1e3),
+    "semi_minor_axis": ("semi-axis b", "mm", 1e3),
+    "max_pressure": ("pressure p0", "MPa", 1e-6),
+    "max_shear_stress": ("shear τmax", "MPa", 1e-6),
+    "max_shear_depth": ("depth of τmax", "mm", 1e3),
+}
+"""Of each quantity of the table: name, unit, and one of its SI unit in that."""
+HEADINGS = ("", "Hertz", "finite\nelements", "deviation\n%", "±\n%", "verdict")
+MODELS = {
+    "parabolic": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: deviations are errors.",
+    "true": "Ball and ring with their real shapes, where Hertz is an approximation: deviations are findings.",
+}
+
+
+def agreement_rows(entry: Entry) -> dict[str, list[Row]]:
+    """The rows of each contact against Hertz, by the case that the contact names."""
+    found: dict[str, list[Row]] = {contact["case"]: [] for contact in entry["contacts"]}
+    for row in entry["rows"]:
+        if row["case"] in found:
+            found[row["case"]].append(row)
+    return found
+
+
+def heading(entry: Entry) -> Remark:
+    """The verdict on all contacts, and what it took."""
+    lead = f"{entry['check']} ({entry['level']}): {entry['verdict']}"
+    took = f"{entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
+    return Remark(f"{lead}   {took}", entry["verdict"], lead, STYLES[entry["verdict"]])
+
+
+def facts(entry: Entry) -> list[tuple[str, str]]:
+    """What the contacts are of: name and text."""
+    bearing, mesh = entry["bearing"], entry["mesh"]
+    materials = [_material(bearing[f"{part}_material"]) for part in ("ball", "ring")]
+    elements = ", ".join(map(str, entry["elements"][:-1]))
+    found = [
+        (
+            "Bearing",
+            f"{bearing['name']}: {bearing['ball_count']} balls of {bearing['ball_diameter_mm']:.6g} mm on "
+            f"{bearing['pitch_diameter_mm']:.6g} mm; groove radii {bearing['inner_groove_radius_mm']:.6g} mm (inner) "
+            f"and {bearing['outer_groove_radius_mm']:.6g} mm (outer); free contact angle "
+            f"{bearing['free_contact_angle_deg']:.4g}°",
+        ),
+        ("Materials", f"balls {materials[0]}; rings {materials[1]}"),
+        *(("Curvatures" if first else "", told) for first, told in _curvatures(entry["contacts"])),
+        ("Contact angle", "; ".join(dict.fromkeys(contact["angle_is"] for contact in entry["contacts"]))),
+        ("Model", MODELS[mesh["geometry"]]),
+        (
+            "Mesh",
+            f"{mesh['elements_per_semi_axis']} elements per semi-axis ({elements} for the uncertainty), "
+            f"{mesh['dofs']} unknowns; {mesh['file']}, {mesh['origin']}; solver {entry['solver']}",
+        ),
+    ]
+    told = _similar(entry["contacts"])
+    return [*found, ("Solved", told)] if told else found
+
+
+def _material(material: dict[str, Any]) -> str:
+    return f"{material['name']}, E {material['elastic_modulus_GPa']:.4g} GPa, ν {material['poisson_ratio']:.3g}"
+
+
+def _curvatures(contacts: Iterable[dict[str, Any]]) -> Iterable[tuple[bool, str]]:
+    """Of each raceway, from the least to the largest of its contacts: sums of ball and raceway."""
+    by_race: dict[str, list[dict[str, Any]]] = {}
+    for contact in contacts:
+        by_race.setdefault(contact["race"], []).append(contact)
+    for number, (race, own) in enumerate(by_race.items()):
+        across, along, ratio = (
+            _span([contact[name] for contact in own], 5)
+            for name in ("curvature_sum_across_per_mm", "curvature_sum_along_per_mm", "ellipticity")
+        )
+        yield number == 0, f"{race}: {across} /mm across the groove, {along} /mm along it; a/b = {ratio}"
+
+
+def _span(values: list[float], digits: int) -> str:
+    least, most = (f"{value:.{digits}g}" for value in (min(values), max(values)))
+    return least if least == most else f"{least} to {most}"
+
+
+def _similar(contacts: list[dict[str, Any]]) -> str:
+    """Which contacts were solved for which others; empty where each was solved for itself."""
+    solved: dict[tuple[str, float], int] = {}
+    for contact in contacts:
+        if "similar_to_load_N" in contact:
+            key = contact["race"], contact["similar_to_load_N"]
+            solved[key] = solved.get(key, 0) + 1
+    if not solved:
+        return ""
+    each = ", ".join(f"{race} {load:g} N for {count} contacts" for (race, load), count in solved.items())
+    return (
+        f"once for each shape ({each}): half-spaces are similar at every load, lengths and stresses as Q^(1/3), the "
+        "approach as Q^(2/3), so the deviations are the same"
+    )
+
+
+def agreement_table(entry: Entry) -> Table:
+    """Every contact against Hertz."""
+    lines: list[Any] = []
+    by_case = agreement_rows(entry)
+    for contact in entry["contacts"]:
+        lines.append(Group(contact["label"]))
+        for row in by_case[contact["case"]]:
+            name, unit, size = SHOWN[row["quantity"]]
+            told = row_text.of_row(row)
+            numbers = (row_text.number(row["reference"] * size), row_text.number(row["found"] * size))
+            lines.append((f"{name}, {unit}", *numbers, told.deviation, told.uncertainty, Badge(row["verdict"])))
+    return Table(HEADINGS, lines, "lrrrrl", f"{entry['bearing']['name']}: Hertz and finite elements")
+
+
+def tolerances(entry: Entry) -> Paragraph | None:
+    """The tolerances of the table and their reason; None where all are findings."""
+    told: dict[tuple[float, str], list[str]] = {}
+    for row in (row for rows in agreement_rows(entry).values() for row in rows):
+        if row["tolerance_percent"] is not None:
+            names = told.setdefault((row["tolerance_percent"], row["why_tolerance"]), [])
+            names += [SHOWN[row["quantity"]][0]] if SHOWN[row["quantity"]][0] not in names else []
+    if not told:
+        return None
+    limits = "; ".join(f"{limit:.3g} % of {', '.join(names)}" for (limit, _), names in told.items())
+    reasons = "; ".join(dict.fromkeys(why for _, why in told))
+    return Paragraph(
+        f"Tolerance: {limits}; {reasons}. A row passes if its deviation and its uncertainty together are within it.",
+        "Tolerance:",
+        is_apart=True,
+    )
+
+
+def undecided(entry: Entry) -> Paragraph | None:
+    """Which rows are not judged because the meshes are too coarse, and the remedy."""
+    if not entry.get("undecided"):
+        return None
+    said = "; ".join(entry["undecided"])
+    return Paragraph(
+        f"Not judged: {said}. It agrees within its uncertainty, which on these meshes exceeds the tolerance: more "
+        f"--elements than {entry['mesh']['elements_per_semi_axis']} judge it.",
+        "Not judged:",
+        is_apart=True,
+    )
+
+
+def rests_on(entry: Entry) -> list[Block]:
+    """Tables of all other rows: self-checks, and what true bodies are compared with beside Hertz."""
+    own = {contact["case"] for contact in entry["contacts"]}
+    by_case: dict[str, list[Row]] = {}
+    for row in entry["rows"]:
+        if row["case"] not in own:
+            by_case.setdefault(row["case"], []).append(row)
+    lines: list[Any] = []
+    for case, rows in by_case.items():
+        lines.append(Group(case))
+        for row in rows:
+            told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
+            name = row_text.in_words(row["quantity"]) + (f", {unit}" if unit else "")
+            numbers = (told.reference, told.found, row_text.deviation(row), told.tolerance)
+            lines.append((name, *numbers, Badge(row["verdict"])))
+    table = Table(
+        ("", "reference", "found", "deviation %", "tolerance", ""), lines, "lrrrrl", "What the verdict rests on"
+    )
+    return [table] if lines else []
+
+
+def for_terminal(entry: Entry) -> list[Block]:
+    """All of it, for a terminal."""
+    paragraphs = []
+    lead = ""
+    for name, told in facts(entry):
+        lead = f"{name}:" if name else " " * len(lead)
+        paragraphs.append(Paragraph(f"{lead} {told}", lead))
+    below = [each for each in (tolerances(entry), undecided(entry)) if each]
+    return [heading(entry), *paragraphs, agreement_table(entry), *rests_on(entry), *below]

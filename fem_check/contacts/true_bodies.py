@@ -1,0 +1,57 @@
+"""Chosen contacts as true bodies, ball and ring segment with their real shapes: each meshed and solved for itself."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from fem_check.agreement import Findings, Progress, Row
+from fem_check.checks import true_geometry
+from fem_check.checks.true_geometry import Solved
+from fem_check.contacts.chosen import Chosen
+
+LEAST_ELEMENTS = 6
+"""Of the finest mesh; those of true bodies lie farther apart than those of half-spaces."""
+
+
+@dataclass(frozen=True)
+class TrueBodies:
+    """A contact, solved."""
+
+    chosen: Chosen
+    solved: Solved
+    undecided: tuple[str, ...]
+    """Which of its rows the meshes are too coarse to judge."""
+
+    @property
+    def case(self) -> str:
+        """Of its rows of agreement with Hertz."""
+        return f"{self.solved.case}: true contact"
+
+
+def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tuple[list[TrueBodies], Findings]:
+    """Every contact against Hertz, and what its judgement rests on.
+
+    Raises:
+        MeshError: gmsh cannot mesh the bodies.
+        ContactError: a contact cannot be solved.
+    """
+    found: list[TrueBodies] = []
+    rows: list[Row] = []
+    for each in contacts:
+        own, undecided, solved = true_geometry.single(
+            each.bearing, each.groove.name, each.groove, each.load, elements, progress
+        )
+        found.append(TrueBodies(each, solved, tuple(f"{row.case}, {row.quantity}" for row in undecided)))
+        rows += own
+    last = found[-1].solved
+    mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}
+    return found, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
+
+
+def mesh_of(contact: TrueBodies) -> dict[str, Any]:
+    """Of one contact, as the record keeps it."""
+    finest = contact.solved.finest
+    assert finest is not None
+    return {"dofs": contact.solved.dofs, "files": [finest.contact.mesh_file(body) for body in ("ball", "ring")]}
