@@ -25,7 +25,7 @@ GRID = 81
 
 def heading(found: Found) -> str:
     """How the search ended, in a sentence."""
-    share = f"{100.0 * found.feasible_share:.3g} % of the ranges meet all goals and limits"
+    share = f"{100.0 * found.feasible_share:.3g} % of the sampled points meet all goals and limits"
     goals = " (goals within 1 %)" if any(each.sense == "=" for each in found.wanted.conditions) else ""
     end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all goals and limits."
     if not found.is_feasible:

@@ -122,3 +122,18 @@ def test_a_result_stands_in_every_row() -> None:
     (sector,) = [text for says, text in results.items() if "bearing_sector" in says]
     assert "+1.5 to +32 %" in sector
     assert "loads within 0.73 %" in sector
+
+
+def test_guide_and_readme_say_what_the_records_say() -> None:
+    """Of a free outer ring against `solve`, and of predicted rigidities."""
+    numbers = json.loads(evidence_numbers.NUMBERS.read_text(encoding="utf-8"))
+    free, rigidities = numbers["bearing_sector"]["free"], numbers["gmn_rigidities"]
+    page = " ".join((evidence_numbers.ROOT / "qsbearing/guide/elastic_rings.md").read_text(encoding="utf-8").split())
+    low, high = free["displacement_percent"]
+    assert f"{low:.1f} to {high:.0f} % larger than that of `solve`" in page
+    assert f"the loads differ by up to {max(map(abs, free['load_percent'])):.1f} %" in page
+    assert f"the angles are up to {free['angle_deg'][1]:.1f}° larger" in page
+    readme = (evidence_numbers.ROOT / "README.md").read_text(encoding="utf-8")
+    (row,) = (line for line in readme.splitlines() if "catalogue rigidities" in line)
+    assert row.startswith(f"| {rigidities['values']} catalogue") and "fitted at 15°" in row
+    assert row.endswith(f"| {100.0 * rigidities['rms']:.1f} % rms |")
