@@ -9,11 +9,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.chooser import choose
-<<<<<<< HEAD
-=======
-from qsbearing.chooser.comparison import by_quantity
 from qsbearing.compiled import is_compiled
->>>>>>> main
 from qsbearing.effects import EFFECTS, Entry
 from qsbearing.kernel.solve_case import solve_cases
 from qsbearing.scene.scene import Scene

@@ -39,16 +39,10 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
     The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
-<<<<<<< HEAD
-    displacement and stiffness, the solve time with the effect over that without it, and a verdict: needed; not needed;
-    likely needed, but input data are missing (the changes are then those with usual parameters, after ≈); or not
-    assessed, with the reason. The indicator is a dimensionless number that governs the influence of the effect.
-=======
     displacement and stiffness, where the solver runs compiled the solve time with the effect over that without it, and
-    a verdict: needed; not needed;
-    likely needed, but input data are missing (the changes are then estimated and marked ≈); or not assessed, with the
-    reason. The indicator is a dimensionless number that governs the influence of the effect.
->>>>>>> main
+    a verdict: needed; not needed; likely needed, but input data are missing (the changes are then those with usual
+    parameters, after ≈); or not assessed, with the reason. The indicator is a dimensionless number that governs the
+    influence of the effect.
 
     For a set of rows, sentences before the table say how speed and loads change its preload.
 
@@ -112,17 +106,11 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.effects import QUANTITIES
 
-<<<<<<< HEAD
     title = f"Effects and choices: change if left out (≈ usual parameters); needed above {100 * tolerance:g} %"
-    is_timed = any(row.time_with_over_without is not None for row in rows)  # those of a set are not
-    headings = ("", "in\nscene", *(("indi-\ncator", "time") if is_timed else ()), *HEADINGS, "verdict")
-=======
-    title = f"Effects and choices: change if left out (≈ estimated); needed above {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
     numbers = (*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else []), *HEADINGS)
     headings = ("", "in\nscene", *numbers, "verdict")
->>>>>>> main
     cells, said = [], []
     for row in rows:
         ratio = two_digits(row.time_with_over_without)

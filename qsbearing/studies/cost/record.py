@@ -24,11 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-<<<<<<< HEAD
-=======
-from qsbearing.chooser import comparison
 from qsbearing.compiled import always_compiled
->>>>>>> main
 from qsbearing.scene.operation import CHANNELS
 from qsbearing.scene.scene import Scene
 from qsbearing.solution import comparison
