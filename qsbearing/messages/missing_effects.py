@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.messages.balls import Warnings
 from qsbearing.messages.equal_warnings import numbered
-from qsbearing.ranked_warning import capital, incomplete_model, said_of
-from qsbearing.solution.changes import Change, asked, changes, rows_of
-from qsbearing.solution.judgement import WORDS, WORTH_A_WARNING, changed, estimated, judge, lines_to_add
+from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.ranked_warning import capital, incomplete_model, said_of
+from qsbearing.model.solution.changes import Change, asked, changes, rows_of
+from qsbearing.model.solution.judgement import WORDS, WORTH_A_WARNING, changed, estimated, judge, lines_to_add
 
 EXPLAINED = "accuracy"
 MOST_CASES = 64
