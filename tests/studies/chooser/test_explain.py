@@ -18,7 +18,7 @@ from qsbearing.messages.missing_effects import MOST_CASES
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.model.solution.judgement import estimated, judge, percent
+from qsbearing.model.solution.judgement import changed, estimated, judge
 from qsbearing.studies.chooser import explain as explaining
 from qsbearing.studies.chooser.explain import explain
 from tests.qsbearing.scenes import resting, solved, turning
@@ -242,7 +242,7 @@ def test_what_needs_numbers_of_the_scene_is_warned_of_with_what_a_solve_finds() 
     row = next(row for row in explain(FAST_SPINDLE, 0.01)[1] if row.effect == "ring_expansion")
     assert (row.in_scene, row.verdict, row.predicted, row.actual) == (False, "likely needed, data missing", None, None)
     (assumed,) = row.assumed
-    assert f"change the displacement by about {percent(assumed['actual']['displacement'])}" in said
+    assert f"change the displacement by about {changed(assumed['actual']['displacement'])}" in said
     rings = qs.RingExpansion(50 * qs.mm, 90 * qs.mm)
     given = solved(replace(FAST_SPINDLE, ring_effects=(rings,)))
     assert not any("expansion of the rings" in line for line in qs.warnings(given))
