@@ -14,7 +14,7 @@ from qsbearing.effects import MomentShares
 from qsbearing.io.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.io.file_keys import find
 from qsbearing.io.unknown_key import Suggestion, near, suggest
-from qsbearing.material import BY_NAME, Material
+from qsbearing.material import BY_NAME, Material, material_named
 from qsbearing.result_keys import printed_unit
 from qsbearing.scene.bearing import BearingKind
 from qsbearing.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
@@ -155,9 +155,11 @@ def material(path: str, value: Any, errors: Errors) -> Material:
     if not isinstance(value, str):
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
         return unknown
-    if value.lower() not in BY_NAME:
+    found = material_named(value)
+    if found is None:
         near_one = near(value.lower(), BY_NAME, 0.5)
         others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
         cause = f"Did you mean {near_one}?" if near_one else others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
-    return BY_NAME.get(value.lower(), unknown)
+        return unknown
+    return found
