@@ -183,7 +183,7 @@ def test_nothing_serious_bars_anybody(page: Browser) -> None:
         pytest.skip("axe-core-python is not installed")
     script = Path(package.submodule_search_locations[0]) / "axe.min.js"
     page.value(script.read_text(encoding="utf-8") + "; true")
-    wait(page, "document.querySelectorAll('#tables table').length > 0")
+    wait(page, "document.querySelectorAll('#tables table').length > 0 && !document.querySelector('.stale')")
     found = page.value(
         "axe.run().then(r => r.violations.map(v => [v.impact, v.id, v.nodes.slice(0, 3).map(n => n.html)]))"
     )
