@@ -26,10 +26,11 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from qsbearing.app import answers
 from qsbearing.app.work import StoppedError, answered
 from qsbearing.documents.html import TEMPLATES
+from qsbearing.files.errors import MOST_SHOWN, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_FILE, MOST_KEYS
-from qsbearing.io.file_errors import MOST_SHOWN, refused
-from qsbearing.validation import SceneError
+from qsbearing.model.compiler.compiled import compile_ahead
+from qsbearing.model.validation import SceneError
 
 PAGE = Path(__file__).parent / "page"
 LOCAL = ("127.0.0.1", "localhost", "::1")
@@ -68,7 +69,8 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     """
     first = answers.start(source)
     warm = {"document": first["document"], "label": first["label"]}
-    answers.solved(**warm)  # the solver is compiled and the drawing loaded before somebody waits
+    compile_ahead()
+    answers.solved(**warm)  # the drawing is loaded before somebody waits
 
     async def start(request: Request) -> Response:
         return JSONResponse(first)

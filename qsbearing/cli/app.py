@@ -28,7 +28,7 @@ def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """
     check_installed("app needs", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
     from qsbearing.app.server import EVERYWHERE, serve
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
 
     def ready(address: str) -> None:
         elsewhere = "; elsewhere with this computer's name in it" if host in EVERYWHERE else ""

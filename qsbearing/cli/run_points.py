@@ -18,6 +18,7 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
+from qsbearing.messages.installation import pip_install
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
@@ -50,10 +51,10 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
 
 def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str, list[Any]]:
     """The rows with their results, written; what is solved before anything fails is kept beside them as CSV."""
-    from qsbearing.design.point_table import read_table, solve_table, table_bytes
-    from qsbearing.io.csv_table import csv_bytes
-    from qsbearing.io.output_file import kept_rows, output_file
-    from qsbearing.validation import SceneError
+    from qsbearing.files.csv_table import csv_bytes
+    from qsbearing.files.output_file import kept_rows, output_file
+    from qsbearing.model.validation import SceneError
+    from qsbearing.studies.design.point_table import read_table, solve_table, table_bytes
 
     done = 0
     kept = ""
@@ -85,5 +86,5 @@ def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str,
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
     lacks = missing(*_NEEDS.get(form, ()))
-    needs = [f"{option} *{form} needs {' and '.join(lacks)}: pip install 'qsbearing[tables]'"] if lacks else []
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {pip_install('tables')}"] if lacks else []
     return ending_problems(option, target, tuple(_NEEDS)) + needs
