@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing import __version__
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.version import __version__
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.documents.in_notebooks import Plotted
 from qsbearing.messages import bearing_set
+from qsbearing.model.above import Plotted
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.ranked_warning import RankedWarning
