@@ -7,13 +7,15 @@ from typing import IO
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# Tests solve more than plain Python pays for; those of the plain way start processes of their own.
+os.environ.setdefault("QSBEARING_COMPILED", "1")
 # Tables are as wide as in a file, whatever the terminal; pytest-xdist sets it in its processes.
 os.environ.pop("COLUMNS", None)
 
 import pytest
 from hypothesis import settings
 
-from qsbearing.compiled import COMPILED
+from qsbearing.model.compiler.compiled import COMPILED
 
 settings.register_profile(
     "qsbearing", derandomize=True, deadline=None, database=None, max_examples=60 if COMPILED else 4

@@ -6,6 +6,6 @@ the report's section and picture are formatted from the record alone.
 
 from __future__ import annotations
 
-from fem_check.book.run import UnknownCaseError, run_book
+from fem_check.book.run import UnknownCaseError, run_book, selected
 
-__all__ = ["UnknownCaseError", "run_book"]
+__all__ = ["UnknownCaseError", "run_book", "selected"]

@@ -114,6 +114,8 @@ class Case:
 
     name: str
     run: Callable[[], Result]
+    needs: tuple[str, ...] = ()
+    """Packages of the extra `fem` that it solves with."""
 
     @property
     def texts(self) -> Texts:

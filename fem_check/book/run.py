@@ -8,12 +8,26 @@ from pathlib import Path
 
 from fem_check import memory
 from fem_check.book import records
+from fem_check.book.case import Case
 from fem_check.book.cases import ALL
-from qsbearing import provenance
+from qsbearing.results import provenance
 
 
 class UnknownCaseError(ValueError):
     """A name that no case of the book has; the message says which there are."""
+
+
+def selected(names: Iterable[str] = ()) -> list[Case]:
+    """The cases of these names, all by default, in the order of the book.
+
+    Raises:
+        UnknownCaseError: a name that no case has.
+    """
+    names = list(names)
+    unknown = [name for name in names if name not in ALL]
+    if unknown:
+        raise UnknownCaseError(f"no case named {', '.join(unknown)}; there are: {', '.join(ALL)}")
+    return [case for case in ALL.values() if not names or case.name in names]
 
 
 def run_book(
@@ -33,12 +47,7 @@ def run_book(
         UnknownCaseError: a name that no case has; nothing was run.
         OSError: the folder cannot be written.
     """
-    names = list(names)
-    unknown = [name for name in names if name not in ALL]
-    if unknown:
-        raise UnknownCaseError(f"no case named {', '.join(unknown)}; there are: {', '.join(ALL)}")
-    chosen = [case for case in ALL.values() if not names or case.name in names]
-    found = []
+    chosen, found = selected(names), []
     for index, case in enumerate(chosen):
         if progress is not None:
             progress(case.name, index / len(chosen))

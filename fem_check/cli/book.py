@@ -34,11 +34,13 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
 
     Exit codes: 0 all within tolerance, 1 a case is out of tolerance, 2 bad input or a missing dependency.
     """
-    require("report", "jinja2", "markdown_it", "mdit_py_plugins", "matplotlib")
+    require("report", "jinja2", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
     from fem_check import book
     from fem_check.report.files import write_book
 
     try:
+        for case in book.selected(names):
+            require("fem", *case.needs, what=f"case {case.name}")
         with progress_bar(as_json) as reporter:
             found = book.run_book(names, out, reporter("book"))
         page = write_book(out)

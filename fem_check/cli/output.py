@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from qsbearing.cli.output import BAD_INPUT, note
+from qsbearing.messages.installation import pip_install
 
 LEVELS = "release has finer meshes and takes much longer."
 
@@ -31,11 +32,11 @@ FEM = ("fem", "skfem", "meshio", "matplotlib")
 """What solves contacts, for `require`."""
 
 
-def require(extra: str, *packages: str) -> None:
-    """Refuse a command of which packages are missing, and say which extra brings them."""
+def require(extra: str, *packages: str, what: str = "this") -> None:
+    """Refuse a command, or what of it is named, of which packages are missing, and say how to install them."""
     missing = [name for name in packages if importlib.util.find_spec(name) is None]
     if missing:
-        refuse(f"this needs {', '.join(missing)}: pip install 'qsbearing[{extra}]'")
+        refuse(f"{what} needs {', '.join(missing)}: {pip_install(extra)}")
 
 
 @contextmanager

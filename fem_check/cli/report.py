@@ -8,7 +8,7 @@ import click
 
 from fem_check.cli.output import RESULTS, refuse, require
 from qsbearing.cli.output import print_text, print_wrote
-from qsbearing.validation import printable
+from qsbearing.model.validation import printable
 
 
 @click.command("report", short_help="Write the validation report from records.")
@@ -36,7 +36,7 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
 
     Exit codes: 0 written, whatever the verdicts in it, 2 no records or a missing dependency.
     """
-    require("report", "jinja2", "typst", "markdown_it", "mdit_py_plugins", "matplotlib")
+    require("report", "jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
     from fem_check import records_store
     from fem_check.report import evidence, files
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 
 import click
 
+from qsbearing.cli.files import check_installed
 from qsbearing.cli.output import print_table, print_text, refuse
 
 
@@ -20,9 +20,7 @@ def figures(out: str) -> None:
 
     Exit codes: 0 made, 2 bad input.
     """
-    for module in ("xarray", "h5netcdf", "matplotlib"):
-        if importlib.util.find_spec(module) is None:
-            refuse(f"figures need {module}: pip install 'qsbearing[studies]'")
+    check_installed("figures need", ("xarray", "h5netcdf", "matplotlib"), "studies")
     folder = Path(out)
     try:
         folder.mkdir(exist_ok=True)
@@ -35,8 +33,8 @@ def _make(folder: Path) -> None:
     from importlib.resources import files
 
     from qsbearing.documents.model import Table
+    from qsbearing.model.validation import printable
     from qsbearing.studies.paper.figures import FIGURES, made
-    from qsbearing.validation import printable
 
     rows = []
     for figure in FIGURES:

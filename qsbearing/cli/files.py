@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import refuse, refuse_all
+from qsbearing.messages.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from qsbearing.io.output_file import Writer
+    from qsbearing.files.output_file import Writer
 
 PICTURES = (".png", ".svg", ".pdf")
 T = TypeVar("T")
@@ -37,7 +38,7 @@ def missing(*modules: str) -> list[str]:
 def check_installed(what: str, modules: tuple[str, ...], extra: str) -> None:
     """End with what to install, where something is missing."""
     if lacks := missing(*modules):
-        refuse(f"{what} {', '.join(lacks)}: pip install 'qsbearing[{extra}]'")
+        refuse(f"{what} {', '.join(lacks)}: {pip_install(extra)}")
 
 
 def ending_problems(option: str, target: str, known: tuple[str, ...]) -> list[str]:
@@ -49,7 +50,7 @@ def picture_problems(picture: str | None) -> list[str]:
     """Of --plot."""
     if picture is None:
         return []
-    needs = ["--plot needs matplotlib: pip install 'qsbearing[plot]'"] if missing("matplotlib") else []
+    needs = [f"--plot needs matplotlib: {pip_install('plot')}"] if missing("matplotlib") else []
     return ending_problems("--plot", picture, PICTURES) + needs
 
 
@@ -69,7 +70,7 @@ def claimed(
             problems.append(f"{option}: the same file as {other}")
     writers = {}
     for option, target in asked.items():
-        from qsbearing.io.output_file import output_file
+        from qsbearing.files.output_file import output_file
 
         try:
             writers[option] = stack.enter_context(output_file(target))
@@ -80,11 +81,13 @@ def claimed(
 
 
 def write_files(writers: Mapping[K, Writer], make: Mapping[K, Callable[[], bytes]]) -> None:
-    """Write the files that were claimed, once all of them are made."""
+    """Write the files that were claimed, once all of them are made: all of them, or none."""
     contents = {option: make[option]() for option in writers}
     try:
-        for option, write in writers.items():
-            write(contents[option])
+        for option, writer in writers.items():
+            writer.fill(contents[option])
+        for writer in writers.values():
+            writer.put()
     except OSError as error:  # a disk that filled up meanwhile
         refuse(f"cannot write: {error}")
 
@@ -103,7 +106,7 @@ def folder(target: str) -> Path:
 
 def fill(makers: Mapping[Path, Callable[[T], bytes]], make: Callable[[], T]) -> None:
     """Claim every file of a folder, then make what they show and write it in each form: all of them, or none."""
-    from qsbearing.io.output_file import output_file
+    from qsbearing.files.output_file import output_file
 
     with ExitStack() as stack:
         writers = {}

@@ -8,18 +8,24 @@ from collections import Counter
 from typing import Any
 
 from qsbearing.cli.files import ending, ending_problems, missing
-from qsbearing.cli.output import UNSOLVED, print_text, print_wrote, progress_bar, refuse, refuse_all, warnings_as_notes
+from qsbearing.cli.output import (
+    UNSOLVED,
+    note,
+    print_text,
+    print_wrote,
+    progress_bar,
+    refuse,
+    refuse_all,
+    warnings_as_notes,
+)
+from qsbearing.messages.installation import pip_install
 
-_NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("pandas", "openpyxl"), ".parquet": ("pandas", "pyarrow")}
+_NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
 
 
 def run_points(scene: str, points: str | None, out: str | None, decimal: str | None, others: dict[str, Any]) -> None:
     """Solve the scene at each row and write the rows with their results; ends the command."""
-    from qsbearing.design.point_table import read_table, solve_table, table_bytes
-    from qsbearing.io.output_file import output_file
-    from qsbearing.validation import SceneError
-
     problems = [f"{name}: cannot be used with --points, whose results go to --out" for name in others]
     for option, target in (("--points", points), ("--out", out)):
         if target is None:
@@ -30,15 +36,7 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
         problems.append("--out: the same file as --points")
     refuse_all(problems)
     assert points is not None and out is not None  # said to be missing
-    try:
-        with output_file(out) as write:
-            with warnings_as_notes(), progress_bar() as progress:
-                found = solve_table(scene, read_table(points, decimal), points, progress)
-            write(table_bytes(found, ending(out)))
-    except SceneError as error:
-        refuse(str(error))
-    except (OSError, ValueError) as error:
-        refuse(f"--out {out}: {error}")
+    found = _solved(scene, points, out, decimal)
     counts = Counter(found["status"])
     print_text(f"{counts['converged']:,} of {len(found['status']):,} rows solved\n")
     bad = [i for i, status in enumerate(found["status"]) if status != "converged"]
@@ -51,8 +49,42 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
         sys.exit(UNSOLVED)
 
 
+def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str, list[Any]]:
+    """The rows with their results, written; what is solved before anything fails is kept beside them as CSV."""
+    from qsbearing.files.csv_table import csv_bytes
+    from qsbearing.files.output_file import kept_rows, output_file
+    from qsbearing.model.validation import SceneError
+    from qsbearing.studies.design.point_table import read_table, solve_table, table_bytes
+
+    done = 0
+    kept = ""
+    try:
+        with output_file(out) as write, kept_rows(out) as (file, part):
+
+            def keep(columns: dict[str, list[Any]]) -> None:
+                nonlocal done, kept
+                file.write(csv_bytes(columns, with_headings=not done))
+                file.flush()
+                done, kept = done + len(columns["status"]), str(part)
+
+            with warnings_as_notes(), progress_bar() as progress:
+                found = solve_table(scene, read_table(points, decimal), points, progress, keep)
+            write(table_bytes(found, ending(out)))
+            kept = ""
+        return found
+    except SceneError as error:
+        refuse(str(error))
+    except MemoryError:
+        refuse(f"--out {out}: there is not enough memory to write it")
+    except (OSError, ValueError) as error:
+        refuse(f"--out {out}: {getattr(error, 'strerror', None) or error}")
+    finally:
+        if kept:
+            note(f"{done:,} rows with their results are kept in {kept}, as CSV")
+
+
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
     lacks = missing(*_NEEDS.get(form, ()))
-    needs = [f"{option} *{form} needs {' and '.join(lacks)}: pip install 'qsbearing[tables]'"] if lacks else []
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {pip_install('tables')}"] if lacks else []
     return ending_problems(option, target, tuple(_NEEDS)) + needs

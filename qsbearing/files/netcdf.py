@@ -10,6 +10,7 @@ from typing import Any
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.raw import check_regular
+from qsbearing.messages.installation import pip_install
 
 WHAT = "a netCDF file"
 
@@ -24,7 +25,7 @@ def attributes_of(path: Path, names: tuple[str, ...]) -> dict[str, Any]:
     try:
         import h5netcdf
     except ImportError:
-        raise refused(path, "cannot be read", "It needs h5netcdf: pip install 'qsbearing[studies]'") from None
+        raise refused(path, "cannot be read", f"It needs h5netcdf: {pip_install('studies')}") from None
     with damage_told(path), h5netcdf.File(path, "r") as file:
         return {name: file.attrs[name] for name in names if name in file.attrs}
 

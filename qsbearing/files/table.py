@@ -10,6 +10,7 @@ from qsbearing.files.csv_rows import rows_of_csv
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.limits import LARGEST_SHEET, LARGEST_TABLE
 from qsbearing.files.raw import decoded, read_bytes
+from qsbearing.messages.installation import pip_install
 
 ENDINGS = (".csv", ".xlsx", ".parquet")
 Columns = dict[str, list[Any]]
@@ -43,9 +44,7 @@ def read_table(path: Path, texts: tuple[str, ...] = (), decimal: str | None = No
         else:
             rows = rows_of_csv(decoded(data, path), path, texts, decimal)
     except ImportError as error:
-        raise refused(
-            path, f"needs {error.name or 'a package'} to be read", "pip install 'qsbearing[tables]'"
-        ) from None
+        raise refused(path, f"needs {error.name or 'a package'} to be read", pip_install("tables")) from None
     except (SceneFileError, MemoryError):
         raise
     except Exception as error:  # of damaged bytes the packages raise almost anything

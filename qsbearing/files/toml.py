@@ -10,7 +10,7 @@ from typing import Any
 from qsbearing.files.errors import refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
-from qsbearing.validation import comma_advice
+from qsbearing.model.validation import comma_advice
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
@@ -56,6 +56,24 @@ def tables_of(text: str, path: Path) -> dict[str, Any]:
         # Besides wrong syntax, numbers of thousands of digits and endless nesting end here.
         problem = f"is not TOML: {str(error) or 'nested too deeply'}"
         raise refused(path, problem, _line_of(text, str(error))) from None
+
+
+def check_tables(document: dict[str, Any], path: Path) -> None:
+    """See that tables from elsewhere than a text have no more keys than those of one.
+
+    Raises:
+        SceneFileError: they have more, or are nested deeper.
+    """
+    count, level, inner = 0, 0, [document]
+    while inner:
+        count += sum(map(len, inner))
+        level += 1
+        if count > MOST_KEYS or level > DEEPEST_KEY:
+            what = f"{MOST_KEYS:,} keys" if count > MOST_KEYS else f"{DEEPEST_KEY} tables within each other"
+            raise refused(path, f"has more than {what}", "Data of another program?")
+        values = (each for table in inner for each in table.values())
+        lists = (value if isinstance(value, list) else [value] for value in values)
+        inner = [each for found in lists for each in found if isinstance(each, dict)]
 
 
 def _line_of(text: str, message: str) -> str:

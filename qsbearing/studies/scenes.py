@@ -10,22 +10,25 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.io import catalogue
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.io.scene_file import scene_of
-from qsbearing.io.set_file import is_set, set_of
-from qsbearing.material import BY_NAME
-from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
-from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.files import catalogue
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.scene_file import scene_of
+from qsbearing.files.set_file import is_set, set_of
+from qsbearing.model.material import material_named
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
+from qsbearing.model.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.points import Points
 from qsbearing.studies.study import Study, ball_count_of
 from qsbearing.studies.variables import Axis
+from qsbearing.systems.sets.bearing_set import BearingSet
 
 TAIL = 0.01
 """A distribution must leave possible what lies between its quantiles of 1 % and 99 % (chosen: beyond these a normal
 distribution without limits goes where it means nothing)."""
+
+
+OWN_VALUE = "the file's own value, though the key varies"
 
 
 class PossibleScene(NamedTuple):
@@ -117,6 +120,7 @@ def check(study: Study) -> Scene | BearingSet | None:
         SceneFileError: everything that is wrong whatever the point; every distribution that at no point of the axes
             stays, but for its tails, within what is possible.
     """
+    check_base(study)
     middle = {each.key: each.at(np.asarray(0.5)) for each in study.distributions}
     base = possible_point(study, middle)
     if base is None and study.distributions:
@@ -149,6 +153,40 @@ def check(study: Study) -> Scene | BearingSet | None:
 def _in_short(error: SceneFileError) -> str:
     first = error.errors[0]
     return f"{first.key}: {first.problem}" if isinstance(first, FileErrorDetail) else str(first)
+
+
+def check_base(study: Study) -> None:
+    """See that what the document gives for the keys that vary could be, though no point may have it.
+
+    Raises:
+        SceneFileError: what could not be at the document's other values, nor at those of the first possible point.
+    """
+    try:
+        _scene(study, {})
+        return
+    except SceneFileError as error:
+        own = {each.key: each for each in error.errors if isinstance(each, FileErrorDetail)}
+    given = [each.key for each in study.variables if own and _is_given(study.document, keys.known(each.key).path)]
+    base = possible_point(study, {each.key: each.at(np.asarray(0.5)) for each in study.distributions}) if given else {}
+    wrong = []
+    for name in given:
+        try:
+            _scene(study, {key: array.ravel()[0] for key, array in (base or {}).items() if key != name})
+        except SceneFileError as error:
+            at = ".".join(keys.known(name).path)
+            found: list[Any] = [each for each in error.errors if getattr(each, "key", "") == at]
+            wrong += [replace(each, note=OWN_VALUE) for each in found]
+    if wrong:
+        raise SceneFileError(study.file, wrong)
+
+
+def _is_given(document: dict[str, Any], path: tuple[str, ...]) -> bool:
+    table: Any = document
+    for step in path:
+        if not isinstance(table, dict) or step not in table:
+            return False
+        table = table[step]
+    return True
 
 
 def label_of(scene: Scene | BearingSet | None) -> str:
@@ -216,7 +254,7 @@ def _plain(value: ArrayLike) -> Any:
 def _material_table(study: Study, side: str) -> dict[str, Any]:
     """The numbers of a material that the file, or the catalogue, calls by name."""
     name = study.document.get("bearing", {}).get(side, _from_catalogue(study, side))
-    material = BY_NAME.get(name.lower()) if isinstance(name, str) else None
+    material = material_named(name) if isinstance(name, str) else None
     if material is None:
         return {}
     effects = study.document.get("effects", {})

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.io.file_errors import SceneFileError, refused
-from qsbearing.io.output_file import place_of, put_in_place
+from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.output_file import is_locked, place_of, put_in_place
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
 from qsbearing.studies.netcdf import write_netcdf
@@ -21,11 +21,6 @@ from qsbearing.studies.points import Points
 
 if TYPE_CHECKING:
     import xarray
-
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None  # type: ignore[assignment]
 
 PLAN, LOCK = "plan.json", "lock"
 
@@ -52,12 +47,12 @@ def store_at(out: str | os.PathLike[str], plan: Plan, points: Points, *, resume:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Keep other runs away. The system lifts the lock of a run that is killed; on Windows there is none.
+    """Keep other runs away; not on Windows, which has no locks that a kill lifts.
 
     Raises:
         SceneFileError: another run is there, or the folder cannot be written.
     """
-    if fcntl is None:
+    if os.name == "nt":
         yield
         return
     place = folder / LOCK
@@ -67,12 +62,11 @@ def _alone(folder: Path) -> Iterator[None]:
         raise refused(folder, f"cannot be written: {error.strerror}") from None
     with file:
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            is_free = os.path.samestat(os.fstat(file.fileno()), place.stat())  # not what a run before has removed
-        except (BlockingIOError, FileNotFoundError):
+            lock = is_locked(file)
+            # Not what a run before has removed.
+            is_free = lock is None or (lock and os.path.samestat(os.fstat(file.fileno()), place.stat()))
+        except FileNotFoundError:
             is_free = False
-        except OSError:  # a disk without locks
-            is_free = True
         if not is_free:
             raise refused(folder, "another run is using it", "Wait until it has ended, or choose another --out")
         try:

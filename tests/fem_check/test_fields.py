@@ -88,8 +88,11 @@ def test_stress_of_an_even_strain_is_hooke_s():
     mesh = meshing.load(meshing.half_space(3))
     space = elastic_body.DisplacementSpace(mesh, SERENDIPITY)
     strain = 1e-4 * np.array([[1.0, 0.3, -0.2], [0.3, -0.5, 0.4], [-0.2, 0.4, 0.7]])
+    turned = strain + 1e-4 * np.array(
+        [[0.0, 0.6, -0.1], [-0.6, 0.0, 0.2], [0.1, -0.2, 0.0]]
+    )  # a rotation strains nothing
     expected = STEEL.elastic_modulus / 1.3 * (strain + 0.3 / 0.4 * np.trace(strain) * np.identity(3))
-    found = fields.stress(space, space.nodes.T @ strain, STEEL)
+    found = fields.stress(space, space.nodes.T @ turned, STEEL)
     components = [expected[each] for each in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))]
     np.testing.assert_allclose(found, np.broadcast_to(np.array(components)[:, None], found.shape), rtol=1e-9)
 

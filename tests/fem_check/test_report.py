@@ -346,7 +346,7 @@ def test_two_commands_make_it_the_second_from_records_alone(tmp_path: Path) -> N
     shipped = {path: path.stat().st_mtime_ns for path in records_store.FOLDER.rglob("*")}
     run = CliRunner().invoke(cli, ["run", "patch_test", "--level", level, "--out", str(tmp_path / "x")])
     assert run.exit_code == 0
-    refused = "run", "contact --scene b218 --race inner --load-N 1000", "cost", "release"
+    refused = "run", "contact --scene b218 --race inner --load-N 1000", "cost", "release", "book"
     asked = "report --records x --out report", "list", *refused
     done = subprocess.run(
         [sys.executable, "-c", COMMANDS, *asked], capture_output=True, text=True, check=True, cwd=tmp_path
@@ -478,7 +478,7 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
     text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
     before, _, after = text.partition("In a checkout of the repository")
-    assert "python -m tests.reference.table" in after
+    assert "python -m tests.verification.reference.table" in after
     assert "fem-check book" in before
     assert "fem-check book" not in after
     assert text.count("fem-check book") == 1, "one command makes all published cases"

@@ -105,6 +105,19 @@ def test_scatter_of_the_approach_is_pooled_over_the_loads():
     assert pooled == pytest.approx(0.01 * 2.776 * 0.01 / np.sqrt(2.0), rel=1e-3)
 
 
+def test_the_equator_s_uncertainty_holds_the_direction_of_the_forces():
+    # The series' forces are radial; on the bodies they act along the shared normal, which leans less.
+    groove = groove_contact("b218", "inner")
+    assert true_geometry.lean(groove, 5000.0) == pytest.approx(3.1e-4, rel=0.05)
+    # It grows as the square of the ellipse.
+    small = true_geometry.lean(groove, 158.1139)
+    assert true_geometry.lean(groove, 5000.0) == pytest.approx(10.0 * small, rel=1e-4)
+    parabola, exact = ([dict.fromkeys(true_contact.READ, value)] * 3 for value in (1.0, 1.01))
+    solved = true_geometry.Solved(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
+    equator = next(row for row in true_geometry.gap_rows(solved) if row.quantity == "equator moves out")
+    assert equator.uncertainty_percent > 0.03 > equator.deviation_percent - 1e-9
+
+
 def test_normals_that_follow_the_surface_matter(condensed):
     surface = condensed.over_hertz(LOAD, follows_surface=True)
     axis = condensed.over_hertz(LOAD, follows_surface=False)

@@ -45,5 +45,7 @@ _ORDER = (
 """Measurements, then catalogues, standards and textbooks, then other programs."""
 
 ALL: dict[str, Case] = {
-    name: Case(name, module.run) for module in _ORDER for name in [module.__name__.rpartition(".")[2]]
+    name: Case(name, module.run, getattr(module, "NEEDS", ()))
+    for module in _ORDER
+    for name in [module.__name__.rpartition(".")[2]]
 }

@@ -16,6 +16,7 @@ MATERIAL = ElasticConstants(20e9, 0.3)
 PRINTED = {"max_pressure": ("largest pressure", "MPa", 1e-6, 2798.3), "semi_major_axis": ("radius", "mm", 1e3, 10.0)}
 """Quantity to its name, unit, factor to that unit, and the printed value."""
 HALF_A_UNIT = {"max_pressure": 0.05, "semi_major_axis": 0.5}
+NEEDS = ("skfem", "meshio")
 
 
 def run() -> Result:

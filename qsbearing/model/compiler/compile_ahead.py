@@ -1,0 +1,69 @@
+"""Compiling beside a process that goes on in plain Python: one detached process at low priority, an entry at a time.
+
+It is given the entry's name and arguments, compiles for such arguments into the user's cache, and ends. The process
+that started it takes up what is there when it next looks; if it ends first, the other ends its entry alone.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+LOWEST = 19
+"""Of priorities, as `nice` counts."""
+
+
+class _Compiler:
+    """The process, where one runs or has run."""
+
+    process: subprocess.Popen[bytes] | None = None
+    owner = 0
+    tried: set[str] = set()  # noqa: RUF012
+
+
+def is_compiling(name: str, args: tuple[Any, ...]) -> bool:
+    """Whether an entry is being compiled beside this process, or waits for its turn; starts it where none is.
+
+    False where it was tried, without success, and where none can be started.
+    """
+    if _Compiler.owner != os.getpid():  # a fork's parent has its own
+        _Compiler.process, _Compiler.owner, _Compiler.tried = None, os.getpid(), set()
+    if _Compiler.process is not None and _Compiler.process.poll() is None:
+        return True
+    if name in _Compiler.tried or not Path(sys.executable or "").name.lower().startswith(("python", "pypy")):
+        return False
+    _Compiler.tried.add(name)
+    try:
+        _Compiler.process = _started(name, args)
+    except (OSError, pickle.PicklingError):
+        return False
+    return True
+
+
+def _started(name: str, args: tuple[Any, ...]) -> subprocess.Popen[bytes]:
+    detached: dict[str, Any] = {"start_new_session": True}
+    if sys.platform == "win32":
+        detached = {"creationflags": subprocess.DETACHED_PROCESS | subprocess.BELOW_NORMAL_PRIORITY_CLASS}
+    command = [sys.executable, "-c", f"import sys; sys.path[:0] = {sys.path!r}; import {__name__} as c; c.main()"]
+    environment = os.environ | {"QSBEARING_COMPILED": "1"}
+    with tempfile.TemporaryFile() as file:
+        pickle.dump((name, args), file)
+        file.seek(0)
+        nothing = subprocess.DEVNULL
+        return subprocess.Popen(command, stdin=file, stdout=nothing, stderr=nothing, env=environment, **detached)
+
+
+def main() -> None:
+    """Compile what standard input names."""
+    from importlib import import_module
+
+    if hasattr(os, "nice"):
+        os.nice(LOWEST)
+    name, args = pickle.load(sys.stdin.buffer)
+    module, _, function = name.rpartition(".")
+    getattr(import_module(module), function).take_up(args)

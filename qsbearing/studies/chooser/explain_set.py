@@ -1,0 +1,75 @@
+"""Which effects and choices a set calls for: found by solving it with and without each."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.solution.changes import Change, changes
+from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.judgement import lines_to_add
+from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, under_assumptions, verdict
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.solve import solve_set
+
+
+def explain_set(of: BearingSet, tolerance: float) -> tuple[SetSolution, list[Row]]:
+    """The set's solution, and a row for every effect and choice, named by the set or not.
+
+    What counts is the largest change of any row's contacts, and of the shaft's displacement and stiffness; a preload
+    stays what it is at rest. Nothing is predicted and nothing timed.
+
+    Args:
+        of: a single case, with its effects as it names them.
+        tolerance: the relative error below which an effect is not needed.
+
+    Raises:
+        ValueError: the set has array fields.
+    """
+    solution = solve_set(of)
+    if solution.shape:
+        raise ValueError(f"the set has cases {solution.shape}: effects are explained for one case at a time")
+    return solution, [_row(entry, solution, tolerance) for entry in EFFECTS]
+
+
+def finer(entry: Entry, of: BearingSet) -> BearingSet:
+    """The set with an effect or choice, as far as it can be added; the very same object where nothing is."""
+    found: BearingSet = entry.finer(of)
+    return found
+
+
+def coarser(entry: Entry, of: BearingSet) -> BearingSet:
+    """The set without it, rows with effects of their own included; the very same object where it is so already."""
+    found: BearingSet = entry.coarser(of)
+    if entry.switch.slot != "ring_effects":
+        return found
+    rows = tuple(row if row.ring_effects is None else entry.coarser(row) for row in of.rows)
+    return found if all(one is other for one, other in zip(rows, of.rows, strict=True)) else replace(found, rows=rows)
+
+
+def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
+    of, is_solved = solution.set, bool(solution.converged)
+    fine, coarse = finer(entry, of), coarser(entry, of)
+    is_in = fine is of and coarse is not of
+    actual, error, beyond, assumed = None, None, "", list[Change]()
+    if is_solved and fine is not coarse:
+        without, full = solve_set(coarse), solve_set(fine)
+        actual = by_quantity(without, full)
+        error, beyond = float(max(actual.values())), _beyond(without, full, actual)
+    elif is_solved:
+        assumed = changes(entry, solution)
+        error = largest_of(assumed)
+    judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance, assumed)
+    found, under = as_floats(actual), under_assumptions(assumed)
+    lines = lines_to_add(of, [entry])
+    return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under)
+
+
+def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray]) -> str:
+    """Why a change has no number."""
+    if bool(without.converged) != bool(full.converged):
+        return f"{'with' if without.converged else 'without'} it the set has no solution"
+    return "" if np.isfinite(list(found.values())).all() else "without it some contacts carry no load"
