@@ -10,7 +10,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import COMPILED
-from tests.systems.thermal import spindle
+from tests.systems.heat import spindle
 from tests.verification.campaign import realistic
 from tests.verification.campaign.checks import findings, standing_balls
 from tests.verification.campaign.group import Group
@@ -93,10 +93,9 @@ def test_balls_of_tandems_go_round(control: str) -> None:
 @pytest.mark.parametrize("control", CONTROLS)
 def test_balls_of_warm_bearings_go_round(control: str) -> None:
     """A steady state of heat, under a radial load that lifts balls."""
-    side = {"radial_load_y_N": 2500.0, "tilt_y_mrad": 0.0, "tilt_z_mrad": 0.0}
-    given = spindle.scene(
-        operation={"speed_rpm": 10_000.0} | side, effects=spindle.EFFECTS | {"raceway_control": control}
-    )
+    loads = {"axial_load_N": 150.0, "radial_load_y_N": 700.0, "tilt_y_mrad": 0.0, "tilt_z_mrad": 0.0}
+    effects = spindle.EFFECTS | {"raceway_control": control}
+    given = spindle.scene(operation={"speed_rpm": 8000} | loads, effects=effects, preload=None)
     turning = replace(given.operation, speed=np.array([8000.0, 10_000.0]) * qs.rpm)
     solution = qs.solve(replace(given, operation=turning))
     assert solution.converged.all()
