@@ -13,7 +13,7 @@ from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.toml import read_toml
 from qsbearing.io import catalogue, result_file
 from qsbearing.io.bearing_table import bearing_of
-from qsbearing.io.effects_table import effects_of, find_unused_expansion
+from qsbearing.io.effects_table import effects_of
 from qsbearing.io.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.io.file_keys import reading_tables
 from qsbearing.io.printed_numbers import with_printed
@@ -128,7 +128,6 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors)
-    find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
