@@ -55,8 +55,8 @@ def _readings() -> str:
 
 def _results() -> str:
     """Rows of the page of symbols: those of the results that have one."""
+    from qsbearing.model.solution.result_keys import BALL, CONTACT, printed_unit, split
     from qsbearing.readings.asked import READINGS
-    from qsbearing.result_keys import BALL, CONTACT, printed_unit, split
 
     found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
     found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]
@@ -89,9 +89,9 @@ def _list(pages: dict[str, Page]) -> None:
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     what = "--html needs" if target is not None else "--open needs"
     check_installed(what, ("jinja2", "markdown_it", "mdit_py_plugins"), "report")
-    from qsbearing import __version__
     from qsbearing.documents.guide import document
     from qsbearing.documents.html import html
+    from qsbearing.model.version import __version__
 
     path = (folder(target) if target is not None else _own_folder()) / "guide.html"
     fill({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))
