@@ -21,7 +21,7 @@ from qsbearing.scene.keys import (
     PRINTED,
 )
 from qsbearing.units import deg, mm
-from qsbearing.validation import SceneError
+from qsbearing.validation import SceneError, printable
 
 MODIFIED = ", modified"
 """After the name of a catalogue entry of which a scene changes some number."""
@@ -65,10 +65,13 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
         good = from_entry | good
     elif "name" in good:
-        cause = (
-            f"{catalogue.nearest(good['name'])} For a bearing of your own, leave the name out and give all other keys"
-        )
-        errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
+        lacking: Errors = []
+        _find_missing(set(good) | unusable, lacking)
+        if lacking:
+            absent = ", ".join(each.key.partition(".")[2] for each in lacking)
+            cause = f"{catalogue.nearest(good['name'])} A bearing of your own may have a name, but needs {absent}, too"
+            errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
+        label = printable(good["name"]) or label
     if entry is not None or "name" not in table:
         _find_missing(set(good) | unusable, errors)
     materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}

@@ -228,6 +228,13 @@ def test_the_bearing_without_a_catalogue_name_is_called_after_its_file(load: Any
     assert load(scene_text()).bearing.name == "scene"
 
 
+def test_a_bearing_of_one_s_own_has_the_name_that_its_file_gives(load: Any) -> None:
+    assert load(scene_text({"name": '"Front spindle\\u001b[31m"'})).bearing.name == "Front spindle\\x1b[31m"
+    with pytest.raises(qs.SceneFileError) as caught:
+        load(scene_text({"name": '"Front spindle"', "ball_count": None, "ring_material": None}))
+    assert "A bearing of your own may have a name, but needs ball_count, ring_material, too" in str(caught.value)
+
+
 def test_built_in_examples_by_name_in_capitals_or_not() -> None:
     assert load_scene("b218").bearing == load_scene("B218").bearing
     assert qs.load_scene is load_scene
@@ -517,7 +524,7 @@ def test_values_that_are_no_number(errors: Any, path: str, key: str, value: str)
         ({"bearing": {"ball_material": "3"}}, "bearing.ball_material"),
         ({"bearing": {"kind": '"angular"'}}, "bearing.kind"),
         ({"bearing": {"name": "218"}}, "bearing.name"),
-        ({"bearing": {"name": '"B219"'}}, "bearing.name"),
+        ({"bearing": {"name": '"B219"', "ball_count": None}}, "bearing.name"),
         ({"effects": {"ball": '"centrifugal_force"'}}, "effects.ball"),
         ({"effects": {"ball": '["centrifugal"]'}}, "effects.ball"),
         ({"effects": {"ball": "[1]"}}, "effects.ball"),
