@@ -14,7 +14,8 @@ from typing import Any
 from fem_check import meshing
 from fem_check.agreement import EXAMPLE, Check, Findings, Level
 from fem_check.scenes import RING_OPTIONS
-from qsbearing import __version__, provenance
+from qsbearing import __version__
+from qsbearing.results import provenance
 
 FOLDER = Path(__file__).parent / "records"
 FIELDS = ("check", "level", "scene", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")

@@ -19,10 +19,10 @@ from fem_check.drawing import Drawing
 from fem_check.groove import RACES, BallInGroove
 from fem_check.ring_growth import Annulus, elastic_growth
 from fem_check.ring_sections import DIMENSIONS, RingSections, SectionError
-from qsbearing.contact.first_yield import STATIC_PRESSURE
-from qsbearing.io import catalogue
-from qsbearing.io.bearing_table import MODIFIED
-from qsbearing.io.set_file import load_scene_or_set
+from qsbearing.files import catalogue
+from qsbearing.files.bearing_table import MODIFIED
+from qsbearing.files.set_file import load_scene_or_set
+from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 
 AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
 

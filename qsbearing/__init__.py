@@ -11,17 +11,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
+from qsbearing.model.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
 
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from qsbearing import readings
-    from qsbearing.chooser.choose import solve
-    from qsbearing.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
-    from qsbearing.design.compare import compare
-    from qsbearing.design.find import find
-    from qsbearing.effects import (
+    from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+    from qsbearing.files.printed_numbers import catalogue_numbers
+    from qsbearing.files.scene_file import load_scene
+    from qsbearing.files.set_file import load_set
+    from qsbearing.messages import message, warnings
+    from qsbearing.model.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
+    from qsbearing.model.effects import (
         BallDiameterDeviations,
         BallExpansion,
         CentrifugalForce,
@@ -31,25 +33,32 @@ if TYPE_CHECKING:
         RingExpansion,
         RingState,
     )
-    from qsbearing.effects.hertz_angle import HertzAngle
-    from qsbearing.effects.orbit_radius import OrbitRadius
-    from qsbearing.effects.raceway_control import RacewayControl
-    from qsbearing.effects.tilt_lever import TiltLever
-    from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-    from qsbearing.io.printed_numbers import catalogue_numbers
-    from qsbearing.io.scene_file import load_scene
-    from qsbearing.io.set_file import load_set
-    from qsbearing.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.messages import message, warnings
-    from qsbearing.rotordynamics import stiffness_table, to_ross
-    from qsbearing.scene.bearing import BallBearing, BearingKind
-    from qsbearing.scene.operation import Operation
-    from qsbearing.scene.preload import Preload
-    from qsbearing.scene.scene import Scene
-    from qsbearing.sets.bearing_set import BearingSet, Row
-    from qsbearing.sets.preload_limits import preload_loads, preload_speeds
-    from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.sets.shaft import (
+    from qsbearing.model.effects.hertz_angle import HertzAngle
+    from qsbearing.model.effects.orbit_radius import OrbitRadius
+    from qsbearing.model.effects.raceway_control import RacewayControl
+    from qsbearing.model.effects.tilt_lever import TiltLever
+    from qsbearing.model.material import SILICON_NITRIDE, STEEL, Material
+    from qsbearing.model.scene.bearing import BallBearing, BearingKind
+    from qsbearing.model.scene.operation import Operation
+    from qsbearing.model.scene.preload import Preload
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.model.solution.raceway_contacts import RacewayContacts
+    from qsbearing.model.solution.solution import Solution, stiffness
+    from qsbearing.model.solution.status import Reason, Status
+    from qsbearing.model.validation import ErrorDetail, SceneError
+    from qsbearing.studies.chooser.choose import solve
+    from qsbearing.studies.design.compare import compare
+    from qsbearing.studies.design.find import find
+    from qsbearing.studies.sobol import sobol_indices
+    from qsbearing.studies.store import open_results
+    from qsbearing.studies.study import Study
+    from qsbearing.studies.sweep import sweep
+    from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
+    from qsbearing.systems.rotor_dynamics import stiffness_table, to_ross
+    from qsbearing.systems.sets.bearing_set import BearingSet, Row
+    from qsbearing.systems.sets.preload_limits import preload_loads, preload_speeds
+    from qsbearing.systems.sets.set_solution import SetSolution
+    from qsbearing.systems.sets.shaft import (
         FloatingGroup,
         Housing,
         HousingStiffness,
@@ -59,61 +68,52 @@ if TYPE_CHECKING:
         ShaftSupport,
         Spacer,
     )
-    from qsbearing.sets.solve import solve_set
-    from qsbearing.sets.system_life import system_life
-    from qsbearing.solution.raceway_contacts import RacewayContacts
-    from qsbearing.solution.solution import Solution, stiffness
-    from qsbearing.solution.status import Reason, Status
-    from qsbearing.studies.sobol import sobol_indices
-    from qsbearing.studies.store import open_results
-    from qsbearing.studies.study import Study
-    from qsbearing.studies.sweep import sweep
-    from qsbearing.thermal.network import Conductance, OilFlow, Thermal
-    from qsbearing.validation import ErrorDetail, SceneError
+    from qsbearing.systems.sets.solve import solve_set
+    from qsbearing.systems.sets.system_life import system_life
 
 # fmt: off
 # Where each public name lives; imported when first used, so that `qsbearing --help` loads no numerical library.
 _HOMES = {
-    "chooser.choose": ("solve",),
-    "contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
-    "effects": (
+    "studies.chooser.choose": ("solve",),
+    "model.contact.hertz": ("HertzForm", "PointContact", "point_contact", "subsurface_shear"),
+    "model.effects": (
         "BallDiameterDeviations", "BallExpansion", "CentrifugalForce", "ElasticRings", "GyroscopicMoment",
         "MomentShares", "RingExpansion", "RingState",
     ),
-    "effects.hertz_angle": ("HertzAngle",),
-    "effects.orbit_radius": ("OrbitRadius",),
-    "effects.raceway_control": ("RacewayControl",),
-    "effects.tilt_lever": ("TiltLever",),
-    "io.file_errors": ("FileErrorDetail", "SceneFileError"),
-    "io.printed_numbers": ("catalogue_numbers",),
-    "io.scene_file": ("load_scene",),
-    "io.set_file": ("load_set",),
+    "model.effects.hertz_angle": ("HertzAngle",),
+    "model.effects.orbit_radius": ("OrbitRadius",),
+    "model.effects.raceway_control": ("RacewayControl",),
+    "model.effects.tilt_lever": ("TiltLever",),
+    "files.file_errors": ("FileErrorDetail", "SceneFileError"),
+    "files.printed_numbers": ("catalogue_numbers",),
+    "files.scene_file": ("load_scene",),
+    "files.set_file": ("load_set",),
     "messages": ("message", "warnings"),
-    "scene.bearing": ("BallBearing", "BearingKind"),
-    "material": ("SILICON_NITRIDE", "STEEL", "Material"),
-    "scene.operation": ("Operation",),
-    "scene.preload": ("Preload",),
-    "scene.scene": ("Scene",),
-    "solution.raceway_contacts": ("RacewayContacts",),
-    "rotordynamics": ("stiffness_table", "to_ross"),
-    "sets.bearing_set": ("BearingSet", "Row"),
-    "sets.preload_limits": ("preload_loads", "preload_speeds"),
-    "sets.shaft": (
+    "model.scene.bearing": ("BallBearing", "BearingKind"),
+    "model.material": ("SILICON_NITRIDE", "STEEL", "Material"),
+    "model.scene.operation": ("Operation",),
+    "model.scene.preload": ("Preload",),
+    "model.scene.scene": ("Scene",),
+    "model.solution.raceway_contacts": ("RacewayContacts",),
+    "systems.rotor_dynamics": ("stiffness_table", "to_ross"),
+    "systems.sets.bearing_set": ("BearingSet", "Row"),
+    "systems.sets.preload_limits": ("preload_loads", "preload_speeds"),
+    "systems.sets.shaft": (
         "FloatingGroup", "Housing", "HousingStiffness", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Spacer",
     ),
-    "sets.set_solution": ("SetSolution",),
-    "sets.solve": ("solve_set",),
-    "sets.system_life": ("system_life",),
-    "solution.solution": ("Solution", "stiffness"),
-    "solution.status": ("Reason", "Status"),
-    "design.compare": ("compare",),
-    "design.find": ("find",),
+    "systems.sets.set_solution": ("SetSolution",),
+    "systems.sets.solve": ("solve_set",),
+    "systems.sets.system_life": ("system_life",),
+    "model.solution.solution": ("Solution", "stiffness"),
+    "model.solution.status": ("Reason", "Status"),
+    "studies.design.compare": ("compare",),
+    "studies.design.find": ("find",),
     "studies.sobol": ("sobol_indices",),
     "studies.store": ("open_results",),
     "studies.study": ("Study",),
     "studies.sweep": ("sweep",),
-    "thermal.network": ("Conductance", "OilFlow", "Thermal"),
-    "validation": ("ErrorDetail", "SceneError"),
+    "systems.heat.network": ("Conductance", "OilFlow", "Thermal"),
+    "model.validation": ("ErrorDetail", "SceneError"),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 

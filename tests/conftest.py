@@ -15,7 +15,7 @@ os.environ.pop("COLUMNS", None)
 import pytest
 from hypothesis import settings
 
-from qsbearing.compiled import COMPILED
+from qsbearing.model.compiler.compiled import COMPILED
 
 settings.register_profile(
     "qsbearing", derandomize=True, deadline=None, database=None, max_examples=60 if COMPILED else 4

@@ -16,22 +16,22 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import Any
 
-from qsbearing import provenance
+from qsbearing.results import provenance
 
 HERE = Path(__file__).parent
 DATA = HERE / "relations.json"
 FILES = (
-    "contact/test_hertz.py",
-    "kernel/test_equilibrium.py",
-    "kernel/test_stiffness_and_energy.py",
-    "kernel/test_symmetries.py",
-    "kernel/test_limits.py",
-    "kernel/test_ball_derivatives.py",
-    "effects/test_gyroscopic_sign.py",
-    "effects/test_minimum_dissipation.py",
-    "effects/test_effects_absent.py",
-    "effects/test_annulus.py",
-    "hard_cases/test_scale.py",
+    "model/contact/test_hertz.py",
+    "model/kernel/test_equilibrium.py",
+    "model/kernel/test_stiffness_and_energy.py",
+    "model/kernel/test_symmetries.py",
+    "model/kernel/test_limits.py",
+    "model/kernel/test_ball_derivatives.py",
+    "model/effects/test_gyroscopic_sign.py",
+    "model/effects/test_minimum_dissipation.py",
+    "model/effects/test_effects_absent.py",
+    "model/effects/test_annulus.py",
+    "verification/hard_cases/test_scale.py",
     "readings/test_motion.py",
 )
 

@@ -11,8 +11,8 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from tests.benchmarks import before, cost, effects_cost, tables
-from tests.reference.generate import load_reference
+from tests.verification.benchmarks import before, cost, effects_cost, tables
+from tests.verification.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -87,7 +87,9 @@ def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
 
 def test_the_counts_that_the_readme_states_are_the_records() -> None:
     assert f"{len(load_reference())} scenes against an independent solution" in README
-    recorded = [case["case"] for case in tables.read(ROOT / "tests" / "reference" / "table.json")["cases"]]
+    recorded = [
+        case["case"] for case in tables.read(ROOT / "tests" / "verification" / "reference" / "table.json")["cases"]
+    ]
     assert recorded == [entry["case"]["name"] for entry in load_reference()]
     campaigns = [json.loads(path.read_text(encoding="utf-8")) for path in tables.CAMPAIGNS.glob("*.json")]
     assert f"| {sum(record['count'] for record in campaigns):,} random scenes |" in README

@@ -50,7 +50,7 @@ def gmn_rows() -> list[dict[str, Any]]:
 
     One column is not GMN's, `inferred_f`, which no case of the book reads.
     """
-    text = (files("qsbearing.io.catalogue") / "gmn_spindle_bearings.csv").read_text("utf-8")
+    text = (files("qsbearing.files.catalogue") / "gmn_spindle_bearings.csv").read_text("utf-8")
     return [
         {key: value if key == "name" else float(value) for key, value in row.items() if value}
         for row in csv.DictReader(text.splitlines())

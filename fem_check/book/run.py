@@ -10,7 +10,7 @@ from fem_check import memory
 from fem_check.book import records
 from fem_check.book.case import Case
 from fem_check.book.cases import ALL
-from qsbearing import provenance
+from qsbearing.results import provenance
 
 
 class UnknownCaseError(ValueError):

@@ -20,8 +20,8 @@ from fem_check.quasi_static import Problem, at_rest
 from fem_check.ring_sections import RingSections
 from fem_check.solids.ring_pitch import RingPitch
 from fem_check.solids.sector_geometry import SectorBearing
-from qsbearing.effects import ring_compliance
-from qsbearing.effects.elastic_rings import grooves_of
+from qsbearing.model.effects import ring_compliance
+from qsbearing.model.effects.elastic_rings import grooves_of
 
 GRIDS = {Level.QUICK: ((64, 2), (96, 3), (128, 4)), Level.RELEASE: ((128, 4), (192, 6), (256, 8))}
 """Elements round half a ring, and through it."""
@@ -39,7 +39,7 @@ LOAD_GRIDS = GRIDS | {Level.QUICK: ((96, 3), (128, 4), (192, 6))}
 TOLERANCES = {Level.QUICK: 0.2, Level.RELEASE: 0.02}
 """[%]"""
 WHY = "four times the grids' uncertainty at the shortest wave of the thinnest ring, 0.05 % (release 0.005 %)"
-MODEL = "qsbearing.effects.ring_compliance (Lame, Michell)"
+MODEL = "qsbearing.model.effects.ring_compliance (Lame, Michell)"
 OPPOSED = 0.25 * np.pi - 2.0 / np.pi
 """Change of a thin ring's diameter by two opposed loads, over P R^3/(E I)."""
 THICKNESSES = (0.02, 0.04, 0.08)
@@ -82,7 +82,7 @@ PITCH_LOAD = 1660.0
 PITCH_ELEMENTS = {Level.QUICK: (1, 2), Level.RELEASE: (2, 3)}
 PITCH_TOLERANCE = 10.0
 """[%]"""
-MODEL_PITCH = "qsbearing.effects.elastic_rings: uniform growth and n = Z, 2 Z, ..."
+MODEL_PITCH = "qsbearing.model.effects.elastic_rings: uniform growth and n = Z, 2 Z, ..."
 WHY_PITCH = (
     "set after the first run, so it tells of changes and not how right the model is: bending of a section as a whole, "
     "without its rolling and without shear across its width; without shoulders it would deflect four times as far"

@@ -1,4 +1,5 @@
-"""Does `qsbearing.contact.hertz`, used by the bearing model, agree with the references from a circle to a/b = 50?"""
+"""Does `qsbearing.model.contact.hertz`, used by the bearing model, agree with the references from a circle to a/b =
+50?"""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from fem_check import references
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.checks.other_contacts import slender_problem
 from fem_check.contact_problem import QUANTITIES, ContactProblem
-from qsbearing.contact.hertz import effective_modulus
+from qsbearing.model.contact.hertz import effective_modulus
 
 # Both derivations claim full precision; each loses a few digits of 16 in its root finding.
 CLOSED_FORM_TOLERANCE = 1e-8
@@ -66,7 +67,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 
 CHECK = Check(
     name="hertz_formula",
-    question="Does qsbearing.contact.hertz agree with an independent closed form, from a circle to a/b = 50?",
+    question="Does qsbearing.model.contact.hertz agree with an independent closed form, from a circle to a/b = 50?",
     kind=Kind.VERIFICATION,
     reference="Hertz in Carlson's integrals; Boussinesq's stresses integrated",
     tolerance="1e-8 (shear 1e-7, its depth 1e-4)",

@@ -12,7 +12,7 @@ from fem_check import convergence, references
 from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.elastic_plastic import Indentation
 from fem_check.scenes import SceneProblemError, groove_contact
-from qsbearing.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 
 ELEMENTS = {Level.QUICK: (8, 12), Level.RELEASE: (12, 16)}
 YIELD_STRESSES, EXPONENT = (1.8e9, 2.0e9, 2.2e9), 0.1

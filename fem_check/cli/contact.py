@@ -13,7 +13,7 @@ import click
 from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, require
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.documents.model import Paragraph
-from qsbearing.validation import printable
+from qsbearing.model.validation import printable
 
 
 @click.command("contact", short_help="Solve contacts of a bearing and compare them with Hertz.")

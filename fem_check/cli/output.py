@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from qsbearing.cli.output import BAD_INPUT, note
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 LEVELS = "release has finer meshes and takes much longer."
 

@@ -8,7 +8,7 @@ import click
 
 from fem_check.cli.output import RESULTS, refuse, require
 from qsbearing.cli.output import print_text, print_wrote
-from qsbearing.validation import printable
+from qsbearing.model.validation import printable
 
 
 @click.command("report", short_help="Write the validation report from records.")

@@ -15,7 +15,7 @@ from fem_check.cli.output import FEM, LEVELS, OUT_OF_TOLERANCE, RESULTS, progres
 from fem_check.ring_sections import DIMENSIONS
 from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import print_table, print_text
-from qsbearing.validation import printable
+from qsbearing.model.validation import printable
 
 
 def ring_options(command: Any) -> Any:

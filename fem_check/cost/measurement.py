@@ -22,8 +22,8 @@ from fem_check.elastic_body import Progress
 from fem_check.element_family import FAMILIES, SERENDIPITY
 from fem_check.references import axis_ratio, hertz
 from fem_check.scenes import groove_contact
-from qsbearing import provenance
-from qsbearing.contact.hertz import HertzForm, effective_modulus
+from qsbearing.model.contact.hertz import HertzForm, effective_modulus
+from qsbearing.results import provenance
 from qsbearing.studies.cost.measuring import in_fresh_process
 
 SCENE, RACE, LOAD = "b218", "inner", 1000.0

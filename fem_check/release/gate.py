@@ -14,7 +14,7 @@ from fem_check.records_store import RecordError
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
 from fem_check.release.steps import Place, Step
-from qsbearing import provenance
+from qsbearing.results import provenance
 
 Journal = dict[str, dict[str, Any]]
 """Of each step that was run: its seconds, and the error with which it ended, or None."""

@@ -16,10 +16,10 @@ MISSING = "there is no manifest of its records: nobody can tell whether a digit 
 SHIPPED = (
     "fem_check/records/**/*.json",
     "qsbearing/studies/cost/records/*.json",
-    "tests/benchmarks/*.json",
-    "tests/campaign/records/*.json",
-    "tests/hard_cases/*.json",
-    "tests/reference/*.json",
+    "tests/verification/benchmarks/*.json",
+    "tests/verification/campaign/records/*.json",
+    "tests/verification/hard_cases/*.json",
+    "tests/verification/reference/*.json",
     "tests/*.json",
 )
 """Records in the repository."""

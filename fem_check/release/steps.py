@@ -74,16 +74,16 @@ class Step:
 
 def all_steps(level: Level) -> list[Step]:
     """What a release needs, cheap and telling things first."""
-    ratios = f"python -m tests.benchmarks.ratios --level {level} FILE"
+    ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
     return [
         Step(
             "hard cases",
-            "python -m tests.hard_cases.table",
+            "python -m tests.verification.hard_cases.table",
             _hard_cases,
             (f"gate/{level}/hard_cases/table.json",),
             _wrong_hard_cases,
             drift.of_hard_cases,
-            "tests/hard_cases/table.json",
+            "tests/verification/hard_cases/table.json",
         ),
         *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
         *(_check(level, name) for name in ALL),
@@ -111,7 +111,7 @@ def _check(level: Level, name: str) -> Step:
 def _hard_cases(place: Place) -> None:
     folder = place.gate / "hard_cases"
     folder.mkdir(parents=True, exist_ok=True)
-    _python(place, "hard_cases", "tests.hard_cases.table", str(folder))
+    _python(place, "hard_cases", "tests.verification.hard_cases.table", str(folder))
 
 
 def _wrong_hard_cases(record: Record) -> list[str]:
@@ -124,7 +124,9 @@ def _campaign(level: Level, envelope: str, count: int) -> Step:
 
     def run(place: Place) -> None:
         folder = place.gate / "campaign" / envelope
-        call = partial(_python, place, f"campaign_{envelope}", "tests.campaign", *asked, "--out", str(folder))
+        call = partial(
+            _python, place, f"campaign_{envelope}", "tests.verification.campaign", *asked, "--out", str(folder)
+        )
         try:  # what an interrupted gate has solved is kept by the campaign itself
             call("--resume", accept=1)
         except StepError:
@@ -138,14 +140,14 @@ def _campaign(level: Level, envelope: str, count: int) -> Step:
         return found
 
     made = (f"gate/{level}/campaign/{envelope}/summary.json",)
-    before = f"tests/campaign/records/{envelope}_seed_{SEED}_count_{count}.json"
-    command = f"python -m tests.campaign {' '.join(asked)}"
+    before = f"tests/verification/campaign/records/{envelope}_seed_{SEED}_count_{count}.json"
+    command = f"python -m tests.verification.campaign {' '.join(asked)}"
     return Step(f"campaign {envelope}", command, run, made, wrong, drift.of_campaign, before)
 
 
 def _benchmarks(place: Place) -> None:
     target = str(place.gate / "benchmarks.json")
-    _python(place, "benchmarks", "tests.benchmarks.ratios", "--level", place.level, target)
+    _python(place, "benchmarks", "tests.verification.benchmarks.ratios", "--level", place.level, target)
 
 
 def _wrong_points(record: Record) -> list[str]:

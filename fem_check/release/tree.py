@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from qsbearing import provenance
+from qsbearing.results import provenance
 
 
 class TreeError(Exception):
@@ -19,7 +19,7 @@ def root() -> Path:
         TreeError: it is installed without one: without the tests that the gate runs.
     """
     folder = Path(__file__).parents[2]
-    if not (folder / "tests" / "campaign" / "__main__.py").is_file():
+    if not (folder / "tests" / "verification" / "campaign" / "__main__.py").is_file():
         raise TreeError(
             f"{folder} is not a checkout of the source: clone the repository, run `pip install -e '.[dev]'` in it, and "
             "run the gate there"

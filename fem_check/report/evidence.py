@@ -125,17 +125,20 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
         checks,
         published(records) or ({} if alone else published(records_store.FOLDER)),
         _cost(records) or _cost(records_store.FOLDER),
-        _elsewhere("tests/reference/table.json", "python -m tests.reference.table"),
+        _elsewhere("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
         _elsewhere("tests/relations.json", "python -m tests.relations"),
-        _elsewhere("tests/reference/errata.json", "python -m tests.reference.errata"),
-        gate.get("hard_cases/table") or _elsewhere("tests/hard_cases/table.json", "python -m tests.hard_cases.table"),
+        _elsewhere("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
+        gate.get("hard_cases/table")
+        or _elsewhere("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
         campaigns or _campaigns(),
         _elsewhere(
             "qsbearing/studies/cost/records/b218_combined.json",
-            "qsbearing cost tests/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
+            "qsbearing cost tests/verification/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
         ),
-        _elsewhere("tests/benchmarks/auto_accuracy.json", "python -m tests.benchmarks.auto_accuracy"),
-        _elsewhere("tests/benchmarks/record.json", "python -m tests.benchmarks.record"),
+        _elsewhere(
+            "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
+        ),
+        _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
         gate.get("steps"),
     )
 
@@ -167,12 +170,11 @@ def _campaigns() -> list[Kept]:
     """The latest record of each envelope."""
     found = []
     for root in (REPOSITORY, CARRIED):
-        for path in sorted((root / "tests" / "campaign" / "records").glob("*.json")):
+        for path in sorted((root / "tests" / "verification" / "campaign" / "records").glob("*.json")):
             data = _load(path)
-            command = (
-                f"python -m tests.campaign --envelope {data['envelope']} --count {data['count']} --seed {data['seed']}"
-            )
-            found.append(Kept(f"tests/campaign/records/{path.name}", data, f"{command} --record"))
+            command = f"python -m tests.verification.campaign --envelope {data['envelope']}"
+            command = f"{command} --count {data['count']} --seed {data['seed']}"
+            found.append(Kept(f"tests/verification/campaign/records/{path.name}", data, f"{command} --record"))
         if found:
             break
     return found

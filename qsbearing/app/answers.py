@@ -13,25 +13,26 @@ from typing import Any
 from qsbearing import messages
 from qsbearing.app import drawn
 from qsbearing.app.inputs import addable, fields
-from qsbearing.chooser.choose import solve
-from qsbearing.chooser.explain import explain
-from qsbearing.design_report.key_results import key_results
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Remark
-from qsbearing.effects import EFFECTS, QUANTITIES
+from qsbearing.files import catalogue
+from qsbearing.files.catalogue.spindle_series import spindle_bearings
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.files.scene_tables import input_tables
+from qsbearing.files.set_file import is_set
 from qsbearing.files.toml import tables_of
-from qsbearing.io import catalogue, report
-from qsbearing.io.catalogue.spindle_series import spindle_bearings
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.io.readings_record import taken, warnings_of
-from qsbearing.io.readings_report import readings_tables
-from qsbearing.io.scene_file import document_of, scene_of
-from qsbearing.io.scene_tables import input_tables
-from qsbearing.io.set_file import is_set
-from qsbearing.io.tables import remarks
-from qsbearing.scene.scene import Scene
-from qsbearing.solution.judgement import WORDS
-from qsbearing.solution.solution import Solution
+from qsbearing.model.effects import EFFECTS, QUANTITIES
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.judgement import WORDS
+from qsbearing.model.solution.solution import Solution
+from qsbearing.reports.key_results import key_results
+from qsbearing.results import report
+from qsbearing.results.readings_record import taken, warnings_of
+from qsbearing.results.readings_report import readings_tables
+from qsbearing.results.tables import remarks
+from qsbearing.studies.chooser.choose import solve
+from qsbearing.studies.chooser.explain import explain
 
 Tables = dict[str, Any]
 Answer = dict[str, Any]

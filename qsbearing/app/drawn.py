@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from qsbearing.chooser.choose import solve
-from qsbearing.design_report.curves import finish, mark_stiffness
 from qsbearing.documents.drawing import inlined
+from qsbearing.model.scene.scene import SPEED_PARAMETER_MAX
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import mm, rpm, um
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
@@ -20,9 +21,8 @@ from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import GREY
 from qsbearing.readings.asked import take_asked
 from qsbearing.readings.rating_life import HOUR
-from qsbearing.scene.scene import SPEED_PARAMETER_MAX
-from qsbearing.solution.solution import Solution
-from qsbearing.units import mm, rpm, um
+from qsbearing.reports.curves import finish, mark_stiffness
+from qsbearing.studies.chooser.choose import solve
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

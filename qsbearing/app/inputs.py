@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from qsbearing.io.file_keys import find
-from qsbearing.io.table_checks import CHOICES_OF_FILES
-from qsbearing.material import BY_NAME
-from qsbearing.scene.keys import MATERIALS, SEAT_MATERIALS
+from qsbearing.files.file_keys import find
+from qsbearing.files.table_checks import CHOICES_OF_FILES
+from qsbearing.model.material import BY_NAME
+from qsbearing.model.scene.keys import MATERIALS, SEAT_MATERIALS
 from qsbearing.studies import keys
 
 Field = dict[str, Any]

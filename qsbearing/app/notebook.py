@@ -9,23 +9,23 @@ from typing import Any
 import numpy as np
 
 from qsbearing import pictures
-from qsbearing.columns import scene_numbers
-from qsbearing.design_report import inputs, set_inputs
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.io import report, set_report
-from qsbearing.io.readings_record import taken
-from qsbearing.io.tables import digits_of
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.columns import scene_numbers
+from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.study import picture
-from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution.solution import Solution
+from qsbearing.reports import inputs, set_inputs
+from qsbearing.results import report, set_report
+from qsbearing.results.readings_record import taken
+from qsbearing.results.tables import digits_of
 from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import find, known_results, read
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 from qsbearing.studies.variables import Axis
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
 
 MOST = 20
 """Cases of a solution in one table."""

@@ -23,11 +23,11 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from qsbearing.app import answers
-from qsbearing.compiled import compile_ahead
 from qsbearing.documents.html import TEMPLATES
+from qsbearing.files.file_errors import MOST_SHOWN
 from qsbearing.files.limits import LARGEST_FILE
-from qsbearing.io.file_errors import MOST_SHOWN
-from qsbearing.validation import SceneError
+from qsbearing.model.compiler.compiled import compile_ahead
+from qsbearing.model.validation import SceneError
 
 PAGE = Path(__file__).parent / "page"
 LOCAL = ("127.0.0.1", "localhost")

@@ -50,7 +50,7 @@ def _printable_usage_errors() -> Iterator[None]:
     except click.UsageError as error:
         if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):
             raise  # its text is the help
-        from qsbearing.validation import printable
+        from qsbearing.model.validation import printable
 
         raise click.UsageError(printable(error.format_message()), error.ctx) from None
 

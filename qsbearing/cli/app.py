@@ -26,7 +26,7 @@ def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """
     check_installed("app needs", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
     from qsbearing.app.server import serve
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
 
     def ready(address: str) -> None:
         note(f"{address} shows {scene}; Ctrl+C ends")

@@ -9,7 +9,7 @@ import click
 from qsbearing.cli.output import print_table, refuse
 
 if TYPE_CHECKING:
-    from qsbearing.io.catalogue import Entry
+    from qsbearing.files.catalogue import Entry
 
 
 @click.command(short_help="List the bearings that can be named, and their sources.")
@@ -27,8 +27,8 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
 
     Exit codes: 0 listed, 2 no such bearing.
     """
-    from qsbearing.io import tables
-    from qsbearing.io.catalogue import chosen, entries
+    from qsbearing.files.catalogue import chosen, entries
+    from qsbearing.results import tables
 
     is_choice = bool(series) or (bore, angle, hybrid) != (None, None, None)
     if name is not None:
@@ -49,7 +49,7 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
 
 def entry_named(name: str) -> Entry:
     """The catalogue's entry; ends with exit code 2 where there is none."""
-    from qsbearing.io.catalogue import find, nearest
+    from qsbearing.files.catalogue import find, nearest
 
     entry = find(name)
     if entry is None:

@@ -13,8 +13,8 @@ from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
-    from qsbearing.design.compare import Comparison, Line
     from qsbearing.documents.model import Block
+    from qsbearing.studies.design.compare import Comparison, Line
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -42,9 +42,9 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
     Exit codes: 0 all are solved, 1 some are not, 2 bad input.
     """
-    from qsbearing.design.compare import job_of, solved
-    from qsbearing.io.csv_table import csv_bytes
-    from qsbearing.validation import SceneError
+    from qsbearing.files.csv_table import csv_bytes
+    from qsbearing.model.validation import SceneError
+    from qsbearing.studies.design.compare import job_of, solved
 
     problems = picture_problems(plot_target)
     with ExitStack() as stack:
@@ -65,7 +65,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
 def _tables(found: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
-    from qsbearing.result_keys import printed_unit
+    from qsbearing.model.solution.result_keys import printed_unit
 
     parts: list[Block] = []
     others = range(1, len(found.labels))

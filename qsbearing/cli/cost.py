@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing import provenance
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import load, solve
+from qsbearing.results import provenance
 
 if TYPE_CHECKING:
-    from qsbearing.scene.scene import Scene
+    from qsbearing.model.scene.scene import Scene
 
 
 @click.command(short_help="Measure what accuracy costs in time (two minutes).")

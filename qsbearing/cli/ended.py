@@ -82,7 +82,7 @@ def _code_of(command: click.Command, name: str) -> int:
 
 def _refused(error: Exception, name: str) -> int:
     """The exit code of an error that no command has expected, said in one sentence."""
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
 
     if os.environ.get(TRACEBACK):
         import traceback

@@ -14,11 +14,11 @@ from qsbearing.cli.scene import load_one, solving
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from qsbearing.chooser.explain import Row
     from qsbearing.documents.model import Block
-    from qsbearing.sets.bearing_set import BearingSet
-    from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.solution.solution import Solution
+    from qsbearing.model.solution.solution import Solution
+    from qsbearing.studies.chooser.explain import Row
+    from qsbearing.systems.sets.bearing_set import BearingSet
+    from qsbearing.systems.sets.set_solution import SetSolution
 
 HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nness %")
 """Of `QUANTITIES`, in their order."""
@@ -50,9 +50,9 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """
     from dataclasses import replace
 
-    from qsbearing.chooser.explain import explain
     from qsbearing.messages import message
-    from qsbearing.scene.scene import Scene
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.studies.chooser.explain import explain
 
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
@@ -79,12 +79,12 @@ def _of_set(
     of: BearingSet, as_json: bool, tolerance: float
 ) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
     """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
-    from qsbearing.chooser.explain_set import explain_set
     from qsbearing.documents.model import Paragraph
-    from qsbearing.io.set_record import set_record
-    from qsbearing.io.set_report import heading, rows_tables
-    from qsbearing.io.tables import remarks
-    from qsbearing.sets.preload_limits import preload_summary
+    from qsbearing.results.set_record import set_record
+    from qsbearing.results.set_report import heading, rows_tables
+    from qsbearing.results.tables import remarks
+    from qsbearing.studies.chooser.explain_set import explain_set
+    from qsbearing.systems.sets.preload_limits import preload_summary
 
     with solving():
         solution, rows = explain_set(of, tolerance)
@@ -102,9 +102,9 @@ def _of_set(
 def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     """What leaving each out changes, found by solving; estimated, with ≈, where its parameters are not known. Below:
     why a verdict cannot be given, and how to include what is needed."""
-    from qsbearing.chooser.explain import two_digits
     from qsbearing.documents.model import Paragraph, Table
-    from qsbearing.effects import QUANTITIES
+    from qsbearing.model.effects import QUANTITIES
+    from qsbearing.studies.chooser.explain import two_digits
 
     title = f"Effects and choices: change if left out (≈ estimated); needed above {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none

@@ -33,8 +33,8 @@ def _make(folder: Path) -> None:
     from importlib.resources import files
 
     from qsbearing.documents.model import Table
+    from qsbearing.model.validation import printable
     from qsbearing.studies.paper.figures import FIGURES, made
-    from qsbearing.validation import printable
 
     rows = []
     for figure in FIGURES:

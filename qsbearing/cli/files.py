@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import refuse, refuse_all
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from qsbearing.io.output_file import Writer
+    from qsbearing.files.output_file import Writer
 
 PICTURES = (".png", ".svg", ".pdf")
 T = TypeVar("T")
@@ -70,7 +70,7 @@ def claimed(
             problems.append(f"{option}: the same file as {other}")
     writers = {}
     for option, target in asked.items():
-        from qsbearing.io.output_file import output_file
+        from qsbearing.files.output_file import output_file
 
         try:
             writers[option] = stack.enter_context(output_file(target))
@@ -106,7 +106,7 @@ def folder(target: str) -> Path:
 
 def fill(makers: Mapping[Path, Callable[[T], bytes]], make: Callable[[], T]) -> None:
     """Claim every file of a folder, then make what they show and write it in each form: all of them, or none."""
-    from qsbearing.io.output_file import output_file
+    from qsbearing.files.output_file import output_file
 
     with ExitStack() as stack:
         writers = {}

@@ -60,9 +60,9 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
 
     Exit codes: 0 found, 1 no point meets all (the nearest point is shown, and what it does not meet), 2 bad input.
     """
-    from qsbearing.design import shown
-    from qsbearing.design.find import prepared, searched
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
+    from qsbearing.studies.design import shown
+    from qsbearing.studies.design.find import prepared, searched
 
     problems = picture_problems(target)
     varied = pairs_of(vary, "write KEY=LOW:HIGH or KEY=A,B,C", problems)

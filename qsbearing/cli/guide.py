@@ -55,8 +55,8 @@ def _readings() -> str:
 
 def _results() -> str:
     """Rows of the page of symbols: those of the results that have one."""
+    from qsbearing.model.solution.result_keys import BALL, CONTACT, printed_unit, split
     from qsbearing.readings.asked import READINGS
-    from qsbearing.result_keys import BALL, CONTACT, printed_unit, split
 
     found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
     found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]

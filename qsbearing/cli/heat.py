@@ -14,7 +14,7 @@ from qsbearing.cli.output import UNSOLVED, print_result, print_table, progress_b
 from qsbearing.cli.scene import in_keys, load_one, solve, solving
 
 if TYPE_CHECKING:
-    from qsbearing.thermal.state import ThermalState
+    from qsbearing.systems.heat.state import ThermalState
 
 
 @click.command(short_help="Find temperatures over speed and time, and thermal runaway.")
@@ -43,7 +43,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
 
     Exit codes: 0 a steady state is found, 1 there is none or no equilibrium, 2 bad input.
     """
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
 
     if start is not None and transient is None:
         refuse("--start: give --transient too")
@@ -55,8 +55,8 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
             refuse(f"{scene}: has no table [thermal]; `qsbearing guide heat` shows one")
         solution = solve(loaded)
         state: ThermalState = solution.thermal
-        from qsbearing.io.json_record import how_it_ended, thermal
-        from qsbearing.io.thermal_report import course_record, speeds_record
+        from qsbearing.results.json_record import how_it_ended, thermal
+        from qsbearing.results.thermal_report import course_record, speeds_record
 
         found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
         found["transient"] = None
@@ -64,7 +64,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
             with solving(loaded):
                 found["speeds"] = speeds_record(state)
             if loaded.thermal.friction == "contacts":
-                from qsbearing.io.thermal_report import whole_bearing_record
+                from qsbearing.results.thermal_report import whole_bearing_record
 
                 found["whole_bearing"] = whole_bearing_record(loaded)
         else:
@@ -85,8 +85,8 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
 
 
 def _check(duration: float | None, start: float | None) -> None:
-    from qsbearing.thermal.network import COLDEST, HOTTEST
-    from qsbearing.units import zero_celsius
+    from qsbearing.model.units import zero_celsius
+    from qsbearing.systems.heat.network import COLDEST, HOTTEST
 
     low, high = COLDEST - zero_celsius, HOTTEST - zero_celsius
     if start is not None and not low <= start <= high:
@@ -96,7 +96,7 @@ def _check(duration: float | None, start: float | None) -> None:
 
 
 def _course(state: ThermalState, duration: float, start: float | None) -> Any:
-    from qsbearing.units import zero_celsius
+    from qsbearing.model.units import zero_celsius
 
     with progress_bar("s") as update:
         return state.heat_up(
@@ -108,7 +108,7 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
 
 def _show(found: dict[str, Any]) -> None:
     from qsbearing.documents.model import Block, Paragraph
-    from qsbearing.io.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
+    from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 
     parts: list[Block] = (
         thermal_tables(found["thermal"]) if found["status"] == "converged" else [Paragraph(found["message"])]
@@ -120,8 +120,8 @@ def _show(found: dict[str, Any]) -> None:
 
 
 def _picture(found: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:
+    from qsbearing.model.units import rpm
     from qsbearing.pictures.heat import over_speed, over_time
-    from qsbearing.units import rpm
 
     if found["transient"] is not None:
         return picture_bytes(over_time(found["transient"], title), target)

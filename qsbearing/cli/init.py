@@ -14,7 +14,7 @@ from qsbearing.cli.output import print_text
 def init(name: str | None, as_set: bool) -> None:
     """Print a commented scene file: B218 spelled out, or the catalogue bearing NAME; with --set a pair of 7210C, or of
     NAME."""
-    from qsbearing.io.template import scene_template, set_template
+    from qsbearing.files.template import scene_template, set_template
 
     if as_set:
         print_text(set_template(entry_named(name or "7210C")))

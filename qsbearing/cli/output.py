@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from qsbearing.documents.model import Block
-    from qsbearing.scene.scene import Scene
-    from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.systems.sets.bearing_set import BearingSet
 
 SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
 
@@ -38,7 +38,7 @@ def note(message: str, name: str = "qsbearing") -> None:
 
     Where nobody can read them, the command goes on and ends as it would.
     """
-    from qsbearing.validation import printable
+    from qsbearing.model.validation import printable
 
     with suppress(OSError):
         click.echo("\n".join(map(printable, f"{name}: {message}".split("\n"))), err=True)
@@ -65,7 +65,7 @@ def print_table(shown: RenderableType | Sequence[Block]) -> None:
 
 def print_wrote(paths: Iterable[object]) -> None:
     """Say which files were written; as in a note, their names cannot steer the terminal."""
-    from qsbearing.validation import printable
+    from qsbearing.model.validation import printable
 
     print_text("".join(f"wrote {printable(str(path))}\n" for path in paths))
 
@@ -74,7 +74,7 @@ def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
     """A result as JSON, with the input that it is reproduced from."""
     import json
 
-    from qsbearing.io.scene_tables import input_tables
+    from qsbearing.files.scene_tables import input_tables
 
     whole = {"version": found["version"], "input": input_tables(of), **found}
     print_text(json.dumps(whole, indent=1, allow_nan=False) + "\n")

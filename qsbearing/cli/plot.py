@@ -33,8 +33,8 @@ def plot(
 
     Exit codes: 0 drawn, 2 bad input.
     """
+    from qsbearing.model.validation import SceneError
     from qsbearing.studies.store import open_results
-    from qsbearing.validation import SceneError
 
     check_installed("plot needs", ("xarray", "matplotlib"), "studies")
     target = out or os.path.splitext(results)[0] + ".png"  # noqa: PTH122 - pathlib costs --help its time

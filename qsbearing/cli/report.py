@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from qsbearing.documents.model import Document
-    from qsbearing.scene.scene import Scene
-    from qsbearing.sets.bearing_set import BearingSet
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.systems.sets.bearing_set import BearingSet
 
 NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
 MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
@@ -45,7 +45,7 @@ def report(scene: str, out: str) -> None:
 
     check_installed("report needs", NEEDED, "report")
     asked = load_scene_or_set(scene)
-    from qsbearing.io.scene_file import is_file, text_of
+    from qsbearing.files.scene_file import is_file, text_of
 
     path = Path(scene)
     name = (path.stem if is_file(path) else scene).lower()
@@ -77,7 +77,7 @@ def _refuse_another(page: Path, path: Path) -> None:
     """End where the report that is there is of another file, which is there as well."""
     from urllib.parse import unquote_to_bytes
 
-    from qsbearing.io.scene_file import is_file
+    from qsbearing.files.scene_file import is_file
 
     if not is_file(page):
         return
@@ -91,7 +91,7 @@ def _refuse_another(page: Path, path: Path) -> None:
 def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
     from qsbearing.messages import message
-    from qsbearing.scene.scene import Scene
+    from qsbearing.model.scene.scene import Scene
 
     solution = solve(asked)
     if not solution.converged.all():
@@ -99,13 +99,13 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
         note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
         sys.exit(UNSOLVED)
     if "spectrum" in asked.readings:
-        from qsbearing.design_report import spectrum
+        from qsbearing.reports import spectrum
 
         return lambda: spectrum.document(solution, asked, solve, source, command)
     if isinstance(asked, Scene):
-        from qsbearing.design_report.document import document
+        from qsbearing.reports.document import document
 
         return lambda: document(solution, asked, source, command)
-    from qsbearing.design_report import set_document
+    from qsbearing.reports import set_document
 
     return lambda: set_document.document(solution, source, command)

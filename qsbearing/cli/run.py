@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from qsbearing.documents.model import Block
-    from qsbearing.scene.scene import Scene
-    from qsbearing.sets.bearing_set import BearingSet
-    from qsbearing.sets.set_solution import SetSolution
-    from qsbearing.solution.solution import Solution
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.model.solution.solution import Solution
+    from qsbearing.systems.sets.bearing_set import BearingSet
+    from qsbearing.systems.sets.set_solution import SetSolution
 
 
 @click.command(short_help="Solve a scene; show loads, angles, stiffness.")
@@ -93,7 +93,7 @@ def run(
         loaded = load_scene_or_set(scene)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
-        from qsbearing.scene.scene import Scene
+        from qsbearing.model.scene.scene import Scene
 
         found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
         if as_json:
@@ -104,7 +104,7 @@ def run(
             for option in writers:
                 note(f"{targets[option]} is not written: {found.lacks}")
             sys.exit(UNSOLVED)
-        from qsbearing.io.csv_table import csv_bytes
+        from qsbearing.files.csv_table import csv_bytes
 
         make = {
             "--csv": lambda: csv_bytes(found.columns()),
@@ -135,12 +135,12 @@ class Found(NamedTuple):
 
 
 def _of_scene(scene: Scene, accuracy: float | None) -> Found:
-    from qsbearing.io.json_record import record
-    from qsbearing.io.readings_record import Readings, all_columns, taken
+    from qsbearing.results.json_record import record
+    from qsbearing.results.readings_record import Readings, all_columns, taken
 
     def blocks(solution: Solution, readings: Readings) -> list[Block]:
         from qsbearing.documents.model import Paragraph
-        from qsbearing.io.report import result
+        from qsbearing.results.report import result
 
         if solution.choice is None:
             return result(solution, readings)
@@ -153,28 +153,28 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
     found = partial(_found, solution, asked, taken(solution), all_columns)
     if "spectrum" in scene.readings:
-        from qsbearing.io.spectrum_report import spectrum_record, spectrum_result
+        from qsbearing.results.spectrum_report import spectrum_record, spectrum_result
 
         return found(spectrum_record, spectrum_result)
     return found(record, blocks)
 
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
-    from qsbearing.io.readings_record import Readings, taken
-    from qsbearing.io.set_record import set_columns, set_record
+    from qsbearing.results.readings_record import Readings, taken
+    from qsbearing.results.set_record import set_columns, set_record
 
     if accuracy is not None:
         refuse("--accuracy: a set has the effects that its file names; `qsbearing explain` shows which ones matter")
 
     def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
-        from qsbearing.io.set_report import set_result  # not above: --json does without
+        from qsbearing.results.set_report import set_result  # not above: --json does without
 
         return set_result(solution, readings)
 
     solution: SetSolution = solve(of)
     found = partial(_found, solution, of, [taken(row) for row in solution.rows], set_columns)
     if "spectrum" in of.readings:
-        from qsbearing.io.set_spectrum_report import set_spectrum_record, set_spectrum_result
+        from qsbearing.results.set_spectrum_report import set_spectrum_record, set_spectrum_result
 
         return found(set_spectrum_record, set_spectrum_result)
     return found(set_record, blocks)
@@ -190,7 +190,7 @@ def _found(
 
 def _solved(scene: Scene, accuracy: float | None) -> Solution:
     if accuracy is not None:
-        from qsbearing.chooser.choose import COARSEST, FINEST
+        from qsbearing.studies.chooser.choose import COARSEST, FINEST
 
         if not FINEST <= accuracy <= COARSEST:
             allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"

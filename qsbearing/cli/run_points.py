@@ -18,7 +18,7 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
@@ -51,10 +51,10 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
 
 def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str, list[Any]]:
     """The rows with their results, written; what is solved before anything fails is kept beside them as CSV."""
-    from qsbearing.design.point_table import read_table, solve_table, table_bytes
-    from qsbearing.io.csv_table import csv_bytes
-    from qsbearing.io.output_file import kept_rows, output_file
-    from qsbearing.validation import SceneError
+    from qsbearing.files.csv_table import csv_bytes
+    from qsbearing.files.output_file import kept_rows, output_file
+    from qsbearing.model.validation import SceneError
+    from qsbearing.studies.design.point_table import read_table, solve_table, table_bytes
 
     done = 0
     kept = ""

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
-    from qsbearing.scene.scene import Scene
-    from qsbearing.sets.bearing_set import BearingSet
-    from qsbearing.validation import SceneError
+    from qsbearing.model.scene.scene import Scene
+    from qsbearing.model.validation import SceneError
+    from qsbearing.systems.sets.bearing_set import BearingSet
 
 T = TypeVar("T")
 Asked = TypeVar("Asked", bound="Scene | BearingSet")
@@ -25,14 +25,14 @@ PATIENCE = 2.0
 
 def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
-    from qsbearing.io.scene_file import load_scene
+    from qsbearing.files.scene_file import load_scene
 
     return _of_one_point(_loaded(load_scene, source), source)
 
 
 def load_scene_or_set(source: str) -> Scene | BearingSet:
     """Likewise, but a file with rows is a set; of several operating points, if it says so."""
-    from qsbearing.io.set_file import load_scene_or_set
+    from qsbearing.files.set_file import load_scene_or_set
 
     return _loaded(load_scene_or_set, source)
 
@@ -52,8 +52,8 @@ def _of_one_point(asked: Asked, source: str) -> Asked:
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:
-    from qsbearing.threads import thread_count
-    from qsbearing.validation import SceneError
+    from qsbearing.model.compiler.threads import thread_count
+    from qsbearing.model.validation import SceneError
 
     try:
         with warnings_as_notes():
@@ -69,14 +69,14 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
 
 def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
     """Its solution; the effects of a scene are chosen to a tolerance where one is given."""
-    from qsbearing.scene.scene import Scene
+    from qsbearing.model.scene.scene import Scene
 
     if not isinstance(asked, Scene):
-        from qsbearing.sets.solve import solve_set
+        from qsbearing.systems.sets.solve import solve_set
 
         with solving(asked):
             return solve_set(asked)
-    from qsbearing.chooser import choose
+    from qsbearing.studies.chooser import choose
 
     with solving(asked):
         return choose.solve(asked, effects=None if tolerance is None else "auto", tolerance=tolerance)
@@ -92,7 +92,7 @@ def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
     timer.daemon = True
     if sys.stderr.isatty():
         timer.start()
-    from qsbearing.validation import SceneError
+    from qsbearing.model.validation import SceneError
 
     try:
         with _out_of_reach("scipy.linalg"):
@@ -105,7 +105,7 @@ def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
 
 def in_keys(error: SceneError) -> str:
     """Errors of the Python objects by the keys and in the units of the file."""
-    from qsbearing.io.file_errors import translate
+    from qsbearing.files.file_errors import translate
 
     return "\n".join(str(translate(each)) for each in error.errors)
 

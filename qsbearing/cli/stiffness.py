@@ -25,9 +25,9 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None
 
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
-    from qsbearing.io.csv_table import csv_bytes
+    from qsbearing.files.csv_table import csv_bytes
+    from qsbearing.model.validation import SceneError
     from qsbearing.studies.stiffness import stiffness_of
-    from qsbearing.validation import SceneError
 
     with ExitStack() as stack:
         writers = claimed(stack, {"--out": out}, [])

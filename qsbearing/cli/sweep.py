@@ -22,7 +22,7 @@ from qsbearing.cli.files import (
 )
 from qsbearing.cli.output import UNSOLVED, note, print_table, progress_bar, refuse
 from qsbearing.cli.vary import study_of, vary_option
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -82,8 +82,8 @@ def sweep(
 
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
+    from qsbearing.model.validation import SceneError
     from qsbearing.studies import summary
-    from qsbearing.validation import SceneError
 
     check_installed("studies need", ("xarray", "h5netcdf"), "studies")
     problems = [*_place_problems(out, overwrite, resume), *picture_problems(picture)]
@@ -154,7 +154,7 @@ def _sobol_problems(count: int, given: dict[str, Any]) -> list[str]:
 
 def _indices(study: Study, count: int, out: str | None) -> xarray.Dataset:
     """Sobol indices, written to a file where one is asked for."""
-    from qsbearing.io.output_file import output_stream
+    from qsbearing.files.output_file import output_stream
     from qsbearing.studies.sobol import sobol_indices
     from qsbearing.studies.tables import write_indices
 
@@ -186,7 +186,7 @@ def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
 @contextmanager
 def _table(out: str) -> Iterator[Callable[[xarray.Dataset], None]]:
     """Claim the place of a table, before hours are spent on what it is to hold; yields what writes it."""
-    from qsbearing.io.output_file import output_stream
+    from qsbearing.files.output_file import output_stream
     from qsbearing.studies.tables import write_table
 
     with output_stream(out) as file:

@@ -8,8 +8,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import printed_unit
-from qsbearing.validation import SceneError, printable, shown
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.validation import SceneError, printable, shown
 
 MOST_SHOWN = 50
 """Errors of a file that are told one by one; the others are counted."""

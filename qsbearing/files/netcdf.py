@@ -10,7 +10,7 @@ from typing import Any
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.raw import check_regular
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 WHAT = "a netCDF file"
 

@@ -10,7 +10,7 @@ from qsbearing.files.csv_rows import rows_of_csv
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.limits import LARGEST_SHEET, LARGEST_TABLE
 from qsbearing.files.raw import decoded, read_bytes
-from qsbearing.installation import pip_install
+from qsbearing.messages.installation import pip_install
 
 ENDINGS = (".csv", ".xlsx", ".parquet")
 Columns = dict[str, list[Any]]

@@ -10,7 +10,7 @@ from typing import Any
 from qsbearing.files.errors import refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
-from qsbearing.validation import comma_advice
+from qsbearing.model.validation import comma_advice
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)

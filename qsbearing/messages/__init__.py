@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from qsbearing.messages import bearing, bearing_set
 from qsbearing.messages.bearing_set import SetSolution
-from qsbearing.ranked_warning import RankedWarning
-from qsbearing.solution.case_index import Index
-from qsbearing.solution.solution import Solution
+from qsbearing.model.ranked_warning import RankedWarning
+from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.solution import Solution
 
 
 def message(solution: Solution | SetSolution, index: Index = None) -> str:

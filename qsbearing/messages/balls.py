@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.kernel.admissibility import NO_CONSISTENT_CONTROL
-from qsbearing.ranked_warning import Rank, RankedWarning, good_to_know, wrong_model
-from qsbearing.solution.solution import Solution
+from qsbearing.model.kernel.admissibility import NO_CONSISTENT_CONTROL
+from qsbearing.model.ranked_warning import Rank, RankedWarning, good_to_know, wrong_model
+from qsbearing.model.solution.solution import Solution
 
 Warnings = Iterator[tuple[NDArray, Callable[[int], str]]]
 """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""

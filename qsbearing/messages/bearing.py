@@ -7,10 +7,14 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
-from qsbearing.effects import EFFECTS
-from qsbearing.effects.raceway_control import INNER
-from qsbearing.kernel.admissibility import (
+from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
+from qsbearing.messages.expansion import expansion_warnings, give_warnings
+from qsbearing.messages.missing_effects import data_warnings, missing_warnings
+from qsbearing.messages.preload import preload_warnings
+from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.effects.raceway_control import INNER
+from qsbearing.model.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_EQUILIBRIUM,
@@ -19,19 +23,15 @@ from qsbearing.kernel.admissibility import (
     UNLOADED_RING,
     UNSUPPORTED,
 )
-from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
-from qsbearing.messages.expansion import expansion_warnings, give_warnings
-from qsbearing.messages.missing_effects import data_warnings, missing_warnings
-from qsbearing.messages.preload import preload_warnings
-from qsbearing.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
-from qsbearing.scene.bearing import BearingKind
-from qsbearing.scene.operation import CHANNELS
-from qsbearing.scene.scene import Scene
-from qsbearing.solution.case_index import Index
-from qsbearing.solution.judgement import estimated, lines_to_add
-from qsbearing.solution.ring_stiffness import SOFTEST, scaled_tangents
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, mrad, um
+from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
+from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.judgement import estimated, lines_to_add
+from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, mrad, um
 
 STATUSES = "how_to#meaning-of-each-status"
 

@@ -8,22 +8,22 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.messages import bearing
 from qsbearing.messages.equal_warnings import together
 from qsbearing.messages.preload import excessive, lost, reduced
-from qsbearing.ranked_warning import RankedWarning, capital, check_data, in_order, said_of, wrong_model
-from qsbearing.scene.operation import CHANNELS
-from qsbearing.solution import preload_state
-from qsbearing.solution.case_index import Index
-from qsbearing.solution.preload_state import PreloadLoads, PreloadState
-from qsbearing.solution.solution import Solution
-from qsbearing.solution.status import STATUS_OF_CODE
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.model.ranked_warning import RankedWarning, capital, check_data, in_order, said_of, wrong_model
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.solution import preload_state
+from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.preload_state import PreloadLoads, PreloadState
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import STATUS_OF_CODE
 
 if TYPE_CHECKING:
-    from qsbearing.sets.bearing_set import BearingSet, Row
-    from qsbearing.sets.outcome import Outcome
-    from qsbearing.thermal.state import ThermalState
+    from qsbearing.systems.heat.state import ThermalState
+    from qsbearing.systems.sets.bearing_set import BearingSet, Row
+    from qsbearing.systems.sets.outcome import Outcome
 
 
 class SetSolution(Protocol):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from qsbearing.ranked_warning import Rank, RankedWarning, capital, in_order, ranked, said_of
+from qsbearing.model.ranked_warning import Rank, RankedWarning, capital, in_order, ranked, said_of
 
 NUMBER = re.compile(
     r"\brows? \d+(?:(?:, | and | to )\d+)*(?: \([^)]*\))?|\(no\. [^)]*\)"  # the numbers of rows and balls are names

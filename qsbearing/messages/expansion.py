@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.effects.elastic_rings import grooves_of
 from qsbearing.messages.balls import Warnings
-from qsbearing.ranked_warning import check_data, wrong_model
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, um
+from qsbearing.model.effects.elastic_rings import grooves_of
+from qsbearing.model.ranked_warning import check_data, wrong_model
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, um
 
 HEAT = "how_to#heat-fits-and-rotation"
 GIVE = "elastic_rings"

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.messages.balls import Warnings
-from qsbearing.ranked_warning import wrong_model
-from qsbearing.solution.judgement import (
+from qsbearing.model.ranked_warning import wrong_model
+from qsbearing.model.solution.judgement import (
     WORDS,
     WORTH_A_WARNING,
     Judgement,
@@ -16,7 +16,7 @@ from qsbearing.solution.judgement import (
     lines_to_add,
     missing,
 )
-from qsbearing.solution.solution import Solution
+from qsbearing.model.solution.solution import Solution
 
 EXPLAINED = "accuracy"
 

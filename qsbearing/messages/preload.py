@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.messages.balls import Warnings
-from qsbearing.ranked_warning import RankedWarning, check_data
-from qsbearing.solution.preload_state import EXCESSIVE, PreloadLoads, PreloadState, is_reduced, share, states
-from qsbearing.solution.solution import Solution
+from qsbearing.model.ranked_warning import RankedWarning, check_data
+from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadLoads, PreloadState, is_reduced, share, states
+from qsbearing.model.solution.solution import Solution
 
 
 def preload_warnings(solution: Solution, part: slice) -> Warnings:

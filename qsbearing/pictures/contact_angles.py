@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import deg
 from qsbearing.pictures.style import GREY, Span, balls, line_style, mark_lost, plain, raceways
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.solution import Solution
-from qsbearing.units import deg
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

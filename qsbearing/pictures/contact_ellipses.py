@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, mm
 from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways, round_length
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, mm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

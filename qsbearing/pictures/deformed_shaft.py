@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.units import mm, um
 from qsbearing.pictures.style import GREY, round_length
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution.case_index import Place
-from qsbearing.units import mm, um
+from qsbearing.systems.sets.set_solution import SetSolution
 
 SHOWN = 0.3
 """Of the shaft's largest diameter: what the picture makes of the largest deflection."""

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.style import Span, balls, label_circles, line_style, mark_lost, raceways
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.solution import Solution
 
 
 def load_span(solution: Solution, place: Place) -> Span:

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.ring_shape import AROUND, groove_shape
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import um
 from qsbearing.pictures.style import balls, line_style, round_length
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.ring_shape import AROUND, groove_shape
-from qsbearing.solution.solution import Solution
-from qsbearing.units import um
 
 RADII = {"inner": 0.62, "outer": 1.0}
 """At which the grooves are drawn, and the part of that by which the largest movement shows."""

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, deg, mm
 from qsbearing.pictures.style import GREY, STYLE, carry_alike, raceways
-from qsbearing.scene.bearing import BearingKind
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, deg, mm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from qsbearing.model.solution.case_index import Index, Place, place_of
+from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
@@ -13,9 +15,7 @@ from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import Span, carry_alike, figure_of_size, legend, write_title, write_title_of_set
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution.case_index import Index, Place, place_of
-from qsbearing.solution.solution import Solution
+from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

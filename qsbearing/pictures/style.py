@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
-from qsbearing.scene.operation import CHANNELS, Operation
-from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution.case_index import Place
-from qsbearing.solution.raceway_contacts import RacewayContacts
-from qsbearing.solution.solution import Solution
-from qsbearing.units import mrad, rpm, um
+from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import mrad, rpm, um
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

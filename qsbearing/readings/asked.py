@@ -15,6 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.readings import (
     ball_motion,
     contact_friction,
@@ -31,9 +34,6 @@ from qsbearing.readings import (
 )
 from qsbearing.readings.entry import Reading, Table
 from qsbearing.readings.lubricant import OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
-from qsbearing.scene.scene import Scene
-from qsbearing.solution.solution import Solution
-from qsbearing.validation import ErrorDetail, SceneError
 
 Arguments = Mapping[str, Any]
 Errors = list[ErrorDetail]

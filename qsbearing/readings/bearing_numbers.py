@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.contact.hertz import point_contact
-from qsbearing.scene.bearing import BallBearing, BearingKind
-from qsbearing.units import deg
+from qsbearing.model.contact.hertz import point_contact
+from qsbearing.model.scene.bearing import BallBearing, BearingKind
+from qsbearing.model.units import deg
 
 INNER, OUTER = -1.0, 1.0
 """The sign of gamma in the formulas of a raceway: 1 - gamma inside, 1 + gamma outside."""

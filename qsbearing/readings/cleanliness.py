@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.units import mm
+from qsbearing.model.units import mm
 
 
 class _Constants(NamedTuple):

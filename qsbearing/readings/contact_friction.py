@@ -13,9 +13,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import entry
-from qsbearing.contact.elliptic import second_kind
-from qsbearing.ranked_warning import wrong_model
+from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.contact.elliptic import second_kind
+from qsbearing.model.ranked_warning import wrong_model
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import Nmm, kg_m3
+from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
 from qsbearing.readings.ball_motion import (
     AXIS,
     contact_motion,
@@ -35,13 +42,6 @@ from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, wi
 from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import Key
-from qsbearing.solution.raceway_contacts import RacewayContacts
-from qsbearing.solution.solution import Solution
-from qsbearing.units import Nmm, kg_m3
-from qsbearing.validation import DENSITY, RATIO, ErrorDetail, within
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 

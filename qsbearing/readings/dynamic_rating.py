@@ -24,9 +24,9 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.units import mm
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.units import mm
 
 RATING_FACTOR = 1.3
 """bm of ISO 281, table 1: radial and angular contact ball bearings of contemporary steel; 1.0 for steel of the 1940s,

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ellipe, ellipk
 
-from qsbearing.compiled import kernel
+from qsbearing.model.compiler.compiled import kernel
 
 NODES = 8
 """Gauss nodes between two lines of pure rolling, where the integrand has its kinks: the power is good to some 1e-5."""

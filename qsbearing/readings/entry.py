@@ -14,11 +14,11 @@ from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar
 
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import Key
-from qsbearing.solution.solution import Solution
-from qsbearing.validation import ErrorDetail, Quantity, raise_if_any, within
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import ErrorDetail, Quantity, raise_if_any, within
 
 
 class Checked(Protocol):

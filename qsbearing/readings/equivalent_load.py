@@ -14,9 +14,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.units import deg, mm
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.units import deg, mm
 
 # fmt: off
 _LOADS = np.array([0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89])

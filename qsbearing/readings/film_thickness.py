@@ -33,21 +33,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import entry, kernel
-from qsbearing.ranked_warning import check_data, good_to_know, wrong_model
+from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.ranked_warning import check_data, good_to_know, wrong_model
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import mm, rpm, um
+from qsbearing.model.validation import LENGTH, ErrorDetail, Quantity, within
 from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import Key
-from qsbearing.solution.raceway_contacts import RacewayContacts
-from qsbearing.solution.solution import Solution
-from qsbearing.units import mm, rpm, um
-from qsbearing.validation import LENGTH, ErrorDetail, Quantity, within
 
 MIXED = 1.0
 """Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""

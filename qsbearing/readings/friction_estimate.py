@@ -15,7 +15,24 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.ranked_warning import good_to_know, wrong_model
+from qsbearing.model.ranked_warning import good_to_know, wrong_model
+from qsbearing.model.scene.bearing import BallBearing, BearingKind
+from qsbearing.model.scene.keys import DIAMETERS, Key
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import N, Nmm, deg, mm, rpm
+from qsbearing.model.validation import (
+    FORCE,
+    LENGTH,
+    RATIO,
+    SPEED,
+    ErrorDetail,
+    Quantity,
+    choose,
+    first,
+    raise_if_any,
+    within,
+)
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
@@ -24,12 +41,6 @@ from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing, BearingKind
-from qsbearing.scene.keys import DIAMETERS, Key
-from qsbearing.solution.solution import Solution
-from qsbearing.units import N, Nmm, deg, mm, rpm
-from qsbearing.validation import FORCE, LENGTH, RATIO, SPEED, ErrorDetail, Quantity, choose, first, raise_if_any, within
 
 
 class Series(StrEnum):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.units import mm, rpm
+from qsbearing.model.units import mm, rpm
 
 LARGEST = 50.0
 """aISO is not taken larger."""

@@ -12,11 +12,11 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.validation import RATIO, ErrorDetail, raise_if_any, within
 from qsbearing.readings.entry import Reading
 from qsbearing.readings.rating_life import HOUR, MILLION, NEEDS, Life, life
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.validation import RATIO, ErrorDetail, raise_if_any, within
 
 WHOLE = 1e-6
 """Time shares must add up to one to this (chosen: shares are written with a few digits)."""

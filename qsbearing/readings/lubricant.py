@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.scene.keys import Key, celsius
+from qsbearing.model.units import GPa, kg_m3, mm
+from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, Quantity, SceneError, raise_if_any, within
 from qsbearing.readings.entry import Table
-from qsbearing.scene.keys import Key, celsius
-from qsbearing.units import GPa, kg_m3, mm
-from qsbearing.validation import DENSITY, RATIO, ErrorDetail, Quantity, SceneError, raise_if_any, within
 
 FREEZING = 273.15
 DENSITY_SLOPE = 0.7

@@ -18,7 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.compiled import entry
+from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.ball_motion import (
     AXIS,
     ball_orbit,
@@ -30,8 +32,6 @@ from qsbearing.readings.ball_motion import (
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls
-from qsbearing.result_keys import Shown
-from qsbearing.solution.solution import Solution
 
 NEEDS = ("load", "sine", "cosine"), AXIS
 

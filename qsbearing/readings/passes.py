@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.solution.solution import Solution
-from qsbearing.threads import in_threads
+from qsbearing.model.compiler.threads import in_threads
+from qsbearing.model.solution.solution import Solution
 
 SAME_SHAPE = 1e-13
 """Ellipses of one raceway are alike but for the rounding of their axes, unless Hertz's angle is each ball's own: what

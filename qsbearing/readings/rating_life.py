@@ -12,9 +12,15 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import entry
-from qsbearing.contact.first_yield import STATIC_PRESSURE
-from qsbearing.ranked_warning import RankedWarning, good_to_know, wrong_model
+from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, N
+from qsbearing.model.validation import FORCE, RATIO, ErrorDetail, choose, within
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
@@ -44,12 +50,6 @@ from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import Key
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, N
-from qsbearing.validation import FORCE, RATIO, ErrorDetail, choose, within
 
 MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.ranked_warning import in_order, said_of
+from qsbearing.model.ranked_warning import in_order, said_of
 
 CHOICES = "readings#choices-that-change-the-numbers"
 """Where the guide says more of most of them."""

@@ -19,19 +19,19 @@ from math import copysign, cos, nan, sin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import entry
-from qsbearing.ranked_warning import wrong_model
+from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.ranked_warning import wrong_model
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import deg, mm
+from qsbearing.model.validation import LENGTH, ErrorDetail, first, numeric
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.remarks import Remarks, remarks
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing
-from qsbearing.scene.keys import Key
-from qsbearing.solution.raceway_contacts import RacewayContacts
-from qsbearing.solution.solution import Solution
-from qsbearing.units import deg, mm
-from qsbearing.validation import LENGTH, ErrorDetail, first, numeric
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
 

@@ -15,19 +15,19 @@ from math import inf, nan
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.compiled import entry
-from qsbearing.contact.first_yield import STATIC_PRESSURE
-from qsbearing.ranked_warning import good_to_know, wrong_model
+from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.ranked_warning import good_to_know, wrong_model
+from qsbearing.model.scene.bearing import BallBearing, BearingKind
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, N, deg, mm
+from qsbearing.model.validation import FORCE, ErrorDetail, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.result_keys import Shown
-from qsbearing.scene.bearing import BallBearing, BearingKind
-from qsbearing.scene.keys import Key
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, N, deg, mm
-from qsbearing.validation import FORCE, ErrorDetail, within
 
 FATIGUE_PRESSURE = 1500e6
 """Pressure below which bearing steel does not tire under ideal conditions [Pa] (ISO 281, annex B)."""

@@ -22,18 +22,18 @@ from math import log, nan, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.compiled import entry, formula
-from qsbearing.contact.hertz import subsurface_shear
-from qsbearing.ranked_warning import good_to_know
+from qsbearing.model.compiler.compiled import entry, formula
+from qsbearing.model.contact.hertz import subsurface_shear
+from qsbearing.model.ranked_warning import good_to_know
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, mm, um
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.readings.remarks import CHOICES, Remarks, remarks
-from qsbearing.result_keys import Shown
-from qsbearing.solution.raceway_contacts import RacewayContacts
-from qsbearing.solution.solution import Solution
-from qsbearing.units import MPa, mm, um
 
 TABLE = 33
 """Ellipses between which the largest shear is interpolated: to 1e-5 of it and of its depth."""

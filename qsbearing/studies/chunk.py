@@ -8,20 +8,20 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import quantities
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.scene.bearing_errors import BALL_COUNT_RANGE
-from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.sets.solve import solve_set
-from qsbearing.solution.solution import Solution
-from qsbearing.solution.solver import solve
-from qsbearing.solution.status import Reason
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution import quantities
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solver import solve
+from qsbearing.model.solution.status import Reason
 from qsbearing.studies.points import Points
 from qsbearing.studies.results import OVER_BALLS, Result, find, known_results, read, reading_of, suggestion
 from qsbearing.studies.scenes import scene_of_points
 from qsbearing.studies.study import Study
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.solve import solve_set
 
 IMPOSSIBLE = 3
 """Status of a point that describes no bearing or no operation; the solver's own codes are 0 to 2."""
@@ -97,7 +97,7 @@ def _solved(
     if isinstance(scene, BearingSet):
         return solve_set(scene, threads=threads)
     if scene.thermal is not None:
-        from qsbearing.thermal import solve as hot
+        from qsbearing.systems.heat import solve as hot
 
         return hot.solve(scene, threads=threads)
     return solve(replace(scene, **chosen or {}), threads=threads)
@@ -186,7 +186,7 @@ def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileEr
 def _chosen_effects(study: Study, points: Points, possible: Scene) -> dict[str, Any]:
     """The effects and choices that the tolerance needs at any of some hundred points spread over the study; where none
     of these is possible, at one that is."""
-    from qsbearing.chooser.choose import solve as choose
+    from qsbearing.studies.chooser.choose import solve as choose
 
     numbers = np.unique(np.linspace(0, points.chunk_count - 1, LOOKED_AT).round().astype(int))
     parts = []

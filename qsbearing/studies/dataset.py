@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.io.scene_tables import input_tables
-from qsbearing.provenance import commit
-from qsbearing.solution.status import Reason
+from qsbearing.files.scene_tables import input_tables
+from qsbearing.model.solution.status import Reason
+from qsbearing.results.provenance import commit
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points

@@ -6,12 +6,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from qsbearing.io.file_keys import numbers, sections
-from qsbearing.io.thermal_keys import SECTIONS as THERMAL_SECTIONS
-from qsbearing.io.unknown_key import near
-from qsbearing.io.usual_words import usual
-from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
-from qsbearing.scene.operation import CHANNELS
+from qsbearing.files.file_keys import numbers, sections
+from qsbearing.files.thermal_keys import SECTIONS as THERMAL_SECTIONS
+from qsbearing.files.usual_words import usual
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.validation import near
 
 _EITHER = (
     ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),

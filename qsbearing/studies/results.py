@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import quantities
+from qsbearing.model.solution import quantities
+from qsbearing.model.solution.result_keys import attributes, split
+from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.asked import READINGS, all_values, by_short_name, take_asked
 from qsbearing.readings.entry import Reading
-from qsbearing.result_keys import attributes, split
-from qsbearing.sets.set_quantities import SetQuantity, set_quantities
-from qsbearing.sets.set_solution import SetSolution
-from qsbearing.solution.solution import Solution
+from qsbearing.systems.sets.set_quantities import SetQuantity, set_quantities
+from qsbearing.systems.sets.set_solution import SetSolution
 
 OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 """With these after its name, the largest or smallest over the balls of a result that each ball has."""

@@ -10,18 +10,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.io import catalogue
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.io.scene_file import scene_of
-from qsbearing.io.set_file import is_set, set_of
-from qsbearing.material import material_named
-from qsbearing.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
-from qsbearing.scene.scene import Scene
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.files import catalogue
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.scene_file import scene_of
+from qsbearing.files.set_file import is_set, set_of
+from qsbearing.model.material import material_named
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
+from qsbearing.model.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.points import Points
 from qsbearing.studies.study import Study, ball_count_of
 from qsbearing.studies.variables import Axis
+from qsbearing.systems.sets.bearing_set import BearingSet
 
 TAIL = 0.01
 """A distribution must leave possible what lies between its quantiles of 1 % and 99 % (chosen: beyond these a normal

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.model.compiler.threads import thread_count
 from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
 from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.scenes import check
 from qsbearing.studies.study import Study
-from qsbearing.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.chooser.choose import solve
-from qsbearing.io.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.rotordynamics import stiffness_columns
-from qsbearing.sets.bearing_set import BearingSet
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check, scene_of_points
 from qsbearing.studies.study import Study
+from qsbearing.systems.rotor_dynamics import stiffness_columns
+from qsbearing.systems.sets.bearing_set import BearingSet
 
 IMPOSSIBLE = STATUSES[-1]
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.io.file_errors import SceneFileError, refused
-from qsbearing.io.output_file import is_locked, place_of, put_in_place
+from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.output_file import is_locked, place_of, put_in_place
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
 from qsbearing.studies.netcdf import write_netcdf

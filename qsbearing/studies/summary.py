@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.block_statistics import blocks, quantiles
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.result_keys import printed_unit
+from qsbearing.files.block_statistics import blocks, quantiles
+from qsbearing.model.solution.result_keys import printed_unit
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset

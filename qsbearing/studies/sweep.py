@@ -10,13 +10,13 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExec
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.model.compiler.threads import thread_count
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check
 from qsbearing.studies.store import open_results, store_at
 from qsbearing.studies.study import Study
-from qsbearing.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray

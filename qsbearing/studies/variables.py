@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.io.file_errors import FileErrorDetail
-from qsbearing.io.unknown_key import LARGEST
+from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.unknown_key import LARGEST
+from qsbearing.model.validation import comma_advice, shown
 from qsbearing.studies import keys
-from qsbearing.validation import comma_advice, shown
 
 MOST_VALUES = 1_000_000
 """Along one axis, whose values are all in memory: 60 MB of them, where samples are made as they are needed."""

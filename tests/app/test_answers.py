@@ -19,10 +19,10 @@ pytest.importorskip("uvicorn")
 
 from qsbearing.app import answers, inputs
 from qsbearing.cli import cli
-from qsbearing.effects import EFFECTS
+from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.limits import LARGEST_FILE
-from qsbearing.io.file_errors import SceneFileError
-from qsbearing.io.scene_file import load_scene
+from qsbearing.files.scene_file import load_scene
+from qsbearing.model.effects import EFFECTS
 from qsbearing.studies import keys
 from tests.app.served import asked, served, started
 from tests.guide.pages import GUIDE

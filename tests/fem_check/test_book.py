@@ -26,12 +26,12 @@ from fem_check.cli import cli
 from fem_check.pressure_basis import PressureBasis
 from fem_check.report.files import write_book
 from fem_check.report.rows import as_read
-from qsbearing.compiled import COMPILED
-from qsbearing.design import optimum
-from qsbearing.effects import ring_compliance
+from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.effects import ring_compliance
+from qsbearing.model.scene import bearing as scene_bearing
+from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
-from qsbearing.scene import bearing as scene_bearing
-from qsbearing.solution import flatten
+from qsbearing.studies.design import optimum
 from tests.documents.page import Page
 
 pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
@@ -247,19 +247,19 @@ def test_a_planted_error_is_seen(
 # Errors in the source, compiled: file, line as it stands, line as it is made, and the cases that must fail.
 COMPILED_ERRORS = {
     "load exponent 1.49": (
-        "qsbearing/kernel/contact_line.py",
+        "qsbearing/model/kernel/contact_line.py",
         "return stiffness * approach * root, 1.5 * stiffness * root",
         "return stiffness * approach**1.49, 1.49 * stiffness * approach**0.49",
         {"gmn_rigidities", "b218_textbook", "half_loaded_ring", "iso_16281_seven_balls", "hamrock_209_film"},
     ),
     "raceway curvature sign swapped": (
-        "qsbearing/contact/hertz.py",
+        "qsbearing/model/contact/hertz.py",
         "(1.0 + side * ball_diameter / pitch_diameter * cos_angle))",
         "(1.0 - side * ball_diameter / pitch_diameter * cos_angle))",
         {"iso_16281_seven_balls"},
     ),
     "E' from the ball's modulus alone": (
-        "qsbearing/contact/hertz.py",
+        "qsbearing/model/contact/hertz.py",
         "(1.0 - poisson_ratio_2**2) / elastic_modulus_2)",
         "(1.0 - poisson_ratio_1**2) / elastic_modulus_1)",
         {"gmn_hybrid_ratings"},
@@ -277,7 +277,7 @@ COMPILED_ERRORS = {
         {"motor_bearings"},
     ),
     "stiffness +1 %": (
-        "qsbearing/contact/hertz.py",
+        "qsbearing/model/contact/hertz.py",
         "return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
         "return 1.01 * pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
         {"iso_16281_seven_balls", "hamrock_209_film", "boresi_contacts"},

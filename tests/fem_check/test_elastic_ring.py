@@ -7,7 +7,7 @@ from fem_check.agreement import Level
 from fem_check.checks import elastic_ring
 from fem_check.contact_problem import ElasticConstants
 from fem_check.plane_ring import Body, Ring, harmonics
-from qsbearing.effects import elastic_rings, ring_compliance
+from qsbearing.model.effects import elastic_rings, ring_compliance
 
 STEEL = ElasticConstants(208e9, 0.3)
 GRID = (48, 2)

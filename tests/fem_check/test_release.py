@@ -16,8 +16,8 @@ from fem_check.checks import ALL
 from fem_check.cli import cli
 from fem_check.release import drift, gate, known, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
-from qsbearing import provenance
-from tests.campaign.envelope import ENVELOPES
+from qsbearing.results import provenance
+from tests.verification.campaign.envelope import ENVELOPES
 
 CHECKS = ("check patch_test", "check hertz_formula")
 RECORDS = Path("fem_check") / "records"
@@ -377,7 +377,7 @@ def record_of(name: str) -> dict[str, Any]:
 
 
 def test_drift_of_hard_cases():
-    old, new = (record_of("tests/hard_cases/table.json") for _ in range(2))
+    old, new = (record_of("tests/verification/hard_cases/table.json") for _ in range(2))
     assert drift.of_hard_cases(new, old) == []
     case = new["cases"][0]
     case["loads"] = 1e-10  # within 1e-9 still
@@ -389,7 +389,7 @@ def test_drift_of_hard_cases():
 
 
 def test_drift_of_a_campaign():
-    old, new = (record_of("tests/campaign/records/wild_seed_1_count_200000.json") for _ in range(2))
+    old, new = (record_of("tests/verification/campaign/records/wild_seed_1_count_200000.json") for _ in range(2))
     assert drift.of_campaign(new, old) == []
     new["classes"]["not_converged"] += 40
     new["classes"]["converged"] -= 40
@@ -404,7 +404,7 @@ def test_drift_of_a_campaign():
 
 
 def test_known_scenes_pass_by_name_and_only_while_they_are_not_solved():
-    record = record_of("tests/campaign/records/realistic_seed_1_count_500000.json")
+    record = record_of("tests/verification/campaign/records/realistic_seed_1_count_500000.json")
     wrong = _step("campaign realistic").wrong
     assert set(record["not_converged"]) == set(known.NOT_CONVERGED)
     assert wrong(record) == []

@@ -478,7 +478,7 @@ def test_the_sector_is_a_finding(read: Page) -> None:
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
     text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
     before, _, after = text.partition("In a checkout of the repository")
-    assert "python -m tests.reference.table" in after
+    assert "python -m tests.verification.reference.table" in after
     assert "fem-check book" in before
     assert "fem-check book" not in after
     assert text.count("fem-check book") == 1, "one command makes all published cases"

@@ -11,10 +11,10 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.design.point_table import solve_table
 from qsbearing.files import limits
 from qsbearing.files.errors import SceneFileError
-from qsbearing.io.scene_file import scene_of
+from qsbearing.files.scene_file import scene_of
+from qsbearing.studies.design.point_table import solve_table
 
 GOOD = {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 1.0}}
 
@@ -140,7 +140,7 @@ def test_a_value_that_only_others_forbid_may_vary() -> None:
 @pytest.mark.parametrize("value", [1e-308, 5e-324])
 def test_next_to_no_preload_overflows_nowhere(value: float) -> None:
     """Warnings are errors here."""
-    from qsbearing.solution.preload_state import PreloadLoads, share, states
+    from qsbearing.model.solution.preload_state import PreloadLoads, share, states
 
     loads = PreloadLoads(value, 800.0, 800.0)
     assert str(states(loads)) == "excessive" and share(loads) != share(loads)

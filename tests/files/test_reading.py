@@ -16,8 +16,8 @@ from qsbearing.cli import cli
 from qsbearing.files import cells, limits, xlsx
 from qsbearing.files.errors import SceneFileError
 from qsbearing.files.json_text import parsed
+from qsbearing.files.scene_file import load_scene
 from qsbearing.files.table import read_table
-from qsbearing.io.scene_file import load_scene
 
 pandas = pytest.importorskip("pandas")
 openpyxl = pytest.importorskip("openpyxl")

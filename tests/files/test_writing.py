@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from qsbearing.cli.files import write_files
-from qsbearing.io.output_file import Writer, kept_rows, output_file
+from qsbearing.files.output_file import Writer, kept_rows, output_file
 
 pytest.importorskip("fcntl")
 

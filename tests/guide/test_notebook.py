@@ -18,8 +18,8 @@ pytest.importorskip("xarray")
 
 import qsbearing as qs
 from qsbearing.documents.terminal import text_of
-from qsbearing.io.readings_record import taken
-from qsbearing.io.report import result
+from qsbearing.results.readings_record import taken
+from qsbearing.results.report import result
 from tests.guide.pages import GUIDE
 
 TUTORIAL = GUIDE / "tutorial.ipynb"

@@ -14,8 +14,8 @@ pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
 
 ELSEWHERE = {
-    "adding_an_effect.md": "tests/effects/test_adding_an_effect.py, on a copy of the package",
-    "rotor_dynamics.md": "tests/rotordynamics/test_guide_page.py, where ROSS is installed",
+    "adding_an_effect.md": "tests/model/effects/test_adding_an_effect.py, on a copy of the package",
+    "rotor_dynamics.md": "tests/systems/rotor_dynamics/test_guide_page.py, where ROSS is installed",
 }
 """Pages whose blocks another test runs."""
 PAGES = [page for page in [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))] if page.name not in ELSEWHERE]

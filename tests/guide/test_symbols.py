@@ -9,10 +9,10 @@ import pytest
 import qsbearing as qs
 from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import topics
-from qsbearing.effects import GyroscopicMoment
-from qsbearing.io.file_keys import numbers
+from qsbearing.files.file_keys import numbers
+from qsbearing.model.effects import GyroscopicMoment
+from qsbearing.model.solution.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
 from qsbearing.readings.asked import READINGS
-from qsbearing.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
 from qsbearing.studies import keys
 from qsbearing.studies.results import Result, attributes_of
 from tests.guide.pages import GUIDE

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-
-from .scenes import lever, moment_shares
+from tests.qsbearing.scenes import lever, moment_shares
 
 AXIS = np.array([1.0, 0.0, 0.0])
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from qsbearing.compiled import COMPILED
+from qsbearing.model.compiler.compiled import COMPILED
 
 B218 = qs.BallBearing(
     ball_count=16,

@@ -12,7 +12,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.version import Version
 
-from qsbearing.compiled import COMPILED
+from qsbearing.model.compiler.compiled import COMPILED
 
 PROJECT = Path(__file__).parents[2]
 EVERYTHING = ("plot", "frame", "studies", "cluster", "report", "app")

@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 import qsbearing as qs
-from qsbearing.compiled import COMPILED
-from qsbearing.private_folder import fault_of
+from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.private_folder import fault_of
 
 compiled_and_owned = pytest.mark.skipif(
     not COMPILED or not hasattr(os, "geteuid"),
@@ -32,7 +32,7 @@ def test_every_public_name_is_there() -> None:
 
 
 def test_solve_is_the_function_whatever_was_imported_before() -> None:
-    code = "import qsbearing.solution.solver, qsbearing as qs\nassert callable(qs.solve), qs.solve\n"
+    code = "import qsbearing.model.solution.solver, qsbearing as qs\nassert callable(qs.solve), qs.solve\n"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
@@ -45,7 +45,7 @@ def test_the_import_itself_loads_nothing_heavy() -> None:
 
 SOLVE_ONCE = """
 import qsbearing as qs
-from qsbearing import numba_kernel
+from qsbearing.model.compiler import numba_kernel
 solution = qs.solve(qs.load_scene("b218"))
 print(numba_kernel.IS_TRIED, solution.inner.load.tobytes().hex())
 """
@@ -55,7 +55,7 @@ OLDER_TRIED = "import numba; tried = numba.version_info; numba.version_info = tr
 @pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
 def test_what_numba_does_not_promise_was_tried_with_its_version() -> None:
     """Of an untried version only what is public is used, in twice the time: try it, and set `TRIED`."""
-    from qsbearing import numba_kernel
+    from qsbearing.model.compiler import numba_kernel
 
     assert numba_kernel.IS_TRIED
 
@@ -78,7 +78,7 @@ def test_numba_s_public_ways_compile_to_the_same_digits(tmp_path: Path) -> None:
 
 
 ENTRY = """
-from qsbearing.compiled import entry
+from qsbearing.model.compiler.compiled import entry
 
 @entry
 def doubled(x: float) -> float:

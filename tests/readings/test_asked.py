@@ -17,14 +17,14 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.design_report.document import document as design_report
 from qsbearing.documents.html import html
 from qsbearing.documents.terminal import text_of
-from qsbearing.io.json_record import record
-from qsbearing.io.readings_record import taken
-from qsbearing.io.report import result
-from qsbearing.io.scene_file import scene_of
+from qsbearing.files.scene_file import scene_of
 from qsbearing.readings import asked
+from qsbearing.reports.document import document as design_report
+from qsbearing.results.json_record import record
+from qsbearing.results.readings_record import taken
+from qsbearing.results.report import result
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -344,9 +344,9 @@ NEW = '''
 from dataclasses import dataclass
 
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
-from qsbearing.result_keys import Shown
-from qsbearing.scene.keys import Key
-from qsbearing.validation import RATIO, within
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.validation import RATIO, within
 
 
 @dataclass(frozen=True, kw_only=True)

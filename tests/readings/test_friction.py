@@ -11,11 +11,11 @@ from scipy.special import ellipe
 
 import qsbearing as qs
 from qsbearing.documents.terminal import text_of
-from qsbearing.io.json_record import record
-from qsbearing.io.report import result
-from qsbearing.io.scene_file import scene_of
+from qsbearing.files.scene_file import scene_of
 from qsbearing.readings import friction_estimate
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed, sliding_table
+from qsbearing.results.json_record import record
+from qsbearing.results.report import result
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
 
 ONE, NONE = np.ones(1), np.zeros(1)

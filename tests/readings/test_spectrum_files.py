@@ -14,10 +14,10 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.io.file_errors import SceneFileError
-from qsbearing.io.scene_file import scene_of
-from qsbearing.io.set_file import set_of
-from qsbearing.io.tables import digits_of
+from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.scene_file import scene_of
+from qsbearing.files.set_file import set_of
+from qsbearing.results.tables import digits_of
 
 GUIDE = (Path(qs.__file__).parent / "guide" / "readings.md").read_text(encoding="utf-8")
 

@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies import sweep as sweeping
-from tests.sets.arrangements import PAIR_FILE
+from tests.systems.sets.arrangements import PAIR_FILE
 
 
 def run(*arguments: object) -> Result:

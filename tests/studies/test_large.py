@@ -11,9 +11,9 @@ import pandas
 import pytest
 from click.testing import CliRunner
 
-from qsbearing import block_statistics
 from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
+from qsbearing.files import block_statistics
 from qsbearing.pictures.study import lines, picture
 from qsbearing.studies import summary
 from qsbearing.studies.store import open_results

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.io.scene_file import document_of, scene_of
+from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.pictures.study import Kind, PictureError, picture, select
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, label_curves

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.io.scene_file import document_of, scene_of
+from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import dataset, keys, points
 from qsbearing.studies import sweep as sweeping

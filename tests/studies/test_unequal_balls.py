@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.io.file_errors import SceneFileError
-from qsbearing.io.scene_file import scene_of
+from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.scene_file import scene_of
 
 pytest.importorskip("xarray")
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem_check.book.case import Panel, Points, Result, Series, compared
-from qsbearing.design.optimum import search
-from qsbearing.design.wanted import Condition, Variable, Wanted
+from qsbearing.studies.design.optimum import search
+from qsbearing.studies.design.wanted import Condition, Variable, Wanted
 
 SOURCE = "Gupta, Tiwari & Nair 2007; Kumar et al. 2020, problem 2.3.14"
 D, d, BW = 160.0, 90.0, 30.0

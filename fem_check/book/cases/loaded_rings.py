@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem_check.book.case import Panel, Result, Series, compared
-from qsbearing.effects.ring_compliance import Annulus, by_load, rim_compliances
+from qsbearing.model.effects.ring_compliance import Annulus, by_load, rim_compliances
 
 THIN = "Timoshenko, Strength of Materials, part II, thin rings; Roark, circular rings, case 1"
 MANY = "Roark's Formulas for Stress and Strain, circular rings, equal radial loads at equal distances"

@@ -32,7 +32,9 @@ def section(evidence: Evidence) -> Section:
 
 def _reference(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [missing("The comparison with the fifty-digit solutions", "python -m tests.reference.table")]
+        return [
+            missing("The comparison with the fifty-digit solutions", "python -m tests.verification.reference.table")
+        ]
     rows = [
         [
             each["case"], as_read(each["what"]),

@@ -30,7 +30,9 @@ def section(evidence: Evidence) -> Section:
 
 def _campaigns(kept: list[Kept]) -> list[Block]:
     if not kept:
-        return [missing("A campaign of random scenes", "python -m tests.campaign --envelope wild --record")]
+        return [
+            missing("A campaign of random scenes", "python -m tests.verification.campaign --envelope wild --record")
+        ]
     rows: list[list[Cell]] = []
     for each in kept:
         found = each.data
@@ -63,7 +65,7 @@ def _campaigns(kept: list[Kept]) -> list[Block]:
 
 def _hard_cases(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [missing("The table of hard cases", "python -m tests.hard_cases.table")]
+        return [missing("The table of hard cases", "python -m tests.verification.hard_cases.table")]
     rows: list[list[Cell]] = []
     for each in kept.data["cases"]:
         errors = [scientific(each[key], 1) if key in each else "" for key in ("loads", "angles", "displacements")]

@@ -20,8 +20,9 @@ STANDS_OUT = 3.0
 SMALLEST = 0.25
 """Degrees; a smaller step is not marked.
 
-Both by measurement (`tests/benchmarks/jump_calibration.py`): of 250 known jumps, switches of control, the steps alone
-tell 177 by these, and 2 bends among 16,863 points are taken for jumps; by 8 and 0.5 degrees they told 81, and 2.
+Both by measurement (`tests/verification/benchmarks/jump_calibration.py`): of 250 known jumps, switches of control, the
+steps alone tell 177 by these, and 2 bends among 16,863 points are taken for jumps; by 8 and 0.5 degrees they told 81,
+and 2.
 """
 IMPOSSIBLE = 3
 """Status of a point that describes no bearing."""

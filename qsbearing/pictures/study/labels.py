@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.result_keys import printed_unit
+from qsbearing.model.solution.result_keys import printed_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.block_statistics import MOST
+from qsbearing.files.block_statistics import MOST
 from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import (
     WITH_MARKERS,

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.block_statistics import blocks, varies_from_zero
-from qsbearing.io.unknown_key import near
+from qsbearing.files.block_statistics import blocks, varies_from_zero
+from qsbearing.model.validation import near
 from qsbearing.pictures.study.labels import stem
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.block_statistics import blocks, histogram, quantiles
+from qsbearing.files.block_statistics import blocks, histogram, quantiles
 from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, plain

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from qsbearing.chooser.choose import without
-from qsbearing.effects import EFFECTS
-from qsbearing.scene.scene import Scene
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.studies.chooser.choose import without
 
 
 @dataclass(frozen=True)

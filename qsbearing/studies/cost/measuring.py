@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing import __version__
-from qsbearing.provenance import PACKAGES, hardware, versions
+from qsbearing.results.provenance import PACKAGES, hardware, versions
 
 ROUND = 0.01
 """Seconds that a round spends on a call that takes less: the median of its repeats is the round's value, so that what

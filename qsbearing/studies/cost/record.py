@@ -4,7 +4,7 @@
     definition, bearing, scene          how errors are counted, what was looked at
     measured    [{part, name, cases, case_s, over_last, error, memory_MB}]
     errors      [{dm_n_mm_rpm, speed, level, then the worst error of each group of results}]
-    provenance                          of the run, set by the command (see `qsbearing.provenance`)
+    provenance                          of the run, set by the command (see `qsbearing.results.provenance`)
 
 `part` is what is varied: "levels" or "cases". `case_s` is the processor's time of a call over its cases,
 `over_last` that over the time of the last of its series (the finest level, the most cases):
@@ -24,12 +24,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import __version__
-from qsbearing.chooser import comparison
-from qsbearing.compiled import always_compiled
-from qsbearing.scene.operation import CHANNELS
-from qsbearing.scene.scene import Scene
-from qsbearing.solution.solution import Solution
-from qsbearing.solution.solver import solve
+from qsbearing.model.compiler.compiled import always_compiled
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solver import solve
+from qsbearing.studies.chooser import comparison
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import machine

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.scene.operation import CHANNELS
-from qsbearing.scene.scene import Scene
-from qsbearing.units import mm, rpm
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.units import mm, rpm
 
 NAMED = {"rest": 0.0, "general machinery": 1e5, "spindle": 1e6, "aero engine": 2.5e6}
 """dm n [mm rpm]: customary ranges of use."""

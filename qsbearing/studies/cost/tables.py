@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import Any
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.solution.judgement import WORDS
+from qsbearing.model.solution.judgement import WORDS
 from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import in_a_line
 

@@ -1,0 +1,176 @@
+"""The table [bearing] of a scene file becomes a bearing, with a catalogue entry's numbers where it names one."""
+
+from __future__ import annotations
+
+from math import nan
+from typing import Any
+
+import numpy as np
+
+from qsbearing.files import catalogue
+from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.model.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
+from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.model.scene.keys import (
+    BEARING,
+    COEFFICIENTS,
+    IN_PLACE,
+    MATERIALS,
+    PRINTED,
+)
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.units import deg, mm
+from qsbearing.model.validation import SceneError, printable
+
+MODIFIED = ", modified"
+"""After the name of a catalogue entry of which a scene changes some number."""
+AGREEMENT = 0.005
+"""A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
+tables print both to three or four digits)."""
+
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
+
+
+def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
+    """The bearing of a file's table [bearing]; None where errors were found and added."""
+    if "bearing" not in document:
+        cause = f'At the least name = "{catalogue.entries()[0].name}"'
+        errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
+    table = document.get("bearing")
+    if table is None:
+        return None
+    before = len(errors)
+    numbers = {key: value for key, value in table.items() if key not in MATERIALS} if isinstance(table, dict) else table
+    good, unusable = checked(_BEARING, "bearing", numbers, errors)
+    if not isinstance(table, dict):
+        return None
+    good |= {side: table[side] for side in MATERIALS if side in table}
+    for printed in PRINTED:  # which the model does not need: `with_printed` has handed them on
+        good.pop(printed.name, None)
+    of_radius = _coefficients(good, unusable, errors)
+    entry = catalogue.find(good["name"]) if "name" in good else None
+    diameter = good.get("ball_diameter_mm")
+    if diameter is None and entry is not None and "ball_diameter_mm" not in unusable:
+        diameter = entry.bearing["ball_diameter_mm"]
+    if diameter is None:
+        unusable |= set(of_radius)  # one mistake: the ball's diameter is missing
+    else:
+        good |= {radius: coefficient * diameter for radius, coefficient in of_radius.items()}
+    from_entry: dict[str, Any] = {}
+    if entry is not None:
+        label = label_of(entry, good)
+        either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
+        replaced = set(good) | unusable | (either if either & set(table) else set())
+        from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
+        good = from_entry | good
+    elif "name" in good:
+        lacking: Errors = []
+        _find_missing(set(good) | unusable, lacking)
+        if lacking:
+            absent = ", ".join(each.key.partition(".")[2] for each in lacking)
+            cause = f"{catalogue.nearest(good['name'])} A bearing of your own may have a name, but needs {absent}, too"
+            errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
+        label = printable(good["name"]) or label
+    if entry is not None or "name" not in table:
+        _find_missing(set(good) | unusable, errors)
+    materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
+    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | si(BEARING, good)
+    fields |= materials
+    fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
+    bearing, wrong = _made(fields, good)
+    for error in wrong:
+        key = error.key.partition(".")[2]
+        note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
+        errors.append(FileErrorDetail(**{**vars(error), "note": note}))
+    return bearing if len(errors) == before else None
+
+
+def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> dict[str, Any]:
+    """The groove radius coefficient of each radius that a file gives by one, taken out of its values."""
+    of_radius: dict[str, Any] = {}
+    for name in sorted(COEFFICIENTS, key=lambda each: len(COEFFICIENTS[each])):  # that of one groove goes first
+        radii = COEFFICIENTS[name]
+        if name in unusable:
+            unusable |= {radius for radius in radii if radius not in good}
+        if name not in good:
+            continue
+        value = good.pop(name)
+        if all(radius in good for radius in radii):
+            cause = f"Keep one: {' and '.join(radii)} follow from it and the ball diameter"
+            shown = None if isinstance(value, np.ndarray) else value
+            errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {radii[0]}", shown, cause=cause))
+        of_radius |= {radius: value for radius in radii if radius not in good and radius not in of_radius}
+    return of_radius
+
+
+def entry_of(bearing: BallBearing) -> catalogue.Entry | None:
+    """The catalogue's entry of a bearing's name, whether or not its numbers were changed."""
+    return catalogue.find(bearing.name.removesuffix(MODIFIED))
+
+
+def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
+    """What a bearing is called of which a file gives an entry's name and these keys beside it."""
+    return f"{entry.name}{MODIFIED}" if changed_keys(entry, given) else entry.name
+
+
+def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
+    """Which of the keys that a file gives beside an entry's name have another value than the entry."""
+    numbers = {key: value for key, value in given.items() if key != "name"}
+    return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
+
+
+def _find_missing(present: set[str], errors: Errors) -> None:
+    """Keys that a bearing needs, from the file or its catalogue entry."""
+    for key in BEARING[:5]:
+        if key.name not in present:
+            cause = "A whole number" if key.name == "ball_count" else f"A number in {printed_unit(key.unit)}"
+            errors.append(FileErrorDetail(f"bearing.{key.name}", "missing", cause=cause))
+    for name in MATERIALS:
+        if name not in present:
+            cause = "'steel', 'silicon nitride', or a table"
+            errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
+    if not present & {"free_contact_angle_deg", "diametral_clearance_mm"}:
+        errors.append(
+            FileErrorDetail("bearing.free_contact_angle_deg", "missing", cause="Or give diametral_clearance_mm")
+        )
+
+
+def is_in_radians(kind: BearingKind, angle: float) -> bool:
+    """Whether this is likely an angle of an angular-contact bearing in radians, given in degrees."""
+    return kind is BearingKind.ANGULAR_CONTACT and 0.0 < angle <= FREE_ANGLE_MAX
+
+
+def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | None, Errors]:
+    """The bearing of these fields in SI, or what is wrong with it."""
+    angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
+    has_angle, has_clearance = "free_contact_angle_deg" in good, "diametral_clearance_mm" in good
+    unwanted = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
+    fields = {name: value for name, value in fields.items() if name != unwanted}
+    make = BallBearing.from_diametral_clearance if unwanted == "free_contact_angle" else BallBearing
+    try:
+        bearing = make(**fields)
+    except SceneError as error:
+        return None, list(map(translate, judged(error)))
+    wrong: Errors = []
+    if np.ndim(angle) or np.ndim(clearance):
+        return bearing, wrong  # of a study, which varies one of the two alone
+    if has_angle and is_in_radians(bearing.kind, angle / deg):
+        given = good["free_contact_angle_deg"]
+        cause = (
+            f"Given in radians? {given:.6g} rad = {given / deg:.5g} deg. "
+            "If so small an angle is meant, give diametral_clearance_mm instead"
+        )
+        problem = "is not an angle of an angular-contact bearing"
+        wrong.append(FileErrorDetail("bearing.free_contact_angle_deg", problem, given, "deg", cause=cause))
+    elif has_angle and has_clearance and abs(bearing.diametral_clearance - clearance) > AGREEMENT * abs(clearance):
+        implied = float(free_angle_from_clearance(clearance, bearing.groove_centre_distance)) / deg
+        meant = f"this clearance makes {implied:.6g} deg" if implied == implied else "no angle has this clearance"
+        problem = (
+            f"does not agree with free_contact_angle_deg = {angle / deg:.6g}: that angle makes "
+            f"{float(bearing.diametral_clearance) / mm:.6g} mm, {meant}"
+        )
+        cause = "One follows from the other: keep only one, or correct one"
+        given = good["diametral_clearance_mm"]
+        wrong.append(FileErrorDetail("bearing.diametral_clearance_mm", problem, given, "mm", cause=cause))
+    return bearing, wrong

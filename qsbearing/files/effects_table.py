@@ -1,0 +1,188 @@
+"""The table [effects] of a scene file: ball effects, choices, and the tables of ring effects within it."""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, fields
+from math import nan
+from typing import Any
+
+import numpy as np
+
+from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.table_checks import (
+    Errors,
+    checked,
+    choice_fields,
+    did_you_mean,
+    made,
+    material,
+    number_list,
+    si,
+    table_model,
+)
+from qsbearing.model.effects import (
+    BallDiameterDeviations,
+    BallEffect,
+    BallExpansion,
+    ElasticRings,
+    GyroscopicMoment,
+    MomentShares,
+    RingEffect,
+    RingExpansion,
+    types_in,
+)
+from qsbearing.model.effects.orbit_radius import OrbitRadius
+from qsbearing.model.scene.keys import (
+    BALL_DEVIATIONS,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    EFFECTS,
+    MATERIALS,
+    RING_COMPLIANCES,
+    SEAT_MATERIALS,
+    SEATS,
+)
+from qsbearing.model.scene.scene import CHOICES, effect_errors
+
+BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
+AUTO = "auto"
+"""In place of the table of effects: they are chosen to a tolerance."""
+DEFAULT_TOLERANCE = 0.01
+
+_EFFECTS = table_model(
+    "effects",
+    EFFECTS,
+    {"ball": (list[str], []), BALL_DEVIATIONS.name: number_list()} | choice_fields("moment_shares", *CHOICES),
+)
+_EFFECT_TABLES = {name: table_model(name, keys, {}) for name, keys in EFFECT_TABLES.items()}
+_ELASTIC_RINGS = table_model(
+    "elastic_rings",
+    EFFECT_TABLES["elastic_rings"],
+    dict.fromkeys(SEATS, (str | None, None)) | {key.name: number_list() for key in RING_COMPLIANCES},
+)
+_RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
+
+
+def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The fields of `Scene` that say what is asked for."""
+    table = document.get("effects")
+    if table == AUTO:
+        return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_TOLERANCE), errors)}
+    if "tolerance" in document:
+        cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
+        errors.append(FileErrorDetail("tolerance", 'is given without effects = "auto"', cause=cause))
+    if isinstance(table, str):
+        cause = 'Write effects = "auto" to have them chosen, or [effects] with its keys below it'
+        errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
+        return {}
+    table = {} if table is None else table
+    within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
+    if within:
+        table = {name: value for name, value in table.items() if name not in within}
+    good, unusable = checked(_EFFECTS, "effects", table, errors)
+    names, shares = good.get("ball", []), good.pop("moment_shares", None)
+    friction = good.pop("friction_coefficient", None)
+    for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
+        cause = did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
+        errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
+        unusable.add("ball")
+    made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
+    made[GyroscopicMoment.name] = _gyroscopic_moment(shares, friction, errors)
+    effects = tuple(made[name] for name in names if name in made)
+    if not unusable & {"ball", "raceway_control"}:
+        asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
+        errors += map(translate, effect_errors(effects, *asked))
+    if "ball" not in unusable and GyroscopicMoment.name not in names:
+        cause = "Leave it out, or ask for gyroscopic_moment in ball"
+        for name, value, verb in (("moment_shares", shares, "share"), ("friction_coefficient", friction, "carry")):
+            if value is not None:
+                problem = f"is given, but there is no gyroscopic moment to {verb}"
+                shown = value if isinstance(value, float) else str(value)
+                errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
+    made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors) for name in within]
+    made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
+    ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
+    return {"ball_effects": effects, "ring_effects": ring_effects} | {
+        name: good[name] for name in CHOICES if name in good
+    }
+
+
+def _tolerance(value: Any, errors: Errors) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value <= 1.0:
+        cause = "Give the relative error that is allowed, above 0 and at most 1: 0.01 is 1 %"
+        errors.append(FileErrorDetail("tolerance", "is not a relative error", value, cause=cause))
+        return None
+    return float(value)
+
+
+def _gyroscopic_moment(shares: MomentShares | None, friction: float | None, errors: Errors) -> GyroscopicMoment:
+    shares = shares or MomentShares.CONTROLLING
+    return made(lambda: GyroscopicMoment(shares, friction), errors) or GyroscopicMoment(shares)
+
+
+def _needed(name: str) -> list[str]:
+    """The keys of an effect's table that have no usual value."""
+    required = {field.name for field in fields(_RING_EFFECTS[name]) if field.default is MISSING}
+    return [key.name for key in EFFECT_TABLES[name] if key.field in required]
+
+
+def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
+    """The effect that a table within [effects] names."""
+    path = f"effects.{name}"
+    if name == ElasticRings.name:
+        return _elastic_rings(path, table, errors)
+    known_materials = [key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]]
+    is_table = isinstance(table, dict)
+    numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
+    good, unusable = checked(_EFFECT_TABLES[name], path, numbers, errors)
+    if not is_table:
+        return None
+    before = len(errors)
+    missing = [key for key in _needed(name) if key not in good and key not in unusable]
+    errors += [FileErrorDetail(f"{path}.{key}", "missing: the effect needs it") for key in missing]
+    numbers_si: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
+    for key in known_materials:
+        if key in table:
+            numbers_si[key] = material(f"{path}.{key}", table[key], errors)
+    effect: RingEffect | None = made(lambda: _RING_EFFECTS[name](**numbers_si), errors)
+    return effect if len(errors) == before else None
+
+
+def _elastic_rings(path: str, table: Any, errors: Errors) -> ElasticRings | None:
+    """The effect whose rings, and what holds them, are tables within its own."""
+    flat = flattened(table) if isinstance(table, dict) else table
+    before = len(errors)
+    good, _ = checked(_ELASTIC_RINGS, path, flat, errors)
+    if not isinstance(table, dict) or len(errors) > before:
+        return None
+    fields: dict[str, Any] = si(EFFECT_TABLES[ElasticRings.name], good)
+    fields |= {field: good[name] for name, field in SEATS.items() if name in good}
+    fields |= {key.field: tuple(key.si(np.asarray(good[key.name]))) for key in RING_COMPLIANCES if key.name in good}
+    return made(lambda: ElasticRings(**fields), errors)
+
+
+def flattened(table: dict[str, Any], before: str = "") -> dict[str, Any]:
+    """Tables within a table as keys with points."""
+    out: dict[str, Any] = {}
+    for name, value in table.items():
+        out |= flattened(value, f"{before}{name}.") if isinstance(value, dict) else {before + name: value}
+    return out
+
+
+def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:
+    """The effect that a list of deviations within [effects] names, in the file's unit; None without one."""
+    if given is None:
+        return None
+    return made(lambda: BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float))), errors)
+
+
+def find_unused_expansion(document: dict[str, Any], errors: Errors) -> None:
+    """Coefficients of thermal expansion in the file that no effect uses."""
+    bearing, effects = document.get("bearing"), document.get("effects")
+    for side, effect in zip(MATERIALS, (BallExpansion.name, RingExpansion.name), strict=True):
+        given = bearing.get(side) if isinstance(bearing, dict) else None
+        is_used = isinstance(effects, dict) and effect in effects
+        if isinstance(given, dict) and "thermal_expansion_per_K" in given and not is_used:
+            cause = f"Leave it out, or ask for the effect by a table [effects.{effect}]"
+            problem = f"is given, but without {effect.replace('_', ' ')} nothing uses it"
+            errors.append(FileErrorDetail(f"bearing.{side}.thermal_expansion_per_K", problem, cause=cause))

@@ -1,0 +1,101 @@
+"""The keys of a scene file by their place in it; those of readings are loaded only where they matter."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING
+
+from qsbearing.files import thermal_keys
+from qsbearing.model.scene.keys import (
+    BALL_DEVIATIONS,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    IN_PLACE,
+    NUMBERED,
+    NUMBERS,
+    RING_COMPLIANCES,
+    SEATS,
+    SECTIONS,
+    SET_NUMBERS,
+    SPECTRUM,
+    SPECTRUM_POINT,
+    Key,
+)
+
+if TYPE_CHECKING:
+    from qsbearing.readings.entry import Table
+
+_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
+
+
+def reading_tables() -> dict[str, Table]:
+    """The tables within [readings]."""
+    from qsbearing.readings.asked import tables
+
+    return tables()
+
+
+def numbers() -> dict[str, tuple[Key, ...]]:
+    """The keys that hold numbers, by their table."""
+    return NUMBERS | {name: table.keys for name, table in reading_tables().items()}
+
+
+def sections() -> dict[str, tuple[str, ...]]:
+    """Every key a file may hold, by its table, and by the tables within [effects] and [readings]."""
+    own = {name: (*(key.name for key in it.keys), *it.choices) for name, it in reading_tables().items()}
+    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | thermal_keys.SECTIONS | own
+
+
+def find(path: str) -> Key | None:
+    """The key of a path such as `bearing.ball_diameter_mm`, or `bearing.ball_material.density` as Python has it."""
+    before, _, within = path.partition("elastic_rings.")
+    section, _, name = path.rpartition(".")
+    if within and before in ("", "effects."):
+        section, name = f"{before}elastic_rings", within
+    table = "material" if section.endswith("_material") else section.rpartition(".")[2]
+    kind, _, number = table.partition(" ")
+    if number.isdigit():
+        table = NUMBERED.get(kind, table)
+    if path.startswith("thermal."):
+        keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())
+        return next((key for key in keys if name in (key.field, key.name)), None)
+    known = numbers() if _is_of_reading(path) else NUMBERS
+    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
+    keys = (*keys, *IN_PLACE) if table == "bearing" else keys
+    return next((key for key in keys if name in (key.field, key.name)), None)
+
+
+def path_in_file(path: str) -> str:
+    """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
+    if path in _EFFECTS:
+        return f"effects.{_key_of_field(False).get(path, path)}"
+    key = find(path)
+    if key is BALL_DEVIATIONS:
+        return f"effects.{key.name}"
+    if path.startswith("elastic_rings."):
+        other = {field: name for name, field in SEATS.items()} | {key.field: key.name for key in RING_COMPLIANCES}
+        field = path.removeprefix("elastic_rings.")
+        return f"effects.elastic_rings.{key.name if key else other.get(field, field)}"
+    path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
+    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
+
+
+def with_file_keys(sentence: str, path: str) -> str:
+    """A sentence on a path with every Python name replaced by the file's key, but for words in quotation marks.
+
+    A name that is also an ordinary word, such as spring, counts as a name after a dot only: preload.spring.
+    """
+    keys = _key_of_field(_is_of_reading(path))
+    names = "|".join(name if "_" in name else rf"(?<=\.){name}" for name in sorted(keys, key=len, reverse=True))
+    return re.sub(rf'(?<!")\b({names})\b(?!")', lambda match: keys[match.group()], sentence)
+
+
+def _is_of_reading(path: str) -> bool:
+    return ".readings." in f".{path}"
+
+
+@cache
+def _key_of_field(of_readings: bool) -> dict[str, str]:
+    tables = numbers() if of_readings else NUMBERS
+    return {key.field: key.name for keys in tables.values() for key in keys} | {"ball_effects": "ball"}

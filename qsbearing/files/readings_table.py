@@ -1,0 +1,56 @@
+"""The table [readings] of a scene file: what is to be read off the solution, each reading a table of its own."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from pydantic import BaseModel
+
+from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.table_checks import Errors, checked, si, table_model
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.validation import near
+
+
+@cache  # to make one takes milliseconds, and a search reads a file's tables a thousand times
+def _model(name: str) -> type[BaseModel]:
+    """How a reading's table is built. What its words may be, the reading itself knows."""
+    known = reading_tables()[name]
+    return table_model(name, known.keys, dict.fromkeys(known.choices, (str | None, None)))
+
+
+def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[str, Any]]:
+    """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any."""
+    table = document.get("readings", {})
+    if not isinstance(table, dict):
+        cause = "Write it as [readings], one table for each: [readings.life]"
+        errors.append(FileErrorDetail("readings", "is not a table", table, cause=cause))
+        return {}
+    before = len(errors)
+    asked: dict[str, dict[str, Any]] = {}
+    known = reading_tables() if table else {}
+    for name, given in table.items():
+        if name not in known:
+            meant = near(str(name).lower(), known, 0.5)
+            cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(known)}"
+            errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
+            continue
+        keys, choices = known[name].keys, known[name].choices
+        good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
+        asked[name] = si(keys, good) | {choice: good[choice] for choice in choices if choice in good}
+    if asked and len(errors) == before:  # what cannot be used would be missing as well
+        from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
+
+        errors += map(translate, asked_errors(asked))
+    return asked
+
+
+def errors_in_scene(scene: Scene) -> list[FileErrorDetail]:
+    """What is wrong with a scene's readings that only the whole scene shows."""
+    if not scene.readings:
+        return []
+    from qsbearing.readings.asked import asked_errors
+
+    return list(map(translate, asked_errors(scene.readings, scene)))

@@ -1,0 +1,225 @@
+"""A scene file becomes a Scene: its tables checked, every error of all of them reported at once."""
+
+from __future__ import annotations
+
+import os
+from copy import deepcopy
+from math import nan
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.files import catalogue, result_file
+from qsbearing.files.bearing_table import bearing_of
+from qsbearing.files.effects_table import effects_of, find_unused_expansion
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
+from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.limits import LARGEST_FILE
+from qsbearing.files.printed_numbers import with_printed
+from qsbearing.files.raw import STANDARD_INPUT, read_text
+from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.spectrum_table import over_spectrum
+from qsbearing.files.table_checks import (
+    Errors,
+    checked,
+    made,
+    si,
+    table_model,
+    unknown_key,
+)
+from qsbearing.files.toml import read_toml
+from qsbearing.model.scene.keys import (
+    EFFECT_SECTIONS,
+    OPERATION,
+    PRELOAD,
+    SECTIONS,
+    SET_SECTIONS,
+)
+from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.scene.preload import Preload, beside_preload
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.validation import SceneError, near, printable
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.network import Thermal
+
+STUDY_TABLES = ("vary", "study")
+"""What a study file has beside the tables of a scene."""
+_OPERATION = table_model("operation", OPERATION, {})
+_PRELOAD = table_model("preload", PRELOAD, {})
+
+
+def load_scene(source: str | os.PathLike[str]) -> Scene:
+    """The scene of a TOML file, or a built-in example by its name.
+
+    Args:
+        source: a path, or the name of a catalogue entry, such as "b218". A file with this name has precedence; "-" is
+            standard input. From a result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that
+            it holds is read.
+
+    Raises:
+        SceneFileError: everything that is wrong with the file, at once.
+    """
+    return scene_of(*document_of(source))
+
+
+def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple[dict[str, Any], str, str]:
+    """The tables of a file or of a built-in example, what to call it in errors, and the label of its bearing.
+
+    Of a result these are the tables that it was made from.
+
+    Args:
+        of_study: of a sweep's result, with the tables of the study.
+
+    Raises:
+        SceneFileError: it cannot be read.
+    """
+    path = Path(source)
+    if source in STANDARD_INPUT:
+        return read_toml(path), "standard input", ""
+    if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
+        entry = catalogue.find(source)
+        if entry is None:
+            cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
+            error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
+            raise SceneFileError(repr(source), [error])
+        return {"bearing": {"name": entry.name}, **deepcopy(entry.example)}, entry.name, ""
+    if path.suffix.lower() in result_file.ENDINGS:
+        document, label = result_file.input_of(path, of_study)
+        return document, str(source), label
+    if not is_there(path) and catalogue.find(path.stem) is not None:
+        raise refused(path, "no such file", f"The catalogue's {path.stem} is run by name, without {path.suffix}")
+    return read_toml(path), str(source), printable(path.stem)
+
+
+def text_of(source: str) -> str:
+    """The text of a scene file that was read; empty for an example of the catalogue and for a result.
+
+    Raises:
+        SceneFileError: it cannot be read any more.
+    """
+    path = Path(source)
+    return read_text(path, LARGEST_FILE) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
+
+
+def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
+    """The scene of a parsed file.
+
+    Args:
+        file: what to call the file in errors.
+        label: name of the bearing where the catalogue gives none.
+
+    Raises:
+        SceneFileError: everything that is wrong with it.
+    """
+    if "spectrum" in document:
+        return over_spectrum(document, file, label, scene_of)
+    of_set = [name for name in SET_SECTIONS if name in document]
+    if of_set:
+        cause = "A set of rows on one shaft is read by `qs.load_set` and most commands, such as `qsbearing run`"
+        raise SceneFileError(
+            file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
+        )
+    errors: Errors = []
+    document, thermal = heated(document, errors)
+    document = with_printed(document)
+    _find_unknown_tables(document, errors)
+    bearing = bearing_of(document, label, errors)
+    operation = operation_of(document, errors)
+    preload = preload_of(document, operation, errors)
+    effects = effects_of(document, errors)
+    find_unused_expansion(document, errors)
+    readings = asked_readings(document, errors)
+    if thermal is not None:
+        errors += map(translate, thermal.errors([readings]))
+    if errors or bearing is None or operation is None:
+        raise SceneFileError(file, errors)
+    try:
+        scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
+    except SceneError as error:
+        raise SceneFileError(file, map(translate, error.errors)) from None
+    wrong = errors_in_scene(scene)
+    if wrong:
+        raise SceneFileError(file, wrong)
+    return scene
+
+
+def heated(document: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], Thermal | None]:
+    """The tables with what a heat balance will find filled in for now, and what they say of the heat."""
+    if "thermal" not in document:
+        return document, None
+    from qsbearing.files.thermal_table import thermal_of, with_found_temperatures  # loaded only where there is heat
+
+    return with_found_temperatures(document, errors), thermal_of(document, errors)
+
+
+def is_file(path: Path) -> bool:
+    """Whether this is a file; no name is an error."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a name too long, or with a null character
+        return False
+
+
+def is_there(path: Path) -> bool:
+    """Whether there is anything of this name; no name is an error."""
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False
+
+
+# Structure: known tables and keys, values of the right kind -----------------------------------------------------------
+
+
+def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    for name, value in list(document.items()):
+        if name in (*SECTIONS, "tolerance"):
+            continue
+        if isinstance(value, dict):
+            meant = near(name.lower(), SECTIONS, 0.5)
+            if name in EFFECT_SECTIONS:
+                meant = f"effects.{name}"
+            if name in reading_tables():
+                meant = f"readings.{name}"
+            known = "A scene has [bearing], [operation], [effects] and [readings]"
+            cause = f"Did you mean [{meant}]?" if meant else known
+            if name in STUDY_TABLES:
+                meant, cause = "", "Of a study, which `qsbearing sweep` solves"
+            errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
+            if meant:
+                document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
+        else:
+            unknown_key(name, name, "", value, errors)
+
+
+def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
+    """The operation of a file's table [operation]; likewise."""
+    if "operation" not in document:
+        needed = "At the least one load or displacement, such as axial_load_N = 1000; speed_rpm if it turns"
+        errors.append(FileErrorDetail("[operation]", "missing", cause=needed))
+    table = document.get("operation")
+    if table is None:
+        return None
+    good, unusable = checked(_OPERATION, "operation", table, errors)
+    # A number that cannot be used still says that its channel is given: NaN stands for it.
+    fields = si(OPERATION, dict.fromkeys(unusable, nan) | good)
+    if (
+        isinstance(table, dict)
+        and "preload" not in document
+        and not any(channel.load in fields or channel.displacement in fields for channel in CHANNELS)
+    ):
+        cause = "Give a load or a displacement, such as axial_load_N = 1000; if none is meant, axial_load_N = 0"
+        errors.append(FileErrorDetail("operation", "neither a load nor a displacement is given", cause=cause))
+    return made(lambda: Operation(**fields), errors)
+
+
+def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
+    """The preload of a file's table [preload], where it has one; with an operation given, judged beside it."""
+    if document.get("preload") is None:
+        return None
+    good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
+    if operation is not None:
+        errors += map(translate, beside_preload(operation))
+    if not isinstance(document["preload"], dict):
+        return None
+    return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)

@@ -1,0 +1,232 @@
+"""A scene or a set as the tables of its file: what `scene_file` and `set_file` read, written by the same keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
+from math import inf, nextafter
+from typing import Any
+
+import numpy as np
+
+from qsbearing.files import catalogue
+from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
+from qsbearing.files.effects_table import AUTO
+from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
+from qsbearing.model.effects import BallDiameterDeviations, BallExpansion, ElasticRings, GyroscopicMoment, RingExpansion
+from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.scene.bearing import BallBearing, free_angle_from_clearance
+from qsbearing.model.scene.keys import (
+    BALL_DEVIATIONS,
+    BEARING,
+    EFFECT_TABLES,
+    EFFECTS,
+    MATERIAL,
+    MATERIALS,
+    OPERATION,
+    PRELOAD,
+    RING_COMPLIANCES,
+    ROW,
+    SEAT_MATERIALS,
+    SEATS,
+    Key,
+)
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.scene.scene import CHOICES, Scene
+from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.systems.sets.bearing_set import BearingSet, Row
+
+Tables = dict[str, Any]
+NEIGHBOURS = 8
+"""Floats on either side among which a file's number is looked for: on its way to SI it was rounded once or twice."""
+
+
+def input_tables(of: Scene | BearingSet) -> Tables:
+    """The tables of the file that describes a scene or set, defaults and the catalogue's numbers filled in.
+
+    Read back they make the same scene, to the last bit where it came from a file; a number made in Python may lie
+    between those that a file can give, and is off by a rounding (1e-16).
+
+    Raises:
+        SceneError: something that no file has a key for.
+    """
+    if isinstance(of, BearingSet):
+        common = of.rows[0].bearing
+        is_common = all(row.bearing is common and row.ring_effects is None for row in of.rows)
+        tables: Tables = {"bearing": _bearing(common, of.ring_effects)} if is_common else {}
+        tables["rows"] = [_row(row, None if is_common else of) for row in of.rows]
+        tables |= surroundings_tables(of, _numbers, _material)
+    else:
+        tables = {"bearing": _bearing(of.bearing, of.ring_effects)}
+    if "spectrum" in of.readings:
+        tables["spectrum"] = [
+            {"share": float(share), **_numbers(OPERATION, of.operation, point)}
+            for point, share in enumerate(of.readings["spectrum"]["time_share"])
+        ]
+    else:
+        tables["operation"] = _numbers(OPERATION, of.operation)
+        channels = {name for channel in CHANNELS for name in (channel.load, channel.displacement)}
+        if of.preload is None and not any(getattr(of.operation, name) is not None for name in channels):
+            tables["operation"]["axial_load_N"] = 0.0  # a file states that nothing acts
+    if of.preload is not None:
+        tables["preload"] = _numbers(PRELOAD, of.preload)
+    tables |= _effects(of) | {"readings": _readings(of.readings)}
+    if of.thermal is None:
+        return tables
+    from qsbearing.files.thermal_table import thermal_tables  # loaded only where there is heat
+
+    return thermal_tables(tables, of.thermal, _numbers)
+
+
+def _row(row: Row, with_bearing_of: BearingSet | None) -> Tables:
+    table: Tables = _numbers(ROW, row) | {"carries": str(row.carries), "sprung": row.sprung}
+    if row.housing_stiffness is not None:
+        table["housing_stiffness"] = stiffness_table(row.housing_stiffness, _numbers)
+    if with_bearing_of is not None:
+        table["bearing"] = _bearing(row.bearing, with_bearing_of.effects_of(row))
+    table |= _ring_effects(row.ring_effects or ())
+    return table if row.readings is None else table | {"readings": _readings(row.readings)}
+
+
+def _bearing(bearing: BallBearing, effects: Iterable[Any]) -> Tables:
+    if np.any(bearing.radial_interference):
+        raise _without_key("bearing.radial_interference", "other effects than these have changed the bearing")
+    entry = entry_of(bearing)
+    table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
+    table["ball_count"] = int(table["ball_count"])
+    for side, effect in zip(MATERIALS, (BallExpansion, RingExpansion), strict=True):
+        table[side] = _material(getattr(bearing, side), any(isinstance(each, effect) for each in effects))
+    is_named = entry is not None and label_of(entry, table) == bearing.name
+    return {"name": entry.name, **table} if entry is not None and is_named else table
+
+
+def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, float]:
+    """The free contact angle, or the clearance that it was made from."""
+    angle, clearance = BEARING[5:]
+    value, distance = _single(angle, bearing.free_contact_angle), bearing.groove_centre_distance
+    near = {angle: value / angle.size, clearance: float(bearing.diametral_clearance) / clearance.size}
+    read = {angle: angle.si, clearance: lambda given: float(free_angle_from_clearance(clearance.si(given), distance))}
+    forms = [clearance, angle] if entry is not None and clearance.name in entry.bearing else [angle, clearance]
+    if is_in_radians(bearing.kind, near[angle]):
+        forms = [clearance]
+    for count in (0, NEIGHBOURS):
+        for key in forms:
+            found = _read_as(value, near[key], read[key], count)
+            if found is not None:
+                return {key.name: found}
+    return {forms[0].name: near[forms[0]]}
+
+
+def _material(material: Material, is_heated: bool = True) -> str | dict[str, float]:
+    """A material's name, or its numbers: the expansion only where something uses it."""
+    if material in BY_NAME.values():
+        return material.name
+    return _numbers(MATERIAL if is_heated else MATERIAL[:3], material)
+
+
+def _effects(of: Scene | BearingSet) -> Tables:
+    if isinstance(of, Scene) and of.tolerance is not None:
+        asked = {each.name: each.default for each in fields(Scene) if each.name in (*CHOICES, "ball_effects")}
+        if of.ring_effects or any(getattr(of, name) != usual for name, usual in asked.items()):
+            raise _without_key("tolerance", "a file chooses all effects by it, or names them")
+        return {"effects": AUTO, "tolerance": of.tolerance}
+    table: Tables = {"ball": [effect.name for effect in of.ball_effects]}
+    table |= {name: str(getattr(of, name)) for name in CHOICES if getattr(of, name) is not None}
+    for effect in of.ball_effects:
+        if isinstance(effect, GyroscopicMoment):
+            table |= {"moment_shares": str(effect.moment_shares), **_numbers(EFFECTS, effect)}
+    return {"effects": table | _ring_effects(of.ring_effects)}
+
+
+def _ring_effects(effects: Iterable[Any]) -> Tables:
+    tables: Tables = {}
+    for effect in effects:
+        if isinstance(effect, BallDiameterDeviations):
+            tables[BALL_DEVIATIONS.name] = [_number(BALL_DEVIATIONS, value) for value in effect.array]
+            continue
+        tables[effect.name] = _numbers(EFFECT_TABLES[effect.name], effect)
+        if isinstance(effect, ElasticRings):
+            tables[effect.name] = _elastic_rings(effect, tables[effect.name])
+            continue
+        seats = {side: getattr(effect, side, None) for side in SEAT_MATERIALS}
+        tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
+    return tables
+
+
+def _elastic_rings(effect: ElasticRings, numbers: Tables) -> Tables:
+    """Tables within tables, as the points in the keys say."""
+    found: Tables = dict(numbers)
+    found |= {name: str(getattr(effect, field)) for name, field in SEATS.items() if getattr(effect, field) is not None}
+    for key in RING_COMPLIANCES:
+        given = getattr(effect, key.field)
+        if given is not None:
+            found[key.name] = [_number(key, value) for value in given]
+    tables: Tables = {}
+    for name, value in found.items():
+        *path, last = name.split(".")
+        table = tables
+        for each in path:
+            table = table.setdefault(each, {})
+        table[last] = value
+    return tables
+
+
+def _readings(asked: Mapping[str, Mapping[str, Any]]) -> Tables:
+    if not asked:
+        return {}
+    from qsbearing.readings.asked import with_defaults  # a scene without readings does not load them
+
+    tables: Tables = {}
+    for name, arguments in asked.items():
+        if name == "spectrum":
+            continue  # its points are the file's operation
+        given = with_defaults(name, arguments)
+        own = reading_tables()[name]
+        words = {choice: str(given[choice]) for choice in own.choices if choice in given}
+        for field in set(given) - set(words) - {key.field for key in own.keys}:
+            raise _without_key(f"readings.{name}.{field}", "only Python gives it")
+        tables[name] = words | _numbers(own.keys, given)
+    return tables
+
+
+def _numbers(keys: Iterable[Key], holder: Any, case: int | None = None) -> dict[str, float]:
+    """The numbers that an object or a mapping holds, under the keys of a file.
+
+    Args:
+        case: which of the cases that they may span; None: they span none.
+    """
+    found = {}
+    for key in keys:
+        value = holder.get(key.field) if isinstance(holder, Mapping) else getattr(holder, key.field, None)
+        if value is not None:
+            found[key.name] = _number(key, np.ravel(value)[case] if np.ndim(value) and case is not None else value)
+    return found
+
+
+def _number(key: Key, value: Any) -> float:
+    """A value in the file's unit: the number, of few digits if there is one, that is read as just this value."""
+    alone = _single(key, value)
+    near = (alone - key.zero) / key.size
+    found = _read_as(alone, near, key.si, NEIGHBOURS)
+    return near if found is None else found
+
+
+def _single(key: Key, value: Any) -> float:
+    if np.ndim(value):
+        raise _without_key(key.name, "it spans cases, and a file has one")
+    return float(value)
+
+
+def _read_as(value: float, near: float, read: Callable[[float], float], neighbours: int) -> float | None:
+    """A number that is read as this value: of twelve digits, or among so many floats on either side; None: none is."""
+    up = down = near
+    candidates = [float(f"{near:.12g}"), near][: 2 if neighbours else 1]
+    for _ in range(neighbours):
+        up, down = nextafter(up, inf), nextafter(down, -inf)
+        candidates += [up, down]
+    return next((each for each in candidates if read(each) == value), None)
+
+
+def _without_key(field: str, cause: str) -> SceneError:
+    return SceneError([ErrorDetail(field, "has no form in a file", cause=cause[0].upper() + cause[1:])])

@@ -1,0 +1,198 @@
+"""A file of a set becomes a BearingSet: a scene file with [[rows]], one table for each row on the shaft."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from qsbearing.files.bearing_table import bearing_of
+from qsbearing.files.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.printed_numbers import with_printed
+from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of, scene_of
+from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
+from qsbearing.files.spectrum_table import over_spectrum
+from qsbearing.files.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.validation import ErrorDetail, SceneError, near
+from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
+
+TABLES = (*SECTIONS, *SET_SECTIONS)
+OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
+"""Tables within a row, which are judged as those of a scene are."""
+
+_ROW = table_model("rows", ROW, {"carries": (str | None, None), "sprung": (Any, None)})
+
+
+def load_set(source: str | os.PathLike[str]) -> BearingSet:
+    """The set of a TOML file.
+
+    Raises:
+        SceneFileError: everything that is wrong with the file, at once.
+    """
+    return set_of(*document_of(source))
+
+
+def load_scene_or_set(source: str | os.PathLike[str]) -> Scene | BearingSet:
+    """What a file describes: a set where it has [[rows]], else a scene.
+
+    Raises:
+        SceneFileError: everything that is wrong with it, at once.
+    """
+    document, file, label = document_of(source)
+    return set_of(document, file, label) if is_set(document) else scene_of(document, file, label)
+
+
+def is_set(document: dict[str, Any]) -> bool:
+    """Whether these tables are those of a set."""
+    return bool(set(document) & set(SET_SECTIONS))
+
+
+def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
+    """The set of a parsed file.
+
+    Args:
+        file: what to call the file in errors.
+        label: the set's name.
+
+    Raises:
+        SceneFileError: everything that is wrong with it.
+    """
+    if "spectrum" in document:
+        return over_spectrum(document, file, label, set_of)
+    errors: Errors = []
+    document, thermal = heated(document, errors)
+    document = with_housing_diameter(with_printed(document))
+    _find_unknown_tables(document, errors)
+    common = bearing_of(document, "", errors) if "bearing" in document else None
+    has_common = document.get("bearing") is not None
+    rows = _rows(document, common, has_common, errors)
+    operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
+    preload = preload_of(document, None, errors)
+    effects = _effects(document, errors)
+    find_unused_expansion(document, errors)
+    readings = asked_readings(document, errors)
+    around = surroundings(document, errors)
+    if thermal is not None:
+        errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
+    if errors or operation is None:
+        raise SceneFileError(file, errors)
+    try:
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label, **around}
+        of = BearingSet(tuple(rows), operation, preload, **effects, **given)
+    except SceneError as error:
+        raise SceneFileError(file, map(_translated, error.errors)) from None
+    wrong = _errors_of_readings(of)
+    if wrong:
+        raise SceneFileError(file, wrong)
+    return of
+
+
+def _translated(error: ErrorDetail) -> FileErrorDetail:
+    if error.field == "reference_position":
+        error = replace(error, field="shaft.reference_position")
+    return translate(error)
+
+
+def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    for name, value in list(document.items()):
+        if name in TABLES or name == "tolerance":
+            continue
+        meant = near(name.lower(), TABLES, 0.5)
+        if isinstance(value, dict | list):
+            known = f"A set has [[rows]], {', '.join(f'[{table}]' for table in TABLES if table != 'rows')}"
+            cause = f"Did you mean {'[[rows]]' if meant == 'rows' else f'[{meant}]'}?" if meant else known
+            errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
+        else:
+            unknown_key(name, name, "", value, errors)
+
+
+def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    if document.get("effects") == AUTO or "tolerance" in document:
+        cause = "Name them under [effects]; `qsbearing explain` shows which ones matter"
+        errors.append(FileErrorDetail("effects", "are not chosen for sets", AUTO, cause=cause))
+        return {}
+    return effects_of(document, errors)
+
+
+def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors) -> list[Row]:
+    tables = document.get("rows")
+    if not isinstance(tables, list) or not tables:
+        cause = 'Write [[rows]] for each row, with position_mm = 0 and carries = "+x" below it'
+        errors.append(
+            FileErrorDetail("[[rows]]", "missing" if tables is None else "is not a list of tables", cause=cause)
+        )
+        return []
+    rows = []
+    for number, table in enumerate(tables, 1):
+        own: Errors = []
+        row = _row(table, f"row {number}", common, has_common, document, own)
+        errors += own
+        if row is not None:
+            rows.append(row)
+    return rows
+
+
+def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[str, Any], errors: Errors) -> Row | None:
+    plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
+    good, unusable = checked(_ROW, path, plain, errors)
+    if not isinstance(table, dict):
+        return None
+    if "position_mm" not in good and "position_mm" not in unusable:
+        cause = "Give the position of the balls' centres along the shaft; it sets the distances between rows"
+        errors.append(FileErrorDetail(f"{path}.position_mm", "missing", cause=cause))
+    carries = good.get("carries")
+    if carries not in tuple(Direction) and "carries" not in unusable:
+        cause = did_you_mean(carries, list(Direction)) or 'The axial load on the shaft that presses it: "+x" or "-x"'
+        problem = "missing" if carries is None else "is none of the choices"
+        errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
+    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(ROW, good)
+    errors += map(translate, placement_errors(path, **numbers))
+    sprung = good.get("sprung", False)
+    if not isinstance(sprung, bool):
+        errors.append(FileErrorDetail(f"{path}.sprung", "is neither true nor false", sprung))
+    within: Errors = []
+    if "housing_stiffness" in table:
+        numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
+    effects = [ring_effect(name, table[name], within) for name in EFFECT_TABLES if name in table]
+    readings = asked_readings(table, within) if "readings" in table else None
+    bearing = common
+    if "bearing" in table:
+        bearing = bearing_of({"bearing": table["bearing"]}, "", within)
+        named: dict[str, Any] = {name: {} for name in EFFECT_TABLES if name in table}
+        find_unused_expansion({"bearing": table["bearing"], "effects": named or document.get("effects")}, within)
+    elif not has_common:
+        cause = "Give [bearing], which all rows share, or a table [rows.bearing] below each [[rows]]"
+        within.append(FileErrorDetail("bearing", "missing", cause=cause))
+    errors += _below(path, within)
+    if errors or bearing is None or carries is None:
+        return None
+    ring_effects = tuple(effect for effect in effects if effect is not None)
+    return Row(
+        bearing, **numbers, carries=Direction(carries), sprung=sprung,
+        ring_effects=ring_effects or None, readings=readings,
+    )  # fmt: skip
+
+
+def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
+    """Errors of a table within a row."""
+    return [
+        replace(
+            each,
+            key=f"{path}.{each.key.removeprefix('effects.')}",
+            cause=each.cause.replace("Write it as [", "Write it as [rows."),
+        )
+        for each in errors
+    ]
+
+
+def _errors_of_readings(of: BearingSet) -> Errors:
+    """What is wrong with readings that only the whole row shows; what all rows have alike is said once."""
+    found = [errors_in_scene(of.turning_scene(number)) for number in range(len(of.rows))]
+    if all(each == found[0] for each in found):
+        return found[0]
+    return [error for number, errors in enumerate(found, 1) for error in _below(f"row {number}", errors)]

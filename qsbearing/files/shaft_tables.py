@@ -1,0 +1,215 @@
+"""What is around the rows of a set as tables of its file: [shaft], [housing], [[spacers]], [[floating]]; read and
+written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import MISSING, fields
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.scene_file import preload_of
+from qsbearing.files.table_checks import Errors, checked, made, material, si, table_model
+from qsbearing.model.material import Material
+from qsbearing.model.scene.keys import (
+    FLOATING,
+    HEATED,
+    HOUSING_STIFFNESS,
+    PRELOAD,
+    SECTION,
+    SHAFT,
+    SHAFT_LOAD,
+    SHAFT_SUPPORT,
+    SPACER,
+    Key,
+)
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.shaft import (
+    FloatingGroup,
+    Housing,
+    HousingStiffness,
+    Shaft,
+    ShaftLoad,
+    ShaftSection,
+    ShaftSupport,
+    Spacer,
+)
+
+WITHIN_SHAFT = ("sections", "loads", "supports", "points")
+_MATERIAL = {"material": (Any, None)}
+_SHAFT = table_model("shaft", SHAFT, {})
+_HOUSING = table_model("housing", HEATED, {**_MATERIAL, "outside_diameter_mm": (float | None, None)})
+_STIFFNESS = table_model("housing_stiffness", HOUSING_STIFFNESS, {"matrix_SI": (Any, None)})
+_LISTS: dict[str, tuple[Any, tuple[Key, ...], Any]] = {
+    "section": (ShaftSection, SECTION, table_model("sections", SECTION, _MATERIAL)),
+    "load": (ShaftLoad, SHAFT_LOAD, table_model("loads", SHAFT_LOAD, {})),
+    "support": (ShaftSupport, SHAFT_SUPPORT, table_model("supports", SHAFT_SUPPORT, {})),
+    "spacer": (
+        Spacer,
+        SPACER,
+        table_model("spacers", SPACER, dict.fromkeys(("rows", "inner_material", "outer_material"), (Any, None))),
+    ),
+    "floating": (
+        FloatingGroup,
+        FLOATING,
+        table_model("floating", FLOATING, dict.fromkeys(("rows", "preload"), (Any, None))),
+    ),
+}
+"""Of each table of which there are several: what it makes, its numbers, and how it is built."""
+
+
+def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The arguments of a BearingSet that these tables give."""
+    table = document.get("shaft", {})
+    plain = {k: v for k, v in table.items() if k not in WITHIN_SHAFT} if isinstance(table, dict) else table
+    good, _ = checked(_SHAFT, "shaft", plain, errors)
+    numbers: dict[str, Any] = si(SHAFT, good)
+    found = {"reference_position": numbers.pop("reference_position", None)}
+    if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
+        found["shaft"] = _shaft(table, numbers, errors)
+    elif numbers:
+        cause = "They make it elastic: [[shaft.sections]] with length_mm and outer_diameter_mm"
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=cause))
+    if "housing" in document:
+        found["housing"] = _housing(document["housing"], errors)
+    found["spacers"] = tuple(_listed(document, "spacers", "spacer", "spacer", errors))
+    found["floating"] = tuple(_listed(document, "floating", "floating", "floating", errors))
+    return found
+
+
+def with_housing_diameter(document: dict[str, Any]) -> dict[str, Any]:
+    """The tables of a file, with the housing's outside diameter in every ring expansion that has a fit in it and does
+    not state it itself."""
+    housing = document.get("housing")
+    diameter = housing.get("outside_diameter_mm") if isinstance(housing, dict) else None
+    if diameter is None:
+        return document
+
+    def filled(holder: Any) -> Any:
+        rings = holder.get("ring_expansion") if isinstance(holder, dict) else None
+        if not isinstance(rings, dict) or "housing_interference_um" not in rings:
+            return holder
+        return {**holder, "ring_expansion": {"housing_outside_diameter_mm": diameter, **rings}}
+
+    rows = document.get("rows")
+    found = {name: filled(document[name]) for name in ("effects",) if name in document}
+    return document | found | ({"rows": [filled(row) for row in rows]} if isinstance(rows, list) else {})
+
+
+def surroundings_tables(
+    of: BearingSet, numbers: Callable[..., Any], named: Callable[[Material], Any]
+) -> dict[str, Any]:
+    """The tables that these are read from.
+
+    Args:
+        numbers: of the keys of a table, those that an object holds.
+        named: a material as a file has it.
+    """
+    tables: dict[str, Any] = {}
+    if of.shaft is not None or of.reference_position is not None:
+        tables["shaft"] = numbers(SHAFT[:1], of)
+    if of.shaft is not None:
+        tables["shaft"] |= numbers(SHAFT[1:], of.shaft)
+        for name in ("section", "load", "support"):
+            keys = _LISTS[name][1]
+            listed = [numbers(keys, each) for each in getattr(of.shaft, f"{name}s")]
+            tables["shaft"] |= {f"{name}s": listed} if listed else {}
+        for table, section in zip(tables["shaft"]["sections"], of.shaft.sections, strict=True):
+            table["material"] = named(section.material)
+        if of.shaft.points:
+            tables["shaft"]["points"] = {
+                f"{name}_mm": float(f"{at * 1e3:.12g}") for name, at in of.shaft.points.items()
+            }
+    if of.housing is not None:
+        tables["housing"] = numbers(HEATED, of.housing) | {"material": named(of.housing.material)}
+    if of.spacers:
+        sides = ("inner_material", "outer_material")
+        tables["spacers"] = [
+            {"rows": list(each.rows), **numbers(SPACER, each), **{side: named(getattr(each, side)) for side in sides}}
+            for each in of.spacers
+        ]
+    if of.floating:
+        tables["floating"] = [
+            {"rows": list(each.rows), **numbers(FLOATING, each)}
+            | ({} if each.preload is None else {"preload": numbers(PRELOAD, each.preload)})
+            for each in of.floating
+        ]
+    return tables
+
+
+def stiffness_table(of: HousingStiffness, numbers: Callable[..., Any]) -> dict[str, Any]:
+    """The table [rows.housing_stiffness]."""
+    given: dict[str, Any] = numbers(HOUSING_STIFFNESS, of)
+    return given if of.matrix is None else {"matrix_SI": np.asarray(of.matrix, float).tolist()}
+
+
+def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Shaft | None:
+    before = len(errors)
+    parts: dict[str, Any] = {}
+    for kind in ("section", "load", "support"):
+        parts[f"{kind}s"] = tuple(_listed(table, f"{kind}s", kind, f"shaft.{kind}", errors))
+    points = table.get("points", {})
+    named = {}
+    for name, value in points.items() if isinstance(points, dict) else ():
+        if type(value) not in (int, float) or not name.endswith("_mm") or not np.isfinite(value):
+            cause = "A position, such as tool_mm = -70"
+            errors.append(FileErrorDetail(f"shaft.points.{name}", "is not a position", value, "mm", cause=cause))
+        else:
+            named[name.removesuffix("_mm")] = value * 1e-3
+    return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
+
+
+def _housing(table: Any, errors: Errors) -> Housing | None:
+    good, _ = checked(_HOUSING, "housing", table, errors)
+    given: dict[str, Any] = si(HEATED, good)
+    if "material" in good:
+        given["material"] = material("housing.material", good["material"], errors)
+    return made(partial(Housing, **given), errors)
+
+
+def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness | None:
+    """Of a row's table within [[rows]]."""
+    good, unusable = checked(_STIFFNESS, path, table, errors)
+    if unusable:
+        return None
+    given: dict[str, Any] = si(HOUSING_STIFFNESS, good)
+    if "matrix_SI" in good:
+        given["matrix"] = good["matrix_SI"]
+    return made(partial(HousingStiffness, **given), errors)
+
+
+def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: Errors) -> list[Any]:
+    """What a list of tables makes."""
+    make, keys, model = _LISTS[kind]
+    tables = document.get(name, [])
+    if not isinstance(tables, list):
+        errors.append(FileErrorDetail(f"[[{path}s]]" if "." in path else f"[[{name}]]", "is not a list of tables"))
+        return []
+    found = []
+    for number, table in enumerate(tables, 1):
+        at, before = f"{path} {number}", len(errors)
+        good, unusable = checked(model, at, table, errors)
+        given: dict[str, Any] = si(keys, good)
+        needed = [field.name for field in fields(make) if field.default is MISSING]
+        for key in keys:
+            if key.field in needed and key.name not in good and key.name not in unusable:
+                errors.append(FileErrorDetail(f"{at}.{key.name}", "missing"))
+        for side in ("material", "inner_material", "outer_material"):
+            if side in good:
+                given[side] = material(f"{at}.{side}", good[side], errors)
+        if "rows" in model.model_fields:
+            rows = good.get("rows")
+            if not isinstance(rows, list) or not all(type(row) is int for row in rows):
+                cause = "Numbers of rows, from 1 in the order of the file: rows = [1, 2]"
+                problem = "missing" if rows is None else "are no numbers"
+                errors.append(FileErrorDetail(f"{at}.rows", problem, rows, cause=cause))
+            else:
+                given["rows"] = tuple(rows)
+        if "preload" in good:
+            given["preload"] = preload_of({"preload": good["preload"]}, None, errors)
+        one = made(partial(make, **given), errors) if len(errors) == before else None
+        found += [] if one is None else [one]
+    return found

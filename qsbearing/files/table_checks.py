@@ -1,0 +1,163 @@
+"""Tables of a scene file: values of the right kind under known keys, and materials, which stand in several tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from enum import StrEnum
+from math import isnan, nan
+from typing import Annotated, Any, TypeVar
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator, create_model
+
+from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
+from qsbearing.files.file_keys import find
+from qsbearing.files.unknown_key import Suggestion, suggest
+from qsbearing.model.effects import MomentShares
+from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
+from qsbearing.model.scene.scene import CHOICES
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.validation import ErrorDetail, SceneError, comma_advice, near
+
+CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+"""The keys of a file whose words are those of a choice."""
+Errors = list[FileErrorDetail]
+Made = TypeVar("Made")
+
+
+def _or_array(value: Any, check: Any) -> Any:
+    """A study puts an array, over its cases, where a file has one number."""
+    return value if isinstance(value, np.ndarray) else check(value)
+
+
+def table_model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> type[BaseModel]:
+    """How a table is built: numbers under its keys, and what else it has.
+
+    Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
+    """
+    number = Annotated[float | None, WrapValidator(_or_array)]
+    fields: dict[str, Any] = {key.name: (number, None) for key in keys}
+    config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+    return create_model(section, __config__=config, **fields | others)
+
+
+def number_list() -> Any:
+    """A field of `table_model` for a list of numbers."""
+    return Annotated[list[float] | None, WrapValidator(_or_array)], None
+
+
+def choice_fields(*names: str) -> dict[str, Any]:
+    """Fields of `table_model` for choices, each by its words."""
+    return {name: (CHOICES_OF_FILES[name] | None, Field(None, strict=False)) for name in names}
+
+
+_MATERIAL = table_model("material", MATERIAL, {})
+
+
+def checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
+    """The table's usable values; and the keys that have none although the file tries to give one."""
+    if not isinstance(table, dict):
+        cause = f"Write it as [{path}], keys below it"
+        errors.append(FileErrorDetail(path, "is not a table", table, cause=cause))
+        return {}, set()
+    unusable: set[str] = set()
+    usable = dict(table)
+    try:
+        model.model_validate(table)
+    except ValidationError as error:
+        for detail in error.errors(include_url=False):
+            name = str(detail["loc"][0])
+            usable.pop(name, None)
+            if detail["type"] == "extra_forbidden":
+                meant = unknown_key(f"{path}.{name}", name, model.__name__, table[name], errors)
+                unusable |= {meant} if meant not in table else set()
+            else:
+                errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
+                unusable.add(name)
+    good = dict(model.model_validate(usable))
+    return {name: value for name, value in good.items() if value is not None}, unusable
+
+
+def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) -> str:
+    """Add the error of an unknown key; returns the known one that is meant, empty where none is.
+
+    Args:
+        path: of the key in the file.
+        name, section, value: as for `suggest`.
+    """
+    few = len(errors) < MOST_SHOWN  # to look for what is meant takes a millisecond, and of more nothing is shown
+    meant = suggest(name, section, value) if few else Suggestion("")
+    errors.append(FileErrorDetail(path, "unknown key", cause=meant.sentence))
+    return meant.key
+
+
+def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:
+    if name in CHOICES_OF_FILES:
+        names = list(CHOICES_OF_FILES[name])
+        cause = did_you_mean(value, names) or f"One of {', '.join(names)}"
+        return FileErrorDetail(path, "is none of the choices", value, cause=cause)
+    if name == "ball":
+        cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'
+        return FileErrorDetail(path, "is not a list of ball effects", value, cause=cause)
+    if name == BALL_DEVIATIONS.name:
+        cause = "Write a number for each ball, as in [0.5, -0.2, 0, ...]"
+        return FileErrorDetail(path, "is not a list of finite numbers", value, cause=cause)
+    key = find(path)
+    if key is None:
+        return FileErrorDetail(path, "is not a word in quotation marks", value)
+    if kind == "finite_number" or type(value) is int:
+        return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
+    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
+    if advice := comma_advice(value):
+        cause += f". {advice}"
+    elif isinstance(value, bool):
+        cause = cause.partition(", ")[0]
+    return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
+
+
+def did_you_mean(value: Any, known: Sequence[str]) -> str:
+    word = value.lower().replace(" ", "_").replace("-", "_") if isinstance(value, str) else ""
+    meant = near(word, known, 0.5)
+    return f"Did you mean {meant}?" if meant else ""
+
+
+def si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
+    """The numbers of a table by their Python names."""
+    return {key.field: key.si(good[key.name]) for key in keys if key.name in good}
+
+
+def judged(error: SceneError) -> list[ErrorDetail]:
+    """The errors of Python's objects, but for the NaN that stands where the file has no usable number."""
+    return [each for each in error.errors if not (isinstance(each.value, float) and isnan(each.value))]
+
+
+def made(make: Callable[[], Made], errors: Errors) -> Made | None:
+    """What a table's numbers make in Python; None where it refuses them, with its reasons among the errors."""
+    try:
+        return make()
+    except SceneError as error:
+        errors += map(translate, judged(error))
+        return None
+
+
+def material(path: str, value: Any, errors: Errors) -> Material:
+    """A material by its name or its table; NaN stands for what there is not."""
+    unknown = Material(nan, nan, nan)
+    if isinstance(value, dict):
+        good, unusable = checked(_MATERIAL, path, value, errors)
+        missing = [key.name for key in MATERIAL[:3] if key.name not in good and key.name not in unusable]
+        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
+        return Material(**vars(unknown) | si(MATERIAL, good))
+    if value is None:
+        return unknown
+    if not isinstance(value, str):
+        errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
+        return unknown
+    if value.lower() not in BY_NAME:
+        near_one = near(value.lower(), BY_NAME, 0.5)
+        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
+        cause = f"Did you mean {near_one}?" if near_one else others
+        errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
+    return BY_NAME.get(value.lower(), unknown)

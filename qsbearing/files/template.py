@@ -1,0 +1,63 @@
+"""A commented scene file to start from, `template.toml` filled in; what it says is a scene that solves."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from string import Template
+from typing import Any
+
+from qsbearing.files.catalogue import Entry
+from qsbearing.files.file_keys import reading_tables
+
+
+def scene_template(entry: Entry, by_name: bool) -> str:
+    """The text of a scene file around a catalogue entry.
+
+    A key of the template takes the entry's value; without one it stays if it is a comment there, else it goes.
+
+    Args:
+        by_name: name the entry and leave its values as comments; else spell them all out, ready to be changed.
+    """
+    values = {**({"name": entry.name} if by_name else {}), **entry.bearing}
+    values |= entry.example["operation"] | entry.example["effects"]
+    template = Template(files("qsbearing.files").joinpath("template.toml").read_text("utf-8"))
+    text = template.substitute(
+        name=entry.name, description=entry.description, file=f"{entry.name.lower()}.toml", readings=_readings()
+    )
+    lines = []
+    for line in text.splitlines():
+        key, _, rest = line.removeprefix("# ").partition(" = ")
+        if key in values:
+            mark = "# " if by_name and key in entry.bearing else ""
+            setting, note = f"{mark}{key} = {_toml(values[key])}", rest.partition("  #")[2]
+            lines.append(f"{setting:<35}  #{note}" if note else setting)
+        elif line.startswith("# ") or not key.isidentifier():
+            lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def _readings() -> str:
+    """Every table of a reading, as comments; first those that need no numbers."""
+    tables = reading_tables()
+    lines = [f"# {name} = true" for name, table in tables.items() if not table.example]
+    for name, table in tables.items():
+        if table.example:
+            heading = f"# [readings.{name}]"
+            lines += ["", f"{heading:<37}# {table.note}" if table.note else heading]
+            lines += [f"# {line}" for line in table.example.splitlines()]
+    return "\n".join(lines)
+
+
+def set_template(entry: Entry) -> str:
+    """The text of a file of a set: two rows of a catalogue entry, back to back."""
+    template = Template(files("qsbearing.files").joinpath("set_template.toml").read_text("utf-8"))
+    width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
+    return template.substitute(name=entry.name, description=entry.description, width=width)
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else repr(value)

@@ -1,0 +1,153 @@
+"""The table [thermal] of a file: nodes, conductances, oil, and the model of friction that heats them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import nan
+from typing import Any
+
+from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.table_checks import Errors, checked, made, si, table_model
+from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
+from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
+
+_TABLE = table_model("thermal", THERMAL, dict.fromkeys(WORDS, (str | None, None)))
+_OIL = table_model("oil", OIL, {})
+_BY_NODE = {name: table_model(name, keys, {}) for name, keys in BY_NODE.items()}
+_CONDUCTANCE = table_model(CONDUCTANCES, CONDUCTANCE, {"between": (list[str] | None, None), "row": (int | None, None)})
+NODE_KEYS = {
+    "ring_expansion": {f"{node}_temperature_C": node for node in ("inner_ring", "outer_ring", "shaft", "housing")},
+    "ball_expansion": {"ball_temperature_C": "balls"},
+}
+"""The keys of effects whose temperatures are those of nodes."""
+OIL_KEY = "oil_temperature_C"
+FOUND = "is found by the heat balance: leave it out"
+
+
+def thermal_of(document: dict[str, Any], errors: Errors) -> Thermal | None:
+    """What a file asks of its heat, where it does."""
+    table = document.get("thermal")
+    if table is None:
+        return None
+    within = (CONDUCTANCES, "oil", *BY_NODE)
+    plain = {key: value for key, value in table.items() if key not in within} if isinstance(table, dict) else table
+    before = len(errors)
+    good, unusable = checked(_TABLE, "thermal", plain, errors)
+    if not isinstance(table, dict):
+        return None
+    fields: dict[str, Any] = si(THERMAL, dict.fromkeys(unusable - set(WORDS), nan) | good)
+    fields |= {word: good[word] for word in WORDS if word in good}
+    for name, keys in BY_NODE.items():
+        numbers, _ = checked(_BY_NODE[name], f"thermal.{name}", table.get(name, {}), errors)
+        fields[name] = si(keys, numbers)
+    if "oil" in table:
+        fields["oil"] = _oil(table["oil"], errors)
+    fields["conductances"] = _conductances(table.get(CONDUCTANCES), errors)
+    return made(lambda: Thermal(**fields), errors) if len(errors) == before else None
+
+
+def with_found_temperatures(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The tables with what the heat balance will find filled in for now; an error where the file gives it as well."""
+    table = document.get("thermal")
+    if not isinstance(table, dict):
+        return document
+    document, nodes = dict(document), _nodes(table)
+    effects, readings = document.get("effects"), document.get("readings")
+    if isinstance(effects, dict):
+        document["effects"] = _filled(effects, nodes, "effects", errors)
+    if isinstance(document.get("rows"), list):
+        document["rows"] = [
+            _filled(row, nodes, f"row {number}", errors) if isinstance(row, dict) else row
+            for number, row in enumerate(document["rows"], 1)
+        ]
+    for body in ("shaft", "housing"):
+        own = document.get(body)
+        if body in nodes and isinstance(own, dict) and "temperature_C" in own:
+            errors.append(FileErrorDetail(f"{body}.temperature_C", FOUND, own["temperature_C"], "C"))
+    oil = readings.get("lubricant") if isinstance(readings, dict) else None
+    if isinstance(oil, dict) and ("oil" in nodes or "viscosity_at" in table):
+        if OIL_KEY in oil:
+            errors.append(FileErrorDetail(f"readings.lubricant.{OIL_KEY}", FOUND, oil[OIL_KEY], "C"))
+        document["readings"] = {**readings, "lubricant": {**oil, OIL_KEY: 40.0}}  # type: ignore[dict-item]
+    return document
+
+
+def _filled(table: dict[str, Any], nodes: set[str], path: str, errors: Errors) -> dict[str, Any]:
+    """Of the tables of ring expansion and ball expansion within this one."""
+    filled = dict(table)
+    for name, keys in NODE_KEYS.items():
+        effect = table.get(name)
+        if not isinstance(effect, dict):
+            continue
+        given = [key for key, node in keys.items() if node in nodes and key in effect]
+        errors += [FileErrorDetail(f"{path}.{name}.{key}", FOUND, effect[key], "C") for key in given]
+        if name == "ball_expansion" and "balls" in nodes:
+            reference = effect.get("reference_temperature_C", 20.0)
+            filled[name] = {"ball_temperature_C": reference, **effect}
+    return filled
+
+
+def _nodes(table: dict[str, Any]) -> set[str]:
+    """Those that a table names, however wrong it may be otherwise."""
+    nodes = {"oil"} if "oil" in table else set()
+    conductances = table.get(CONDUCTANCES)
+    for each in conductances if isinstance(conductances, list) else ():
+        between = each.get("between") if isinstance(each, dict) else None
+        nodes |= {str(node) for node in between} if isinstance(between, list) else set()
+    return nodes
+
+
+def _oil(table: Any, errors: Errors) -> OilFlow | None:
+    good, unusable = checked(_OIL, "thermal.oil", table, errors)
+    missing = [key.name for key in OIL if key.name not in good and key.name not in unusable]
+    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing: a flow of oil needs it") for name in missing]
+    return None if missing or unusable else OilFlow(**si(OIL, good))
+
+
+def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
+    if not isinstance(tables, list) or not tables:
+        cause = 'Write [[thermal.conductances]] for each, with between = ["inner_ring", "balls"] and W_per_K = 50'
+        problem = "missing" if tables is None else "is not a list of tables"
+        errors.append(FileErrorDetail("[[thermal.conductances]]", problem, cause=cause))
+        return ()
+    found = []
+    for number, table in enumerate(tables, 1):
+        path = f"thermal.{CONDUCTANCES} {number}"
+        good, unusable = checked(_CONDUCTANCE, path, table, errors)
+        missing = [name for name in ("between", "W_per_K") if name not in good and name not in unusable]
+        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
+        if not missing and not unusable:
+            ends = tuple(good["between"])
+            found.append(Conductance(ends, **si(CONDUCTANCE, good), row=good.get("row")))
+    return tuple(found)
+
+
+def thermal_tables(
+    tables: dict[str, Any], thermal: Thermal, numbers: Callable[..., dict[str, float]]
+) -> dict[str, Any]:
+    """The tables of a file with [thermal], and without the temperatures that its heat balance finds.
+
+    Args:
+        numbers: the numbers that an object or a mapping holds, under these keys.
+    """
+    own: dict[str, Any] = {word: getattr(thermal, word) for word in WORDS if getattr(thermal, word) is not None}
+    own |= numbers(THERMAL, thermal)
+    own |= {name: numbers(keys, getattr(thermal, name)) for name, keys in BY_NODE.items() if getattr(thermal, name)}
+    if thermal.oil is not None:
+        own["oil"] = numbers(OIL, thermal.oil)
+    own[CONDUCTANCES] = [
+        {"between": list(each.between), **numbers(CONDUCTANCE, each), **({} if each.row is None else {"row": each.row})}
+        for each in thermal.conductances
+    ]
+    found = {(name, key) for name, keys in NODE_KEYS.items() for key, node in keys.items() if node in thermal.nodes}
+    found |= set() if thermal.oil_node is None else {("lubricant", OIL_KEY)}
+    return {**_without(found, tables), "thermal": own}
+
+
+def _without(found: set[tuple[str, str]], tables: Any, table: str = "") -> Any:
+    """These tables, and those within them, without some keys of some tables."""
+    if isinstance(tables, list):
+        return [_without(found, each) for each in tables]
+    if not isinstance(tables, dict):
+        return tables
+    return {key: _without(found, value, key) for key, value in tables.items() if (table, key) not in found}

@@ -1,1 +1,0 @@
-"""Scene files, the catalogue, and results as text and files."""

@@ -1,0 +1,86 @@
+"""What a scene may ask for beside the contacts: one effect or choice, one file, each opening with its card.
+
+`EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the list
+of model levels and the cost study go through it and know none by name. To add one:
+
+1. One file here: the card (what, source and equation, assumptions, when not to use it, parameters, indicator); what it
+   does, as formulas; and its `ENTRY`, which says how it is put into a scene, how much it matters and what it needs
+   (`qsbearing.model.effects.entry`). An effect with parameters of its own is not made without them, and says so in
+   `needs`.
+2. One line in `_FILES`, where it stands by what it takes to evaluate it.
+
+What changes the bearing before the solve, or chooses among formulas that are there, needs no more. What acts on the
+balls while they are being solved also needs its switch in `kernel/case.py` and one guarded call in
+`kernel/ball_inertia.py`. An effect with numbers in scene files lists their keys in `scene/keys.py`.
+The guide's page `adding_an_effect.md` does it once.
+"""
+
+from importlib import import_module
+
+from qsbearing.model.effects.ball_expansion import BallExpansion
+from qsbearing.model.effects.centrifugal_force import CentrifugalForce
+from qsbearing.model.effects.elastic_rings import ElasticRings
+from qsbearing.model.effects.entry import QUANTITIES, Entry
+from qsbearing.model.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
+from qsbearing.model.effects.operating_point import OperatingPoint
+from qsbearing.model.effects.ring_expansion import RingExpansion, RingState
+from qsbearing.model.effects.unequal_balls import BallDiameterDeviations
+
+_FILES = (
+    "hertz_form",
+    "tilt_lever",
+    "ring_expansion",
+    "ball_expansion",
+    "elastic_rings",
+    "unequal_balls",
+    "centrifugal_force",
+    "gyroscopic_moment",
+    "moment_shares",
+    "gyroscopic_slip",
+    "raceway_control",
+    "hertz_angle",
+    "orbit_radius",
+)
+
+EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.model.effects.{name}").ENTRY for name in _FILES)
+
+BallEffect = CentrifugalForce | GyroscopicMoment
+RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations | ElasticRings
+"""The effects of this list that type checkers know."""
+
+
+def types_in(slot: str) -> dict[str, type]:
+    """The effects that a scene holds in a tuple, `ball_effects` or `ring_effects`, by their names."""
+    return {entry.name: entry.switch.effect_type for entry in EFFECTS if entry.switch.slot == slot}
+
+
+def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
+    """Those of these ring effects that a bearing has at rest and cold too, before fitting."""
+    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations | ElasticRings))
+
+
+def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
+    """Likewise, with its fits."""
+    fits = tuple(effect.without_heat for effect in ring_effects if isinstance(effect, RingExpansion))
+    return (*as_made(ring_effects), *fits)
+
+
+__all__ = [
+    "EFFECTS",
+    "QUANTITIES",
+    "BallDiameterDeviations",
+    "BallEffect",
+    "BallExpansion",
+    "CentrifugalForce",
+    "ElasticRings",
+    "Entry",
+    "GyroscopicMoment",
+    "MomentShares",
+    "OperatingPoint",
+    "RingEffect",
+    "RingExpansion",
+    "RingState",
+    "as_fitted",
+    "as_made",
+    "types_in",
+]

@@ -1,0 +1,119 @@
+"""What is wrong with the parameters of ring expansion: by themselves, and for a bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from qsbearing.model.material import Material, material_errors
+from qsbearing.model.units import zero_celsius
+from qsbearing.model.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, numeric, on_side, within
+
+if TYPE_CHECKING:
+    from qsbearing.model.scene.bearing import BallBearing
+
+
+LARGEST_FIT = 0.01
+"""Of the seat's diameter: ten times any press fit; it catches mistakes of unit."""
+HOTTEST = 1300.0
+"""[K]; no bearing material is elastic there."""
+
+SHAFT = ("shaft_bore_diameter", "shaft_material", "shaft_temperature")
+HOUSING = ("housing_outside_diameter", "housing_material", "housing_temperature")
+TEMPERATURES = ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")
+
+
+def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
+    """Errors of a temperature [K]."""
+    errors = within(field, temperature, TEMPERATURE, 0.0, HOTTEST)
+    cold = errors and isinstance(errors[0].value, float) and errors[0].value < 0.0
+    if not cold:
+        return errors
+    return [
+        ErrorDetail(
+            field, "is below absolute zero", errors[0].value, TEMPERATURE, (0.0, HOTTEST), where=errors[0].where
+        )
+    ]
+
+
+def expansion_errors(effect: Any) -> list[ErrorDetail]:
+    """Every error of the parameters of a `RingExpansion` by themselves."""
+    path = effect.name
+    errors = within(f"{path}.bore_diameter", effect.bore_diameter, LENGTH, 1e-4, 20.0)
+    errors += within(f"{path}.outside_diameter", effect.outside_diameter, LENGTH, 1e-4, 20.0)
+    for seat, diameter, others in (("shaft", "bore_diameter", SHAFT), ("housing", "outside_diameter", HOUSING)):
+        interference = getattr(effect, f"{seat}_interference")
+        if interference is None:
+            errors += [_unused(f"{path}.{name}", seat) for name in others if getattr(effect, name) is not None]
+        else:
+            errors += _interference_errors(f"{path}.{seat}_interference", interference, getattr(effect, diameter))
+        material = getattr(effect, f"{seat}_material")
+        errors += [] if material is None else material_errors(f"{path}.{seat}_material", material)
+    if effect.shaft_bore_diameter is not None:
+        errors += within(f"{path}.shaft_bore_diameter", effect.shaft_bore_diameter, LENGTH, 0.0, 20.0)
+    if effect.housing_outside_diameter is not None:
+        errors += within(f"{path}.housing_outside_diameter", effect.housing_outside_diameter, LENGTH, 1e-4, 20.0)
+    elif effect.housing_interference is not None:
+        cause = "It determines how stiffly the housing holds the ring"
+        errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing: a housing is given", cause=cause))
+    given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
+    for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
+        errors += temperature_errors(f"{path}.{name}", temperature)
+    unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
+    if not given and unused.any():
+        problem, cause = "is given, but no other temperature is", f"Give {', '.join(TEMPERATURES)}"
+        errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
+    return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
+
+
+def _unused(field: str, seat: str) -> ErrorDetail:
+    cause = f"Give {seat}_interference (0 for a fit line to line), or leave this out"
+    return ErrorDetail(field, f"is given, but without {seat}_interference the {seat} has no effect", cause=cause)
+
+
+def _interference_errors(field: str, interference: ArrayLike, diameter: ArrayLike) -> list[ErrorDetail]:
+    array, errors = numeric(field, interference, LENGTH)
+    seat, _ = numeric(field, diameter, LENGTH)
+    if array is None or seat is None:
+        return errors
+    limit = LARGEST_FIT * float(np.max(seat))
+    return within(field, interference, LENGTH, -limit, limit, f"is more than {LARGEST_FIT:.0%} of the seat's diameter")
+
+
+def section_errors(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
+    """Diameters that are no rings around this bearing's grooves, and missing coefficients of expansion."""
+    bottom_inner = 2.0 * (bearing.inner_groove_centre_radius - np.asarray(bearing.inner_groove_radius))
+    bottom_outer = 2.0 * (bearing.outer_groove_centre_radius + np.asarray(bearing.outer_groove_radius))
+    errors = []
+    for name, limit, outward, what in (
+        ("bore_diameter", bottom_inner, -1.0, "within the bottom of the inner groove"),
+        ("outside_diameter", bottom_outer, 1.0, "around the bottom of the outer groove"),
+        ("shaft_bore_diameter", effect.bore_diameter, -1.0, "within the shaft's seat"),
+        ("housing_outside_diameter", effect.outside_diameter, 1.0, "around the housing's seat"),
+    ):
+        if getattr(effect, name) is not None:
+            errors += on_side(f"{effect.name}.{name}", getattr(effect, name), limit, outward, what)
+    return errors + _expansion_missing(effect, bearing)
+
+
+def _expansion_missing(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
+    asked: dict[str, tuple[Material, bool]] = {
+        "bearing.ring_material": (
+            bearing.ring_material,
+            any(getattr(effect, f"{side}_ring_temperature") is not None for side in ("inner", "outer")),
+        )
+    }
+    for seat, ring in (("shaft", "inner_ring"), ("housing", "outer_ring")):
+        material = getattr(effect, f"{seat}_material")
+        is_warm = any(getattr(effect, f"{body}_temperature") is not None for body in (seat, ring))
+        field = "bearing.ring_material" if material is None else f"{effect.name}.{seat}_material"
+        known, before = asked.get(field, (material, False))
+        asked[field] = (known, before or is_warm)
+    problem = "missing: temperatures are given"
+    return [
+        ErrorDetail(f"{field}.thermal_expansion", problem, cause="12e-6 per kelvin for bearing steel")
+        for field, (material, is_needed) in asked.items()
+        if is_needed and material.thermal_expansion is None
+    ]

@@ -1,0 +1,31 @@
+"""The size of each ball: its diameter in the case's unit, the bearing's ball diameter, and what follows from it."""
+
+from __future__ import annotations
+
+from numpy import ndarray, recarray
+
+from qsbearing.model.compiler.compiled import inlined, kernel
+from qsbearing.model.kernel.case import BALL_INERTIA, BALL_MASS
+
+
+@kernel
+def set_diameters(case: recarray, count: int, balls: ndarray, own: ndarray) -> None:
+    """Give every ball its diameter, and unequal ones their contacts' stiffness."""
+    for n in range(count):
+        ball = balls[n]
+        ball.diameter = 1.0
+        if case.unequal_balls:
+            ball.diameter = own[n].diameter
+            ball.inner_stiffness, ball.outer_stiffness = own[n].inner_stiffness, own[n].outer_stiffness
+
+
+@inlined
+def ball_mass(diameter: float) -> float:
+    """m, as the cube of the diameter."""
+    return BALL_MASS * diameter * diameter * diameter
+
+
+@inlined
+def ball_inertia(diameter: float) -> float:
+    """J = m D^2/10."""
+    return BALL_INERTIA * diameter * diameter * diameter * diameter * diameter

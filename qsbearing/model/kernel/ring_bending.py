@@ -1,0 +1,146 @@
+"""Rings that give way: how far each ball's grooves part, eliminated into the ring's system.
+
+The radial loads of the balls on a groove move it, as a series of harmonics of the azimuth (`effects.ring_compliance`):
+
+    w_j = sum over k and balls i of (co_k g_i + ci_k h2_i) cos k(psi_j - psi_i),      A2 = (19.4) - w,
+
+with g = Qo cos ao + To sin ao the radial load on the outer ring, h2 that on the inner one (`kernel.ball`). Balls stand
+at equal distances, so that harmonics n and k act alike on them where n +- k is a multiple of Z: co_k and ci_k hold the
+sums of such. With phi_m = cos k psi or sin k psi, w_j = sum of phi_mj z_m, the amplitudes z are the ring's unknowns:
+
+    z_m = sum over balls of phi_m (co g + ci h2).
+
+At rest they add a positive quadratic form to the convex energy (`kernel.continuation`). In Newton's step z is
+eliminated once the balls' sums are complete, as the balls were before, which leaves the ring's own system. A case
+without elastic rings has none of this.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from numpy import ndarray, recarray
+
+from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.kernel.linear import eliminate
+from qsbearing.model.kernel.workspace import MOST_WAVES
+
+
+@kernel
+def set_compliances(case: recarray, work: recarray, own: ndarray) -> None:
+    """Take the case's compliances, and the modes that its symmetry leaves (`ring.find_distinct_balls`)."""
+    for k in range(min(MOST_WAVES, case.ball_count // 2) + 1):
+        work.outer_compliance[k], work.inner_compliance[k] = own[k].outer_compliance, own[k].inner_compliance
+    choose_modes(case, work, work.in_plane[1] != 0.0, work.in_plane[2] != 0.0)
+
+
+@kernel
+def choose_modes(case: recarray, work: recarray, in_y: bool, in_z: bool) -> None:
+    """The modes that balls may excite whose radial loads have a resultant along y, along z, along both or neither."""
+    count = 0
+    for k in range(min(MOST_WAVES, case.ball_count // 2) + 1):
+        if work.outer_compliance[k] == 0.0 and work.inner_compliance[k] == 0.0:
+            continue
+        for sine in range(2):
+            is_even_in_y = sine == 0  # mirrored at the x-y plane
+            is_even_in_z = sine == k % 2  # at the x-z plane
+            is_excited = (in_y or is_even_in_z) and (in_z or is_even_in_y) and (in_y or in_z or k == 0)
+            if is_excited and not (k == 0 and sine == 1):
+                work.wave[count], work.is_sine[count] = k, sine
+                count += 1
+    work.mode_count = count
+
+
+@kernel
+def values_at(work: recarray, ball: recarray) -> None:
+    """The modes' values at a ball, left in the workspace."""
+    c, s, k = 1.0, 0.0, 0
+    for m in range(work.mode_count):
+        while k < work.wave[m]:
+            c, s = c * ball.cosine - s * ball.sine, s * ball.cosine + c * ball.sine
+            k += 1
+        work.value[m] = s if work.is_sine[m] else c
+
+
+@kernel
+def reset_gives(work: recarray, balls: ndarray) -> None:
+    """Let no ring have given way yet."""
+    for n in range(work.ball_count):
+        balls[n].give = 0.0
+
+
+@kernel
+def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float]:
+    """Condense the amplitudes into the ring's system, which the pass over the balls has left in the workspace.
+
+    Returns:
+        (largest force that a give's error hides, sum of them).
+    """
+    system = work.modes
+    columns = work.channel_count
+    modes = work.mode_count
+    free, found = modes + columns, modes + columns + 1  # z without a step of the ring; z of the loads as they are
+    for m in range(modes):
+        for column in range(found + 1):
+            system[m, column] = 0.0
+        system[m, m] = 1.0
+        for p in range(columns):
+            work.by_mode[p, m] = 0.0
+    for n in range(work.ball_count):
+        ball = balls[n]
+        values_at(work, ball)
+        h, g = (
+            ball.condensed[1] + ball.stiffness[1, 1] * ball.give,
+            ball.outer_condensed + ball.outer_stiffness_2 * ball.give,
+        )
+        for m in range(modes):
+            k = work.wave[m]
+            outer = ball.weight * work.value[m] * work.outer_compliance[k]
+            inner = ball.weight * work.value[m] * work.inner_compliance[k]
+            across = outer * ball.outer_stiffness_2 + inner * ball.stiffness[1, 1]
+            along = outer * ball.outer_stiffness_1 + inner * ball.stiffness[1, 0]
+            for other in range(modes):
+                system[m, other] += across * work.value[other]
+            for p in range(columns):
+                system[m, modes + p] += ball.lever[p] * (across if work.row[p] == 1 else along)
+            system[m, free] += outer * g + inner * h
+            system[m, found] += outer * ball.outer_force + inner * ball.force[1]
+        for p in range(columns):
+            by_give = ball.factor[p] * ball.stiffness[work.row[p], 1]
+            work.right_side[p] += by_give * ball.give
+            for m in range(modes):
+                work.by_mode[p, m] += by_give * work.value[m]
+    worst, total = 0.0, 0.0
+    for n in range(work.ball_count):
+        ball = balls[n]
+        values_at(work, ball)
+        error = ball.give
+        for m in range(modes):
+            error -= work.value[m] * system[m, found]
+        force = abs(error) * max(abs(ball.stiffness[0, 1]), abs(ball.stiffness[1, 1]))
+        worst, total = max(worst, force), total + force
+    if not eliminate(system, modes, free + 1):
+        return inf, inf
+    for p in range(columns):
+        for m in range(modes):
+            work.right_side[p] -= work.by_mode[p, m] * system[m, free]
+            for q in range(columns):
+                work.matrix[p, q] -= work.by_mode[p, m] * system[m, modes + q]
+    return worst, total
+
+
+@kernel
+def propose_gives(work: recarray, balls: ndarray) -> None:
+    """The steps of all gives with the ring's; from the sums that `eliminate_gives` left."""
+    system, modes, columns = work.modes, work.mode_count, work.channel_count
+    for m in range(modes):
+        value = system[m, modes + columns]
+        for p in range(columns):
+            value += system[m, modes + p] * work.step[work.channel[p]]
+        work.amplitude[m] = value
+    for n in range(work.ball_count):
+        ball = balls[n]
+        values_at(work, ball)
+        ball.give_step = -ball.give
+        for m in range(modes):
+            ball.give_step += work.value[m] * work.amplitude[m]

@@ -1,0 +1,100 @@
+"""Materials of balls, rings, shafts and housings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from qsbearing.model.validation import DENSITY, EXPANSION, MODULUS, RATIO, ErrorDetail, within
+
+
+@dataclass(frozen=True)
+class Material:
+    """An isotropic elastic material; SI units. Any number may be an array, which spans cases."""
+
+    elastic_modulus: ArrayLike
+    """Young's modulus E [Pa]."""
+    poisson_ratio: ArrayLike
+    """Poisson's ratio [-]."""
+    density: ArrayLike
+    """Density [kg/m^3]."""
+    thermal_expansion: ArrayLike | None = None
+    """Linear expansion [1/K]; needed by ring and ball expansion where temperatures are given, and by nothing else."""
+    name: str = "unnamed"
+    source: str = ""
+
+
+STEEL = Material(
+    elastic_modulus=208e9,
+    poisson_ratio=0.3,
+    density=7800.0,
+    thermal_expansion=12e-6,
+    name="steel",
+    source="Wang, Yan, Zhang & Hong, table of the B218 bearing (E, Poisson's ratio, density); expansion: usual "
+    "handbook value of bearing steel",
+)
+"""Bearing steel as the source of B218 takes it."""
+
+SILICON_NITRIDE = Material(
+    elastic_modulus=315e9,
+    poisson_ratio=0.26,
+    density=3200.0,
+    thermal_expansion=3.2e-6,
+    name="silicon nitride",
+    source="GMN catalogue 4000 0813 EN, material characteristics; grades differ by some per cent",
+)
+"""Silicon nitride, the ceramic of hybrid bearings."""
+
+BEARING_STEEL = Material(
+    elastic_modulus=210e9,
+    poisson_ratio=0.3,
+    density=7800.0,
+    thermal_expansion=12e-6,
+    name="100Cr6",
+    source="GMN catalogue 4000 0813 EN, material characteristics (E, density); Poisson's ratio and expansion: usual "
+    "handbook values. The 'steel' of this program has 208 GPa",
+)
+"""100Cr6, which is AISI 52100 and SUJ2."""
+
+M50 = Material(
+    elastic_modulus=214e9,
+    poisson_ratio=0.29,
+    density=7870.0,
+    thermal_expansion=11.2e-6,
+    name="M50",
+    source="BTI Metals, data sheet of M50 VIM-VAR (E 214 GPa hardened, 7.87 g/cm3, 11.21e-6 per K from 21 to 93 C); "
+    "Poisson's ratio: makeitfrom.com, M50, annealed. Others print 203 GPa and 7.81 to 8.03 g/cm3",
+)
+"""High-speed steel of aircraft engines."""
+
+_OTHER_NAMES = {
+    "silicon nitride": ("Si3N4",),
+    "100Cr6": ("1.3505", "AISI 52100", "SAE 52100", "52100", "SUJ2"),
+    "M50": ("AISI M50",),
+}
+BY_NAME = {
+    spelling.lower(): material
+    for material in (STEEL, SILICON_NITRIDE, BEARING_STEEL, M50)
+    for spelling in (material.name, *_OTHER_NAMES.get(material.name, ()))
+}
+"""The materials a scene file may name, by all that they are called, in small letters."""
+
+
+def material_errors(field: str, material: Material) -> list[ErrorDetail]:
+    """Every error of a material in this field."""
+    if not isinstance(material, Material):
+        cause = "qs.STEEL, qs.SILICON_NITRIDE or qs.Material"
+        return [ErrorDetail(field, "is not a material", material, cause=cause)]
+    expansion = material.thermal_expansion
+    return [
+        *within(f"{field}.elastic_modulus", material.elastic_modulus, MODULUS, 1e9, 2e12),
+        *within(f"{field}.poisson_ratio", material.poisson_ratio, RATIO, 0.0, 0.499),
+        *within(f"{field}.density", material.density, DENSITY, 100.0, 25000.0),
+        *([] if expansion is None else within(f"{field}.thermal_expansion", expansion, EXPANSION, -1e-5, 1e-4)),
+    ]
+
+
+def material_named(word: str) -> Material | None:
+    """The material of `BY_NAME` that a word names, in any letters, with an underscore in place of a space too."""
+    return BY_NAME.get(word.lower().replace("_", " "))

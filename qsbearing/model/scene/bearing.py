@@ -1,0 +1,208 @@
+"""The bearing: independent lengths and materials, and the lengths, masses and inertias that follow from them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.model.contact.hertz import effective_modulus
+from qsbearing.model.material import STEEL, Material
+from qsbearing.model.scene.bearing_errors import bearing_errors, clearance_errors
+from qsbearing.model.validation import LENGTH, SceneError, choose, numeric, raise_if_any
+
+
+class BearingKind(StrEnum):
+    """Which way the raceway shoulders carry axial load."""
+
+    ANGULAR_CONTACT = "angular_contact"
+    """Axial load in +x only: contact angles below zero would lie on the open side."""
+    DEEP_GROOVE = "deep_groove"
+    """Shoulders on both sides: contact angles of either sign."""
+
+
+@dataclass(frozen=True)
+class BallBearing:
+    """A single-row ball bearing; SI units and radians. Any number may be an array, which spans cases.
+
+    Raises:
+        SceneError: some field describes no bearing; every error, at once.
+    """
+
+    ball_count: ArrayLike
+    """Z [-]."""
+    ball_diameter: ArrayLike
+    """D [m]."""
+    pitch_diameter: ArrayLike
+    """dm, of the circle of ball centres [m]."""
+    inner_groove_radius: ArrayLike
+    """ri, across the groove [m]; more than half the ball diameter."""
+    outer_groove_radius: ArrayLike
+    """ro, across the groove [m]; more than half the ball diameter."""
+    free_contact_angle: ArrayLike
+    """alpha0, of the line of contact when all clearance is just taken up without load [rad]."""
+    ball_material: Material = STEEL
+    ring_material: Material = STEEL
+    kind: BearingKind = BearingKind.ANGULAR_CONTACT
+    name: str = ""
+    radial_interference: ArrayLike = 0.0
+    """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings
+    make it. 0 where there is a free contact angle. The pitch circle is then where balls would just touch the outer
+    ring."""
+
+    def __post_init__(self) -> None:
+        kind, errors = choose("bearing.kind", self.kind, BearingKind)
+        object.__setattr__(self, "kind", kind)
+        raise_if_any(errors + bearing_errors(self))
+
+    @classmethod
+    def from_diametral_clearance(cls, *, diametral_clearance: ArrayLike, **fields: Any) -> BallBearing:
+        """The bearing whose free contact angle follows from its diametral clearance Pd [m].
+
+        cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`.
+        """
+        inner, outer, ball = (
+            numeric("", fields[name], LENGTH)[0]
+            for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
+        )
+        errors = []
+        angle: ArrayLike = 0.0  # stands in while the other fields are checked
+        if inner is not None and outer is not None and ball is not None:
+            distance = inner + outer - ball
+            errors = clearance_errors(diametral_clearance, distance)
+            if not errors and (distance > 0.0).all():
+                angle = free_angle_from_clearance(diametral_clearance, distance)
+        try:
+            bearing = cls(free_contact_angle=angle, **fields)
+        except SceneError as error:
+            raise SceneError([*error.errors, *errors]) from None
+        raise_if_any(errors)
+        return bearing
+
+    def _array(self, name: str) -> NDArray:
+        return np.asarray(getattr(self, name), float)
+
+    @property
+    def groove_centre_distance(self) -> NDArray:
+        """BD = (fi + fo - 1) D, between the unloaded groove centres [m].
+
+        (19.7) prints fi + fo - 0.5: with it B218 would have 12.14 mm instead of 1.031 mm.
+        """
+        return self._array("inner_groove_radius") + self._array("outer_groove_radius") - self._array("ball_diameter")
+
+    @property
+    def diametral_clearance(self) -> NDArray:
+        """Pd = 2 BD (1 - cos alpha0) [m]; negative where the balls are wedged."""
+        room = 4.0 * self.groove_centre_distance * np.sin(0.5 * self._array("free_contact_angle")) ** 2
+        return room - 2.0 * self._array("radial_interference")
+
+    @property
+    def inner_groove_centre_radius(self) -> NDArray:
+        """Ri, of the circle of inner groove centres [m]."""
+        pitch, radius, ball = map(self._array, ("pitch_diameter", "inner_groove_radius", "ball_diameter"))
+        cosine = np.cos(self._array("free_contact_angle"))
+        return np.asarray(groove_centre_radius(pitch, radius, ball, cosine, self._array("radial_interference")))
+
+    @property
+    def outer_groove_centre_radius(self) -> NDArray:
+        """Ro, of the circle of outer groove centres [m]."""
+        span = self.groove_centre_distance * np.cos(self._array("free_contact_angle"))
+        return self.inner_groove_centre_radius - span - self._array("radial_interference")
+
+    @property
+    def touching_offset(self) -> NDArray:
+        """BD sin alpha0, axially between the groove centres where the free contact angle is just reached [m]."""
+        return self.groove_centre_distance * np.sin(self._array("free_contact_angle"))
+
+    @property
+    def groove_centre_offsets(self) -> tuple[NDArray, NDArray]:
+        """(r - D/2) sin alpha0 of the inner and the outer ring, axially from the balls' centres there [m]."""
+        ball, sine = 0.5 * self._array("ball_diameter"), np.sin(self._array("free_contact_angle"))
+        return (self._array("inner_groove_radius") - ball) * sine, (self._array("outer_groove_radius") - ball) * sine
+
+    def with_changed_lengths(
+        self,
+        *,
+        ball_diameter: ArrayLike = 0.0,
+        inner_groove_radius: ArrayLike = 0.0,
+        outer_groove_radius: ArrayLike = 0.0,
+        inner_groove_centre: ArrayLike = 0.0,
+        outer_groove_centre: ArrayLike = 0.0,
+    ) -> BallBearing:
+        """The bearing after these small changes [m], in whatever order they come about.
+
+        Groove centres move radially, outward positive. The clearance changes by what the changed lengths take of it:
+        Pd/2 = ri + ro - D - (Ri - Ro), and the free contact angle and the pitch circle follow from it. A clearance
+        that would be negative is a radial interference, at a free contact angle of zero.
+
+        Raises:
+            SceneError: what is left is no bearing.
+        """
+        ball, inner, outer, moved_inner, moved_outer = (
+            np.asarray(change, float)
+            for change in (
+                *(ball_diameter, inner_groove_radius, outer_groove_radius, inner_groove_centre, outer_groove_centre),
+            )
+        )
+        # From the clearance, not from the cosine of the angle, which near zero has no digits to tell a change by.
+        clearance = 0.5 * self.diametral_clearance + inner + outer - ball - (moved_inner - moved_outer)
+        distance = self.groove_centre_distance + inner + outer - ball
+        angle = free_angle_from_clearance(2.0 * np.maximum(clearance, 0.0), distance)
+        interference = np.maximum(-clearance, 0.0)
+        ball, inner = self._array("ball_diameter") + ball, self._array("inner_groove_radius") + inner
+        radius = self.inner_groove_centre_radius + moved_inner
+        lengths = {
+            "ball_diameter": ball,
+            "inner_groove_radius": inner,
+            "outer_groove_radius": self._array("outer_groove_radius") + outer,
+            "pitch_diameter": 2.0 * (radius - interference - (inner - 0.5 * ball) * np.cos(angle)),
+            "free_contact_angle": angle,
+            "radial_interference": interference,
+        }
+        return replace(self, **{name: length[()] for name, length in lengths.items()})
+
+    @property
+    def ball_mass(self) -> NDArray:
+        """m = rho pi D^3/6 [kg]."""
+        return np.asarray(ball_mass(np.asarray(self.ball_material.density, float), self._array("ball_diameter")))
+
+    @property
+    def ball_inertia(self) -> NDArray:
+        """J = m D^2/10 [kg m^2]; missing in the source."""
+        return self.ball_mass * self._array("ball_diameter") ** 2 / 10.0
+
+    @property
+    def effective_modulus(self) -> NDArray:
+        """E' of ball on ring [Pa]."""
+        numbers = [
+            np.asarray(number, float)
+            for material in (self.ball_material, self.ring_material)
+            for number in (material.elastic_modulus, material.poisson_ratio)
+        ]
+        return np.asarray(effective_modulus(*numbers))  # type: ignore[arg-type]
+
+
+def ball_mass(density: Any, ball_diameter: Any) -> Any:
+    """m = rho pi D^3/6 [kg]."""
+    return density * (pi / 6.0) * ball_diameter**3
+
+
+def groove_centre_radius(
+    pitch_diameter: Any, groove_radius: Any, ball_diameter: Any, cos_free: Any, interference: Any
+) -> Any:
+    """Ri = dm/2 + (ri - D/2) cos alpha0, of the circle of inner groove centres, in the unit of the lengths.
+
+    A radial interference parts the grooves' centres further; the pitch circle keeps its place to the outer one.
+    """
+    return 0.5 * pitch_diameter + interference + (groove_radius - 0.5 * ball_diameter) * cos_free
+
+
+def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_distance: ArrayLike) -> NDArray:
+    """alpha0 from Pd: sin(alpha0/2) = sqrt(Pd/(4 BD)); NaN where the clearance is negative or too large."""
+    ratio = np.asarray(diametral_clearance, float) / (4.0 * np.asarray(groove_centre_distance, float))
+    with np.errstate(invalid="ignore"):
+        return 2.0 * np.arcsin(np.sqrt(ratio))

@@ -1,0 +1,138 @@
+"""Every error of a bearing: single fields first, then what the fields say together."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.model.material import material_errors
+from qsbearing.model.scene.case_axes import clash_errors, shapes_of
+from qsbearing.model.units import mm
+from qsbearing.model.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
+
+# Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
+BALL_COUNT_RANGE = (1, 1000)
+_LENGTH_RANGES = {
+    "ball_diameter": (5e-5, 1.0),
+    "pitch_diameter": (1e-4, 20.0),
+    "inner_groove_radius": (2.5e-5, 1.0),
+    "outer_groove_radius": (2.5e-5, 1.0),
+}
+GROOVE_COEFFICIENT_MAX = 1.0
+LARGEST_USUAL_F = 0.6
+FREE_ANGLE_MAX = 85.0 * pi / 180.0
+
+
+def clearance_errors(diametral_clearance: ArrayLike, groove_centre_distance: NDArray) -> list[ErrorDetail]:
+    """Errors of a clearance, which must leave a free contact angle between 0 and its greatest."""
+    field = "bearing.diametral_clearance"
+    clearance, errors = numeric(field, diametral_clearance, LENGTH)
+    if clearance is None:
+        return errors
+    most = 4.0 * groove_centre_distance * np.sin(0.5 * FREE_ANGLE_MAX) ** 2
+    bad = (groove_centre_distance > 0.0) & ((clearance < 0.0) | (clearance > most))
+    if not bad.any():
+        return []
+    found, limit = first(bad, clearance, most)
+    problem = (
+        "is negative: balls wedged between the grooves have no free contact angle"
+        if found < 0.0
+        else "is larger than these grooves allow: the free contact angle would pass "
+        f"{np.degrees(FREE_ANGLE_MAX):.0f} degrees"
+    )
+    return [ErrorDetail(field, problem, found, LENGTH, (0.0, limit), unit_mistake(found, LENGTH, 0.0, limit), bad)]
+
+
+def bearing_errors(bearing: Any) -> list[ErrorDetail]:
+    """Every error of a `BallBearing`: single fields first, then what the fields say together."""
+    clashes = clash_errors(shapes_of([("bearing", bearing)]))
+    if clashes:
+        return clashes
+    errors = within("bearing.ball_count", bearing.ball_count, COUNT, *BALL_COUNT_RANGE)
+    count = np.ones(()) if errors else np.asarray(bearing.ball_count, float)
+    broken = count != np.rint(count)
+    if broken.any():
+        (number,) = first(broken, count)
+        problem = "is not a whole number"
+        errors.append(ErrorDetail("bearing.ball_count", problem, number, COUNT, BALL_COUNT_RANGE, where=broken))
+    lengths: dict[str, NDArray] = {}  # those that are good by themselves
+    for name, (low, high) in _LENGTH_RANGES.items():
+        wrong = within(f"bearing.{name}", getattr(bearing, name), LENGTH, low, high)
+        errors += wrong
+        if not wrong:
+            lengths[name] = np.asarray(getattr(bearing, name), float)
+    angle = bearing.free_contact_angle
+    errors += within("bearing.free_contact_angle", angle, ANGLE, 0.0, FREE_ANGLE_MAX, "is outside its range")
+    errors += material_errors("bearing.ball_material", bearing.ball_material)
+    errors += material_errors("bearing.ring_material", bearing.ring_material)
+    errors += _interference_errors(bearing, errors)
+    diameter = lengths.pop("ball_diameter", None)
+    if diameter is not None:
+        for name, length in lengths.items():
+            if name == "pitch_diameter":
+                errors += _pitch_errors(length, diameter, count)
+            else:
+                errors += _groove_errors(f"bearing.{name}", length, diameter)
+    return errors
+
+
+def _interference_errors(bearing: Any, errors: list[ErrorDetail]) -> list[ErrorDetail]:
+    field = "bearing.radial_interference"
+    wrong = within(field, bearing.radial_interference, LENGTH, 0.0, 1e-2)
+    if wrong or errors:
+        return wrong
+    interference, angle = np.broadcast_arrays(
+        np.asarray(bearing.radial_interference, float), np.asarray(bearing.free_contact_angle, float)
+    )
+    bad = (interference > 0.0) & (angle > 0.0)
+    if not bad.any():
+        return []
+    problem = "is given together with a free contact angle, but wedged balls have none"
+    cause = "Let free_contact_angle be 0 where there is an interference"
+    return [ErrorDetail(field, problem, first(bad, interference)[0], LENGTH, cause=cause, where=bad)]
+
+
+def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[ErrorDetail]:
+    coefficient = radius / diameter
+    bad = (coefficient <= 0.5) | (coefficient > GROOVE_COEFFICIENT_MAX)
+    if not bad.any():
+        return []
+    f, r, d = first(bad, coefficient, radius, diameter)
+    as_f = next((number for number in (r / mm, r) if 0.5 < number <= LARGEST_USUAL_F), 0.0)
+    given_as_f = f"Given as f = r/D? f D = {as_f:.6g} x {d / mm:.6g} mm = {as_f * d / mm:.6g} mm"
+    if f <= 0.5:
+        problem = f"the groove is smaller than the ball: f = r/D = {f:.4g} must be above 0.5"
+        cause = "A groove tighter than its ball touches at two edges, not at a point; 0.515 to 0.54 is usual"
+        if 0.5 < 1e3 * f <= GROOVE_COEFFICIENT_MAX:
+            cause = "Given in another unit than the ball diameter?"
+        elif 0.5 < 2.0 * f < 0.6:
+            cause = "Was the ball's radius given as its diameter, or the reverse?"
+        elif as_f:
+            cause = given_as_f
+    else:
+        problem = f"the groove is far larger than the ball: f = r/D = {f:.4g} must be at most 1"
+        cause = "Was the groove's diameter given, not its radius? 0.515 to 0.54 is usual for f"
+        if not 0.5 < f / 2.0 <= 0.6:
+            cause = given_as_f if as_f else "Given in another unit than the ball diameter?"
+    return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause, bad)]
+
+
+def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[ErrorDetail]:
+    # Neighbours' centres stand 2 (dm/2) sin(pi/Z) apart; one ball needs only to miss the axis.
+    room = np.where(count >= 2, diameter / np.sin(pi / np.maximum(count, 2)), diameter)
+    tight = pitch <= room
+    if not tight.any():
+        return []
+    dm, d, least, balls = first(tight, pitch, diameter, room, count)
+    problem, cause = "is not larger than the ball", "Use fewer or smaller balls, or a larger pitch circle"
+    if balls >= 2:
+        problem = (
+            f"the balls do not fit on the pitch circle: {balls:.0f} balls need a circle of more than {least / d:.4g} "
+            "ball diameters"
+        )
+    if least < 1e3 * dm < 50.0 * least:
+        cause = "Given in another unit than the ball diameter?"
+    return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause, tight)]

@@ -1,0 +1,131 @@
+"""What is done to the bearing: ring speeds, and for each of five channels its load or its displacement."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from typing import NamedTuple
+
+from numpy.typing import ArrayLike
+
+from qsbearing.model.validation import ANGLE, FORCE, LENGTH, MOMENT, SPEED, ErrorDetail, numeric, raise_if_any, within
+
+
+class Channel(NamedTuple):
+    """One degree of freedom of the inner ring: the field of its load and the field of its displacement."""
+
+    load: str
+    displacement: str
+    is_rotation: bool
+    label: str
+
+
+CHANNELS = (
+    Channel("axial_load", "axial_displacement", False, "axial"),
+    Channel("radial_load_y", "radial_displacement_y", False, "radial y"),
+    Channel("radial_load_z", "radial_displacement_z", False, "radial z"),
+    Channel("moment_y", "tilt_y", True, "tilt y"),
+    Channel("moment_z", "tilt_z", True, "tilt z"),
+)
+"""The five channels in the order of every array of displacements and loads: x, y, z, tilt y, tilt z."""
+
+TURNING = ("speed", "outer_speed", "first_ball_azimuth")
+"""What of an operation is not a channel's."""
+STRAIGHT = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y": 0.0, "tilt_z": 0.0}
+"""A shaft that is neither moved sideways nor tilted."""
+
+# A radial load along y tilts the ring about z, and one along z about y.
+_TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, "radial_displacement_z": 3}
+
+
+@dataclass(frozen=True)
+class Operation:
+    """Speeds and the load on the inner ring; the outer ring stays in its place. SI units, radians; arrays span cases.
+
+    x is the bearing axis, y and z are radial, tilts are right-handed about y and z. A channel with neither load nor
+    displacement carries no load and is free to move. With a radial load or displacement the tilt that it
+    causes must be given too, free (moment 0) or fixed (tilt 0): the results differ widely.
+
+    Of a bearing alone (`Scene`), moments are about the point of the axis in the plane of the inner groove centres, and
+    displacements are those of this point. Of a set's shaft (`BearingSet`) it is the set's reference position, counted
+    as rows are: by the planes of the ball centres. Of one bearing the two planes are (r_i - D/2) sin(alpha0) apart,
+    0.331 mm for B218; with the pitch circle's tilt lever, which leaves the groove centres out, they are one.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    speed: ArrayLike = 0.0
+    """Inner ring about +x [rad/s]."""
+    outer_speed: ArrayLike | None = None
+    """Outer ring about +x [rad/s]; None: it stands still."""
+    axial_load: ArrayLike | None = None
+    axial_displacement: ArrayLike | None = None
+    """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place. It
+    is the displacement in operation: heat does not change it."""
+    radial_load_y: ArrayLike | None = None
+    radial_displacement_y: ArrayLike | None = None
+    radial_load_z: ArrayLike | None = None
+    radial_displacement_z: ArrayLike | None = None
+    moment_y: ArrayLike | None = None
+    tilt_y: ArrayLike | None = None
+    moment_z: ArrayLike | None = None
+    tilt_z: ArrayLike | None = None
+    first_ball_azimuth: ArrayLike = 0.0
+    """Azimuth of ball 0 from +y towards +z [rad]; the others follow evenly."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(operation_errors(self))
+
+    @property
+    def turning(self) -> dict[str, ArrayLike | None]:
+        """The speeds, and where the balls are."""
+        return {name: getattr(self, name) for name in TURNING}
+
+    @property
+    def unloaded(self) -> Operation:
+        """The same speeds without any load, straight and centred."""
+        return Operation(**self.turning, **STRAIGHT)  # type: ignore[arg-type]
+
+
+def operation_errors(operation: Operation) -> list[ErrorDetail]:
+    """Every error of an operation."""
+    errors = within("operation.speed", operation.speed, SPEED, -1e7, 1e7)
+    if operation.outer_speed is not None:
+        errors += within("operation.outer_speed", operation.outer_speed, SPEED, -1e7, 1e7)
+    errors += within("operation.first_ball_azimuth", operation.first_ball_azimuth, ANGLE, -2.0 * pi, 2.0 * pi)
+    for channel in CHANNELS:
+        load, displacement = getattr(operation, channel.load), getattr(operation, channel.displacement)
+        if load is not None and displacement is not None:
+            problem = (
+                f"is given together with {channel.displacement}: a channel has its load or its displacement, never both"
+            )
+            cause = "Keep the one that is prescribed; the other is a result"
+            errors.append(ErrorDetail(f"operation.{channel.load}", problem, cause=cause))
+        # Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite.
+        if load is not None:
+            quantity = MOMENT if channel.is_rotation else FORCE
+            errors += within(f"operation.{channel.load}", load, quantity, -1e8, 1e8)
+        if displacement is not None:
+            quantity, limit = (ANGLE, 0.2) if channel.is_rotation else (LENGTH, 0.1)
+            errors += within(f"operation.{channel.displacement}", displacement, quantity, -limit, limit)
+    return errors + _unstated_tilts(operation)
+
+
+def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
+    errors = []
+    for field, number in _TILT_OF.items():
+        tilt = CHANNELS[number]
+        value = getattr(operation, field)
+        if (
+            value is None
+            or getattr(operation, tilt.load) is not None
+            or getattr(operation, tilt.displacement) is not None
+        ):
+            continue
+        array, _ = numeric(f"operation.{field}", value, FORCE)  # its own errors are known already
+        if array is not None and array.any():
+            problem = f"missing: {field} tilts the ring, so give its moment or its tilt (the results differ widely)"
+            cause = f"Free to tilt: {tilt.load} = 0. Fixed by a stiff shaft: {tilt.displacement} = 0"
+            errors.append(ErrorDetail(f"operation.{tilt.load}", problem, cause=cause))
+    return errors

@@ -1,0 +1,87 @@
+"""Preload: how the bearing is pressed together before anything else acts on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from qsbearing.model.validation import FORCE, LENGTH, ErrorDetail, raise_if_any, within
+
+KINDS = ("spring", "rigid", "mounted", "axial_displacement")
+FORCES = ("spring", "rigid", "mounted")
+"""Those that are forces."""
+
+NOT_A_PRELOAD = f"qs.Preload(...) with one of {', '.join(KINDS)}"
+"""What to write in its place."""
+
+
+@dataclass(frozen=True)
+class Preload:
+    """A preload in +x, in one of four ways; SI units, which may be arrays that span cases.
+
+    All but a spring hold the rings where the preload took them: at a displacement that grows with the heat of the shaft
+    and by nothing else (`RingExpansion.shaft_temperature`; the inner ring's where it is left out).
+
+    Raises:
+        SceneError: none of them, several, or one out of its range.
+    """
+
+    spring: ArrayLike | None = None
+    """The force of a spring, which stays what it is whatever the rings do [N]."""
+    rigid: ArrayLike | None = None
+    """The axial load at rest and cold, before fitting [N]; the rings are then held at the axial displacement that it
+    takes. Fits change the load to the mounted one."""
+    axial_displacement: ArrayLike | None = None
+    """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
+    mounted: ArrayLike | None = None
+    """The axial load after fitting, at rest and at the reference temperature [N]; held likewise."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(preload_errors(self))
+
+    @property
+    def kind(self) -> str:
+        """The way that is given: spring, rigid, mounted or axial_displacement."""
+        return next(kind for kind in KINDS if getattr(self, kind) is not None)
+
+    @property
+    def is_given_mounted(self) -> bool:
+        """Whether it is what presses the bearing after fitting, and not before."""
+        return self.mounted is not None
+
+    @property
+    def state(self) -> str:
+        """In which it is given, in words."""
+        return "mounted" if self.is_given_mounted else "before fitting"
+
+
+def preload_errors(preload: Preload) -> list[ErrorDetail]:
+    """Every error of a preload."""
+    given = [kind for kind in KINDS if getattr(preload, kind) is not None]
+    if len(given) != 1:
+        first, *others = (f"preload.{kind}" for kind in given or KINDS)
+        problem = f"is given together with {', '.join(others)}" if given else "is missing"
+        cause = f"Give one of {', '.join(f'preload.{kind}' for kind in KINDS)}"
+        return [ErrorDetail(first, problem, cause=cause)]
+    (kind,) = given
+    if kind == "axial_displacement":
+        return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)
+    errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
+    if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
+        cause = "A preload acts in +x; for -x, give axial_load or axial_displacement of the operation instead"
+        return [
+            ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause, errors[0].where)
+        ]
+    return errors
+
+
+def beside_preload(operation: object) -> list[ErrorDetail]:
+    """Errors of an operation that has an axial load or displacement of its own beside a preload."""
+    problem = "is given together with a preload, which sets the axial channel"
+    cause = "Keep one of the two: with both, the load of the ring is not defined"
+    return [
+        ErrorDetail(f"operation.{name}", problem, cause=cause)
+        for name in ("axial_load", "axial_displacement")
+        if getattr(operation, name) is not None
+    ]

@@ -1,0 +1,275 @@
+"""The scene: a bearing, its operation, and the effects and choices that it calls for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.in_notebooks import InNotebooks
+from qsbearing.model.contact.hertz import HertzForm
+from qsbearing.model.effects import (
+    BallDiameterDeviations,
+    BallEffect,
+    CentrifugalForce,
+    ElasticRings,
+    GyroscopicMoment,
+    RingEffect,
+    RingExpansion,
+    as_fitted,
+    as_made,
+    types_in,
+)
+from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.orbit_radius import OrbitRadius
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.tilt_lever import TiltLever
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.case_axes import clash_errors, shapes_of
+from qsbearing.model.scene.elastic_seats import seat_errors
+from qsbearing.model.scene.operation import STRAIGHT, Operation
+from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, beside_preload
+from qsbearing.model.units import mm, rpm
+from qsbearing.model.validation import (
+    RATIO,
+    SPEED,
+    ErrorDetail,
+    SceneError,
+    all_where,
+    choose,
+    raise_if_any,
+    unit_mistake,
+    within,
+)
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.network import Thermal
+
+SPEED_PARAMETER_MAX = 1.0e7
+"""dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
+
+
+CHOICES: dict[str, type[StrEnum]] = {
+    "raceway_control": RacewayControl,
+    "hertz_angle": HertzAngle,
+    "hertz_form": HertzForm,
+    "tilt_lever": TiltLever,
+    "orbit_radius": OrbitRadius,
+}
+"""The fields of a scene that choose one of several; each may be given as a member or as its word."""
+
+
+@dataclass(frozen=True)
+class Scene(InNotebooks):
+    """All the input of a solve. An effect that is not named here is not simulated.
+
+    Raises:
+        SceneError: parts that do not fit together; every error, at once.
+    """
+
+    bearing: BallBearing
+    operation: Operation = field(default_factory=Operation)
+    ball_effects: tuple[BallEffect, ...] = ()
+    raceway_control: RacewayControl | None = None
+    """Needed by the ball effects, and by nothing else."""
+    hertz_angle: HertzAngle = HertzAngle.FREE
+    hertz_form: HertzForm = HertzForm.EXACT
+    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    ring_effects: tuple[RingEffect, ...] = ()
+    """What changes the bearing before it is loaded."""
+    preload: Preload | None = None
+    """In place of an axial load or displacement of the operation."""
+    readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
+    """What is to be read off the solution: by name, with arguments (`qsbearing.readings.take_asked`). No solve looks
+    at it."""
+    tolerance: float | None = None
+    """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    """Of the balls, for their motion; only the ball effects ask for it."""
+    thermal: Thermal | None = None
+    """With it, `qs.solve` finds the temperatures at which the bearing runs."""
+
+    def __post_init__(self) -> None:
+        errors = []
+        for name, choices in CHOICES.items():
+            if getattr(self, name) is not None or name != "raceway_control":
+                choice, wrong = choose(name, getattr(self, name), choices)
+                object.__setattr__(self, name, choice)
+                errors += wrong
+        errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
+        if self.preload is not None:
+            errors += _beside(self.preload, self.operation)
+        clashes = clash_errors(shapes_of(self._parts()))
+        raise_if_any([*errors, *clashes] if clashes else [])  # what follows takes them together
+        wrong = ring_effect_errors(self.ring_effects, self.bearing)
+        if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
+            wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing)
+        errors += wrong
+        if self.thermal is not None and self.tolerance is not None:
+            cause = "Name the effects instead: with a heat balance they are not chosen automatically"
+            errors.append(ErrorDetail("tolerance", "is given together with a heat balance", cause=cause))
+        if self.tolerance is not None:
+            errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
+        raise_if_any(errors + speed_errors(self.bearing, self.operation))
+        if self.ring_effects:
+            self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
+
+    def _parts(self) -> list[tuple[str, Any]]:
+        """The objects that hold the scene's numbers, by the paths that errors name."""
+        effects = [each for slot in (self.ball_effects, self.ring_effects) if isinstance(slot, tuple) for each in slot]
+        own = [("bearing", self.bearing), ("operation", self.operation), ("preload", self.preload)]
+        return own + [(getattr(effect, "name", ""), effect) for effect in effects]
+
+    @cached_property
+    def operating_bearing(self) -> BallBearing:
+        """The bearing as its ring effects leave it: hot, fitted and turning, before loads act; `bearing` without any.
+
+        Raises:
+            SceneError: they leave no bearing.
+        """
+        bearing = self.bearing
+        for effect in self.ring_effects:
+            try:
+                bearing = effect.reshape(bearing, self.operation)
+            except SceneError as error:
+                problem = f"leaves no bearing: {'; '.join(map(str, error.errors))}"
+                raise SceneError([ErrorDetail(effect.name, problem, where=all_where(error.errors))]) from None
+        return bearing
+
+    @property
+    def axial_datum_shift(self) -> NDArray:
+        """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m].
+
+        Displacements count from where it does so at rest and cold; heat moves the groove centres axially in their
+        rings, fits and rotation do not.
+        """
+        moved = 0.0 if self.ring_expansion is None else sum(self.ring_expansion.axial_growth(self.bearing))
+        return np.asarray(self.operating_bearing.touching_offset - self.bearing.touching_offset - moved)
+
+    @property
+    def is_reshaped(self) -> bool:
+        """Whether ring effects change the bearing's own lengths."""
+        return self.operating_bearing is not self.bearing
+
+    @property
+    def as_preloaded(self) -> Scene | None:
+        """The bearing at rest and cold under its preload alone, in the state in which that is given.
+
+        None without a preload, and with a spring, whose force says all that there is to know.
+        """
+        preload = self.preload
+        if preload is None or preload.kind == "spring":
+            return None
+        load = preload.mounted if preload.is_given_mounted else preload.rigid
+        return self.at_rest(preload.is_given_mounted, axial_load=load, axial_displacement=preload.axial_displacement)
+
+    def at_rest(self, fitted: bool, **axial: Any) -> Scene:
+        """The bearing at rest and cold, before or after fitting, straight and centred, by the same Hertz contacts."""
+        choices = {name: getattr(self, name) for name in ("hertz_angle", "hertz_form", "tilt_lever")}
+        effects = (as_fitted if fitted else as_made)(self.ring_effects)
+        return Scene(self.bearing, Operation(**axial, **STRAIGHT), **choices, ring_effects=effects)
+
+    @property
+    def ring_expansion(self) -> RingExpansion | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
+
+    @property
+    def elastic_rings(self) -> ElasticRings | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, ElasticRings)), None)
+
+    @property
+    def ball_diameter_deviations(self) -> BallDiameterDeviations | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, BallDiameterDeviations)), None)
+
+    @property
+    def centrifugal_force(self) -> CentrifugalForce | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, CentrifugalForce)), None)
+
+    @property
+    def gyroscopic_moment(self) -> GyroscopicMoment | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
+    if isinstance(preload, Preload):
+        return beside_preload(operation)
+    return [ErrorDetail("preload", "is not a preload", preload, cause=NOT_A_PRELOAD)]
+
+
+def effect_errors(
+    ball_effects: tuple[BallEffect, ...],
+    raceway_control: RacewayControl | None,
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE,
+) -> list[ErrorDetail]:
+    """Errors of what is asked for, whatever the bearing."""
+    if not _are_all(ball_effects, "ball_effects"):
+        cause = "Write (qs.CentrifugalForce(), qs.GyroscopicMoment()): a tuple of effects, each with its brackets"
+        return [ErrorDetail("ball_effects", "is not a tuple of ball effects", ball_effects, cause=cause)]
+    errors = []
+    names = [effect.name for effect in ball_effects]
+    if len(set(names)) < len(names):
+        errors.append(ErrorDetail("ball_effects", "names an effect twice", names))
+    if names and raceway_control is None:
+        need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
+        problem = f"missing: {need} the balls' motion, which raceway control sets"
+        *others, last = RacewayControl
+        cause = f"Give raceway_control: {', '.join(others)} or {last}"
+        errors.append(ErrorDetail("raceway_control", problem, cause=cause))
+    if raceway_control is not None and not names:
+        problem = "is given, but no ball effect needs it"
+        cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
+        errors.append(ErrorDetail("raceway_control", problem, str(raceway_control), cause=cause))
+    if orbit_radius == OrbitRadius.DISPLACED and not names:
+        problem = "is given, but no ball effect depends on the balls' orbit"
+        cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
+        errors.append(ErrorDetail("orbit_radius", problem, str(orbit_radius), cause=cause))
+    return errors
+
+
+def _are_all(effects: object, slot: str) -> bool:
+    """Whether this is a tuple of effects of the list."""
+    return isinstance(effects, tuple) and all(isinstance(effect, tuple(types_in(slot).values())) for effect in effects)
+
+
+def ring_effect_errors(ring_effects: tuple[RingEffect, ...], bearing: BallBearing) -> list[ErrorDetail]:
+    """Errors of what is asked to change the bearing."""
+    if not _are_all(ring_effects, "ring_effects"):
+        cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
+        return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
+    names = [effect.name for effect in ring_effects]
+    errors = [error for effect in ring_effects for error in effect.errors(bearing)]
+    if len(set(names)) < len(names):
+        errors.append(ErrorDetail("ring_effects", "names an effect twice", names))
+    return errors
+
+
+def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail]:
+    """Errors of speeds that no bearing of this size survives."""
+    errors = []
+    for name, speed in (("operation.speed", operation.speed), ("operation.outer_speed", operation.outer_speed)):
+        pitch, value = np.broadcast_arrays(
+            np.asarray(bearing.pitch_diameter, float), np.asarray(0.0 if speed is None else speed, float)
+        )
+        parameter = pitch / mm * np.abs(value) / rpm
+        too_fast = parameter > SPEED_PARAMETER_MAX
+        if too_fast.any():
+            worst = parameter.argmax()
+            most = float(SPEED_PARAMETER_MAX * rpm * mm / pitch.flat[worst])
+            found = float(value.flat[worst])
+            problem = (
+                f"is too fast: dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing "
+                f"({SPEED_PARAMETER_MAX:g})"
+            )
+            cause = unit_mistake(found, SPEED, -most, most)
+            errors.append(ErrorDetail(name, problem, found, SPEED, (-most, most), cause, too_fast))
+    return errors

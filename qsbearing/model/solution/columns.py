@@ -1,0 +1,132 @@
+"""All of a solution as the columns of a table, one row per ball of every case, and as a dataset of xarray."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import __version__
+from qsbearing.model.scene.keys import (
+    BEARING,
+    EFFECT_TABLES,
+    EFFECTS,
+    MATERIAL,
+    MATERIALS,
+    OPERATION,
+    PRELOAD,
+    SEAT_MATERIALS,
+)
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.quantities import ALL, Quantity, Solution
+from qsbearing.model.units import deg
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def columns(solution: Solution) -> dict[str, NDArray]:
+    """Everything that there is to say about each ball; arrays of shape (row,), units in their names.
+
+    The case's results, its status and the scene's numbers, under the keys of a scene file, follow on each of its rows.
+    Cases not solved have their rows, with NaN for results. What the scene does not call for has no column.
+    """
+    exists = np.isfinite(solution.azimuth)
+    rows = np.nonzero(exists)
+
+    def per_case(values: Any) -> NDArray:
+        return np.broadcast_to(np.asarray(values)[..., None], exists.shape)[exists]
+
+    def part(belongs: Callable[[Quantity], bool]) -> dict[str, NDArray]:
+        read = {each: each.read(solution) for each in ALL.values() if each.is_column and belongs(each)}
+        return {
+            each.column: values[exists] if each.is_per_ball else per_case(values)
+            for each, values in read.items()
+            if values is not None
+        }
+
+    out: dict[str, NDArray] = {f"case_{axis}": number for axis, number in enumerate(rows[:-1])}
+    out |= {"ball": rows[-1], "azimuth_deg": solution.azimuth[exists] / deg}
+    out |= part(lambda each: each.is_per_ball)
+    if solution.raceway_control is not None:
+        out["raceway_control"] = solution.raceway_control[exists]
+    if solution.slips is not None:
+        out["slips"] = solution.slips[exists]
+    out |= part(lambda each: each.name.startswith("ring_"))
+    names = [channel.label.replace(" ", "_") for channel in CHANNELS]
+    for row, column in np.ndindex(5, 5):
+        values = solution.stiffness[..., row, column]
+        out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
+    if solution.preload_at_rest is not None:
+        for state in ("at_rest", "unmounted", "mounted"):
+            out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
+    out |= part(lambda each: not each.is_per_ball and not each.name.startswith("ring_"))
+    out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
+    return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
+
+
+def scene_numbers(scene: Scene) -> dict[str, Any]:
+    """The scene's numbers, in the units of a scene file and under its keys."""
+    holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
+    if scene.preload is not None:
+        holders.append(("preload_", PRELOAD, scene.preload))
+    holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
+    for effect in scene.ring_effects:
+        if effect is scene.ball_diameter_deviations:
+            continue  # by ball: a column of its own
+        holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))
+        seats = [(side, getattr(effect, side, None)) for side in SEAT_MATERIALS]
+        holders += [(f"{side}_", MATERIAL, material) for side, material in seats if material is not None]
+    if scene.gyroscopic_moment is not None:
+        holders.append(("", EFFECTS, scene.gyroscopic_moment))
+    out: dict[str, Any] = {"bearing": scene.bearing.name}
+    for prefix, keys, holder in holders:
+        for key in keys:
+            values = getattr(holder, key.field)
+            if values is not None:
+                out[prefix + key.name.replace(".", "_")] = np.vectorize(key.in_file, otypes=[float])(
+                    np.asarray(values, float)
+                )
+    return out
+
+
+def dataset(solution: Solution) -> xarray.Dataset:
+    """Everything that a solution holds, labelled; what the scene does not call for is left out.
+
+    The scene's numbers that vary are coordinates; an axis along which one alone varies bears its name.
+    """
+    import xarray
+
+    inputs = {name: values for name, values in scene_numbers(solution.scene).items() if name != "bearing"}
+    dims = _case_dims(inputs, solution.shape)
+    found: dict[str, Any] = {
+        "status": (dims, np.asarray(solution.status, str)),
+        "reason": (dims, np.asarray(solution.reason, str)),
+        "iterations": (dims, np.asarray(solution.iterations)),
+        "residual": (dims, np.asarray(solution.residual)),
+    }
+    for quantity in ALL.values():
+        values = quantity.read(solution)
+        if values is not None:
+            own = (*dims, "ball") if quantity.is_per_ball else dims
+            found[quantity.name] = (own, values, quantity.attributes)
+    coordinates = {}
+    for name, values in inputs.items():
+        axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]
+        own = tuple(dims[-1 - axis] for axis in axes)
+        coordinates[name] = (own, np.squeeze(values))
+    title = f"Solution of {solution.scene.bearing.name or 'a bearing'}"
+    return xarray.Dataset(found, coordinates, {"title": title, "qsbearing_version": __version__})
+
+
+def _case_dims(inputs: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """Names of the case axes: case_0, ..., or the number that alone varies along one."""
+    alone: dict[int, list[str]] = {}
+    for name, values in inputs.items():
+        axes = [len(shape) - 1 - axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1]
+        if axes:
+            alone.setdefault(axes[0] if len(axes) == 1 else -1, []).append(name)
+    return tuple(alone[i][0] if len(alone.get(i, [])) == 1 else f"case_{i}" for i in range(len(shape)))

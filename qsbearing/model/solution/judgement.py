@@ -1,0 +1,94 @@
+"""How much each effect and choice matters at a solution: predicted by its indicator, without solving anything."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.scene.scene import CHOICES, Scene
+from qsbearing.model.solution.solution import Solution
+
+WORDS = {
+    "contact_angle": "contact angles",
+    "load": "contact loads",
+    "pressure": "contact pressures",
+    "displacement": "displacement",
+    "stiffness": "locked stiffness",
+}
+"""What people read, in words."""
+
+WORTH_A_WARNING = 0.05
+"""A predicted error above which a missing effect is said to be missing."""
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """One effect or choice at a solution, whose scene has it or not; arrays of shape (*cases)."""
+
+    entry: Entry
+    indicator: NDArray
+    errors: dict[str, NDArray]
+    """What leaving it out changes, by quantity."""
+
+    @property
+    def largest(self) -> NDArray:
+        """Largest error of all quantities; infinite where there is none to tell."""
+        return np.nan_to_num(np.max(list(self.errors.values()), axis=0), nan=np.inf)
+
+    def worst(self, case: int = 0) -> tuple[str, float]:
+        """The quantity that errs most in a case (counted along the flattened axes), and by how much."""
+        found = {name: float(np.ravel(error)[case]) for name, error in self.errors.items()}
+        name = max(found, key=lambda each: found[each])
+        return name, found[name]
+
+
+def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judgement:
+    """One effect or choice at a solution, whose scene has it or not; asked for with the parameters of another scene."""
+    point = solution.operating_point if asked is None else replace(solution.operating_point, asked=asked)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return Judgement(entry, entry.indicator(point), entry.errors(point))
+
+
+def missing(solution: Solution) -> list[Judgement]:
+    """The effects and finer choices that the solution's scene lacks, and that need nothing but to be named."""
+    scene = solution.scene
+    return [judge(entry, solution) for entry in EFFECTS if not entry.hypothesis and entry.can_be_added(scene)]
+
+
+def lacking_data(solution: Solution) -> list[Judgement]:
+    """The effects that the solution's scene lacks and that need numbers of it, where a rough estimate is possible, and
+    not a bound alone."""
+    lacking = [each for each in EFFECTS if each.without_parameters and not each.is_in(solution.scene)]
+    return [judge(each, solution) for each in lacking if not each.is_bound]
+
+
+def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:
+    """What the file of a scene or set says under [effects] to ask for these besides."""
+    finer = scene
+    for entry in entries:
+        finer = entry.finer(finer)
+    before, after = _effects_table(scene), _effects_table(finer)
+    return [f"{key} = {_toml(value)}" for key, value in after.items() if value != before[key]]
+
+
+def _effects_table(scene: Any) -> dict[str, Any]:
+    return {"ball": [effect.name for effect in scene.ball_effects]} | {name: getattr(scene, name) for name in CHOICES}
+
+
+def _toml(value: Any) -> str:
+    return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
+
+
+def estimated(error: float, unit: str = " %") -> str:
+    """A predicted relative error in per cent: with ≈, in as many digits as it is good for, which is one."""
+    return f"≈ {float(f'{100.0 * error:.1g}'):.0f}{unit}" if error > 0.0095 else f"≈ {100.0 * error:.1g}{unit}"
+
+
+def percent(error: float) -> str:
+    """A relative error in as many digits as it is good for, which are two."""
+    digits = f"{100.0 * error:.2g}"
+    return f"{digits} %" if error < 0.99 else f"{float(digits):.0f} %"

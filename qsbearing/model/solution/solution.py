@@ -1,0 +1,549 @@
+"""The solution: what was solved, how it ended, and everything that can be read off it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.in_notebooks import Plotted
+from qsbearing.model.effects import OperatingPoint, RingState
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.kernel import results
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
+from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution import preload_state, ring_stiffness
+from qsbearing.model.solution.case_index import Index, Place, place_of
+from qsbearing.model.solution.columns import columns, dataset
+from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.preload_state import PreloadLoads
+from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
+from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
+from qsbearing.model.solution.solved_cases import SolvedCases
+from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
+from qsbearing.model.units import deg
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from qsbearing.systems.heat.state import ThermalState
+
+CALLED_FOR_BY = {
+    "required_friction": "gyroscopic_moment",
+    "centrifugal_force": "centrifugal_force",
+    "gyroscopic_moment": "gyroscopic_moment",
+} | dict.fromkeys(
+    ("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"), "raceway_control"
+)
+"""The field of the scene without which there is no such array."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """An effect or choice that was left out."""
+
+    effect: str
+    """Its name in `qsbearing.model.effects.EFFECTS`."""
+    estimated_error: Any
+    """Largest relative error of all that is read, expected of leaving it out; shape (*cases)."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What was asked, what is in the solution and what is not."""
+
+    tolerance: float
+    effects: tuple[str, ...]
+    """Names of the effects and choices that the solution has, at their finest."""
+    added: tuple[str, ...]
+    """Those of them that the scene did not name."""
+    left_out: tuple[LeftOut, ...]
+    solves: int
+    """How often the scene was solved to choose."""
+
+
+class Solution(Plotted):
+    """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
+
+    Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
+    hold NaN everywhere but in `status`, `iterations` and `residual`; `message` says why.
+    """
+
+    def __init__(
+        self,
+        maker: CaseMaker,
+        cases: NDArray | None,
+        results: NDArray,
+        positions: NDArray,
+        controls: NDArray,
+        seconds: float,
+        threads: int,
+        preloaded: Solution | None = None,
+        solve: Callable[[Scene], Solution] | None = None,
+    ) -> None:
+        self.scene: Scene = maker.scene
+        self.shape = maker.shape
+        self._maker = maker
+        self._preloaded = preloaded
+        self._solve = solve
+        self._solved = SolvedCases(maker, cases, results, positions, controls, threads)
+        self._results = results
+        self._positions = positions
+        self._controls = controls
+        self.seconds = seconds
+        """Wall time of the solve [s]."""
+        self.threads = threads
+        """At most so many solved it, and read it off."""
+        self.choice: Choice | None = None
+        """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
+        self.thermal: ThermalState | None = None
+        """Temperatures and heats, where the scene asks for its steady state."""
+
+    def mark_unsolved(self, cases: NDArray, code: int) -> None:
+        """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
+
+        Args:
+            cases: a mask; shape (*cases).
+            code: of the kernel, for their status.
+        """
+        self._results["status"][np.reshape(cases, -1)] = code
+
+    @property
+    def inner(self) -> RacewayContacts:
+        """Contacts with the inner raceway."""
+        return RacewayContacts(partial(self._array, row=results.AT_INNER))
+
+    @property
+    def outer(self) -> RacewayContacts:
+        """Contacts with the outer raceway."""
+        return RacewayContacts(partial(self._array, row=results.AT_OUTER))
+
+    @cached_property
+    def operating_point(self) -> OperatingPoint:
+        """The solution as the indicators of effects read it."""
+        return OperatingPoint(self)
+
+    def _shaped(self, array: NDArray, *tail: int) -> Any:
+        shaped = array.reshape(self.shape + tail)
+        return shaped[()] if not shaped.shape else shaped
+
+    def _place(self, index: Index) -> Place:
+        """The index of one case along each case axis.
+
+        Raises:
+            ValueError: the index is missing or does not name one case of this solution.
+        """
+        return place_of(index, self.shape)
+
+    def _flat_index(self, index: Index) -> int:
+        """The number of a case, counted along the flattened case axes."""
+        place = self._place(index)
+        return int(np.ravel_multi_index(place, self.shape)) if place else 0
+
+    def __repr__(self) -> str:
+        name = f"Solution of {self.scene.bearing.name or 'a bearing'}"
+        if self.shape:
+            return f"{name}: {self._maker.count} cases {self.shape}, {self._counts()}"
+        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
+        if not self.converged:
+            return f"{lines[0]}{', ' if self.reason else ''}{self.reason}"
+        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
+            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
+            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+        for side, contacts in (("inner", self.inner), ("outer", self.outer)):
+            angles = contacts.angle[contacts.load > 0.0] / deg
+            if angles.size:
+                span = " to ".join(dict.fromkeys(f"{angle:.5g}" for angle in (angles.min(), angles.max())))
+                lines.append(f"  {side} raceway: largest load {contacts.load.max():.6g} N, contact angle {span} deg")
+        return "\n".join(lines)
+
+    def _counts(self) -> str:
+        """How many cases ended how, and the first of each kind that is not solved."""
+        shown = []
+        for code, status in STATUS_OF_CODE.items():
+            cases = np.flatnonzero(self._results["status"] == code)
+            if cases.size:
+                where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
+                shown.append(f"{cases.size} {status}{where}")
+        return ", ".join(shown)
+
+    def _case_name(self, number: int) -> str:
+        place = tuple(map(int, np.unravel_index(number, self.shape)))
+        return str(place[0] if len(place) == 1 else place)
+
+    def read_at_once(self, contacts: Iterable[str] = (), balls: Iterable[str] = ()) -> None:
+        """Read several arrays off in one pass, which takes less time than one after the other as they are asked for.
+
+        Args:
+            contacts: names of arrays of both raceways, such as "angle".
+            balls: names of arrays of the balls, such as "orbital_speed". What the scene does not call for is left out.
+        """
+        of_contacts = [(row, name) for row in (results.AT_INNER, results.AT_OUTER) for name in contacts]
+        asked = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
+        self._solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
+
+    def _has(self, name: str) -> bool:
+        """Whether the scene calls for an array of contacts or balls."""
+        return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
+
+    def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
+        return self._solved.read(row, CODES[name]) if self._has(name) else None
+
+    @property
+    def converged(self) -> Any:
+        """Whether each case is solved; shape (*cases)."""
+        return self._shaped(self._results["status"] == CONVERGED)
+
+    @property
+    def status(self) -> Any:
+        """`Status` of a single case, or an array of their names; shape (*cases)."""
+        if not self.shape:
+            return STATUS_OF_CODE[int(self._results["status"][0])]
+        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
+        return self._shaped(names[self._results["status"]])
+
+    @property
+    def reason(self) -> Any:
+        """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
+        names = reasons(self._results)
+        return str(names[0]) if not self.shape else self._shaped(names)
+
+    @property
+    def control_is_consistent(self) -> Any:
+        """Whether every ball's raceway control is the one that Jones's criterion then calls for; shape (*cases).
+
+        Asked only under per-ball control; True elsewhere.
+        """
+        return self._shaped((self._results["notes"] & NO_CONSISTENT_CONTROL) == 0)
+
+    @property
+    def iterations(self) -> Any:
+        """Newton iterations spent, fallbacks included; shape (*cases)."""
+        return self._shaped(self._results["iterations"])
+
+    @property
+    def residual(self) -> Any:
+        """Largest imbalance of any ball or of the ring over the largest applied or inertial force; shape (*cases)."""
+        return self._shaped(self._results["residual"])
+
+    @property
+    def speed_reached(self) -> Any:
+        """The part of the speed that the status is for; shape (*cases).
+
+        1 but where an equilibrium continued in speed was found to end below it: then the part that shows it.
+        """
+        return self._shaped(self._results["reached"])
+
+    @cached_property
+    def displacement(self) -> NDArray:
+        """Of the inner ring; shape (*cases, 5) [m, m, m, rad, rad].
+
+        Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
+        """
+        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["displacement"], np.nan)
+        for part, cases in self._solved.stretches():
+            out[part, :3] *= cases["length"][:, None]
+        out[:, 0] += self._maker.axial_datum_shift()
+        return self._shaped(out, 5)
+
+    @property
+    def axial_from_middle(self) -> Any:
+        """Axial displacement from where the grooves of both rings lie in one plane; shape (*cases) [m].
+
+        Of a deep-groove bearing, whose `displacement` counts from where its balls just touch one side. None of an
+        angular-contact bearing, which has no middle.
+        """
+        scene = self.scene
+        if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
+            return None
+        to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift
+        return (self.displacement[..., 0] + to_middle)[()]
+
+    @cached_property
+    def load(self) -> NDArray:
+        """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
+        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["load"], np.nan)
+        for part, cases in self._solved.stretches():
+            out[part] *= cases["force"][:, None]
+            out[part, 3:] *= cases["length"][:, None]
+        return self._shaped(out, 5)
+
+    @cached_property
+    def azimuth(self) -> NDArray:
+        """Of the balls, from +y towards +z; shape (*cases, ball) [rad]."""
+        balls = self._maker.ball_axis
+        count = np.asarray(self.scene.bearing.ball_count, float)[..., None]
+        first = np.asarray(self.scene.operation.first_ball_azimuth, float)[..., None]
+        index = np.arange(balls)
+        azimuth = np.where(index < count, first + 2.0 * np.pi * index / count, np.nan)
+        return np.broadcast_to(azimuth, (*self.shape, balls))
+
+    @property
+    def ball_diameter_deviation(self) -> NDArray | None:
+        """Of each ball, as the scene gives it; shape (*cases, ball) [m]; None where it names no unequal balls."""
+        given = self.scene.ball_diameter_deviations
+        return None if given is None else np.broadcast_to(given.array, (*self.shape, self._maker.ball_axis))
+
+    centrifugal_force = Array[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
+    gyroscopic_moment = Array[NDArray | None](
+        "Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."
+    )
+
+    @cached_property
+    def slips(self) -> NDArray | None:
+        """Whether each ball slips: some contact is asked for more friction than its coefficient allows.
+
+        Shape (*cases, ball); False where there is no ball; None where the scene gives no `friction_coefficient`.
+        """
+        moment = self.scene.gyroscopic_moment
+        if moment is None or moment.friction_coefficient is None:
+            return None
+        return np.asarray(self._solved.read(results.OF_BALL, results.SLIPS) == 1.0)
+
+    orbital_speed = Array[NDArray | None](
+        "omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."
+    )
+    rotation_speed = Array[NDArray | None](
+        "omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None "
+        "without a ball effect."
+    )
+    attitude_angle = Array[NDArray | None](
+        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a "
+        "ball effect."
+    )
+    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball [rad/s]; None without a ball effect.")
+    radial_rotation = Array[NDArray | None]("omega_R sin(beta) of each ball [rad/s]; None without a ball effect.")
+
+    @cached_property
+    def raceway_control(self) -> NDArray | None:
+        """Of each ball: "outer", "inner" or "minimum_dissipation"; None without a ball effect; shape (*cases, ball)."""
+        if self.scene.raceway_control is None:
+            return None
+        names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
+        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._controls, self._maker.ball_axis))
+        return names[index]
+
+    @cached_property
+    def preload_at_rest(self) -> Any:
+        """The preload as it is given: the axial load at rest and cold, nothing else acting, before fitting or, with
+        `Preload(mounted=...)`, after it; shape (*cases) [N]; None without a preload.
+
+        What it has become in operation is the axial load, `load[..., 0]`.
+        """
+        preload = self.scene.preload
+        if preload is None:
+            return None
+        at_rest = preload.spring if self._preloaded is None else self._preloaded.load[..., 0]
+        return np.broadcast_to(np.asarray(at_rest, float), self.shape)[()]
+
+    @cached_property
+    def preload_unmounted(self) -> Any:
+        """The axial load at rest and cold, before fitting, the rings where the preload holds them; likewise."""
+        return self._preload_of(self._at_rest(False))
+
+    @cached_property
+    def preload_mounted(self) -> Any:
+        """The same after fitting, at the reference temperature; likewise."""
+        return self._preload_of(self._at_rest(True))
+
+    @cached_property
+    def preload_in_operation(self) -> Any:
+        """The axial load in operation without radial loads and moments, straight and centred; likewise."""
+        if self._preloaded is None or self._solve is None:
+            return self.preload_at_rest
+        return self._preload_of(self._solve(replace(self.scene, operation=self.scene.operation.unloaded, readings={})))
+
+    def _at_rest(self, fitted: bool) -> Solution | None:
+        """The bearing before or after fitting, the rings where the preload holds them; None where none does."""
+        if self._preloaded is None or self._solve is None or self.scene.preload is None:
+            return None
+        if fitted == self.scene.preload.is_given_mounted:
+            return self._preloaded
+        held = np.nan_to_num(self._preloaded.displacement[..., 0])[()]
+        return self._solve(self.scene.at_rest(fitted, axial_displacement=held))
+
+    def _preload_of(self, other: Solution | None) -> Any:
+        if other is None:
+            return self.preload_at_rest
+        load = np.where(np.isnan(self.preload_at_rest), np.nan, other.load[..., 0])
+        return np.broadcast_to(load, self.shape)[()]
+
+    @cached_property
+    def preload_loads(self) -> PreloadLoads | None:
+        """What is given, left without radial loads and moments, and carried; fields (*cases); None likewise."""
+        if self.preload_at_rest is None:
+            return None
+        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.load[..., 0])
+
+    @cached_property
+    def preload_state(self) -> Any:
+        """maintained, lost or excessive; shape (*cases); empty where not solved; None likewise.
+
+        Lost: in operation below 1 % of what is given. Excessive: without radial loads and moments above three times it.
+        """
+        return None if self.preload_loads is None else preload_state.states(self.preload_loads)[()]
+
+    @property
+    def preload_share(self) -> Any:
+        """What is carried in operation over what is given; shape (*cases); NaN where nothing is; None likewise."""
+        return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]
+
+    @cached_property
+    def inner_ring(self) -> RingState | None:
+        """Seat pressure, growth and stress of the inner ring; fields (*cases); None without ring expansion."""
+        return self._ring_state(0)
+
+    @cached_property
+    def outer_ring(self) -> RingState | None:
+        """Of the outer ring, likewise."""
+        return self._ring_state(1)
+
+    @cached_property
+    def inner_shape(self) -> RingShape | None:
+        """How the inner ring gives way under its balls; fields (*cases); None where it does not."""
+        return shape_of(self, "inner")
+
+    @cached_property
+    def outer_shape(self) -> RingShape | None:
+        """How the outer ring does, likewise."""
+        return shape_of(self, "outer")
+
+    @cached_property
+    def groove_deflection(self) -> NDArray | None:
+        """By how much elastic rings' grooves part at each ball; shape (*cases, ball) [m]; None between rigid rings."""
+        if self.scene.elastic_rings is None:
+            return None
+        out = self._positions[..., 3].copy()
+        for part, cases in self._solved.stretches():
+            out[part] *= cases["length"][:, None]
+        return np.where(np.isnan(self.inner.load), np.nan, out.reshape(*self.shape, -1))
+
+    @cached_property
+    def elastic_share(self) -> Any:
+        """What part of the axial displacement is the rings' give, by a solve between rigid ones; (*cases)."""
+        rings = self.scene.elastic_rings
+        if rings is None or self._solve is None:
+            return None
+        rest = tuple(effect for effect in self.scene.ring_effects if effect is not rings)
+        rigid = self._solve(replace(self.scene, ring_effects=rest, readings={}))
+        return share_of_displacement(self, rigid)[()]
+
+    def _ring_state(self, which: int) -> RingState | None:
+        effect = self.scene.ring_expansion
+        if effect is None:
+            return None
+        state = effect.states(self.scene.bearing, self.scene.operation)[which]
+        return RingState._make(None if each is None else np.broadcast_to(each, self.shape)[()] for each in state)
+
+    @cached_property
+    def stiffness(self) -> NDArray:
+        """The ring's exact tangent stiffness dF/dd, with speed; shape (*cases, 5, 5), SI; NaN where not solved.
+
+        Rows are loads, columns displacements, both in the order x, y, z, tilt y, tilt z, all channels included whether
+        load or displacement is prescribed. It is the elimination that the solver itself uses: symmetric without the
+        gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
+        need not be.
+        """
+        return self._shaped(ring_stiffness.tangents_of_all(self._solved), 5, 5)
+
+    @cached_property
+    def compliance(self) -> NDArray:
+        """Inverse of the stiffness over the free channels, those whose load is prescribed; shape (*cases, 5, 5), SI.
+
+        NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
+        free direction.
+        """
+        return self._shaped(ring_stiffness.compliance(self._solved), 5, 5)
+
+    @property
+    def locked_stiffness(self) -> NDArray:
+        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5), SI.
+
+        How fast a channel's load grows with its own displacement; NaN where a case is not solved.
+        """
+        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
+
+    @property
+    def effective_stiffness(self) -> NDArray:
+        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI.
+
+        The reciprocal of the diagonal of `compliance`: what two solves with neighbouring loads show, at most the locked
+        stiffness of a bearing at rest. NaN where `compliance` is: for channels whose displacement is prescribed, where
+        a case is not solved, and where nothing resists some free direction.
+        """
+        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
+
+    @property
+    def _free_channels(self) -> NDArray:
+        """Numbers of the channels whose load is prescribed."""
+        return self._maker.free_channels
+
+    def to_dataframe(self, more: Mapping[str, NDArray] | None = None) -> pandas.DataFrame:
+        """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).
+
+        Contacts and motion of the ball; displacement, load, locked and effective stiffness of the ring and its whole
+        matrix; status and reason of the case, and the numbers of the scene under the keys of a scene file. A case that
+        is not solved keeps its rows, with NaN for what there is not.
+
+        Args:
+            more: columns that follow, of as many rows; `qs.readings.reading_columns` makes them of readings.
+        """
+        import pandas
+
+        return pandas.DataFrame(columns(self) | dict(more or {}))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All results, labelled, in the units of files (`units` on each); needs xarray (the `studies` extra).
+
+        The numbers of the scene, under the keys of a scene file, are its coordinates. A case that is not solved holds
+        NaN and, in `status` and `reason`, why.
+        """
+        return dataset(self)
+
+    def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
+        """A bearing element of ROSS at node n of its shaft, from the stiffness over the speed; needs the `ross` extra.
+
+        ROSS's z is x here, its x and y are y and z; see `qsbearing.to_ross` for the arguments `tilt`, `mirrored`, `cxx`
+        and those of ROSS, and for what of the matrix is kept.
+
+        Args:
+            index: which cases, as numpy's arrays take it, such as (0, slice(None)); None: all. One axis at most, along
+                which the inner ring's speed rises.
+
+        Raises:
+            SceneError: every error of the arguments; cases that are not solved.
+            ImportError: ROSS is not installed.
+        """
+        from qsbearing.systems.rotor_dynamics import ross_bearing
+
+        return ross_bearing.of_solution(self, self.scene.operation.speed, n, index, **arguments)
+
+
+def stiffness(scene: Scene, solution: Solution) -> NDArray:
+    """`solution.stiffness`, after a check that the solution belongs to this scene.
+
+    Raises:
+        ValueError: the solution belongs to another scene.
+    """
+    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
+        raise ValueError(
+            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
+        )
+    return solution.stiffness
+
+
+def _is_equal(one: Any, other: Any) -> bool:
+    """Whether two scenes, or parts of scenes, are given the same; their numbers may be arrays."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_equal, one, other))
+    if is_dataclass(one) and type(one) is type(other):
+        given = [field.name for field in fields(one) if field.init]
+        return all(_is_equal(getattr(one, name), getattr(other, name)) for name in given)
+    return np.array_equal(one, other)

@@ -1,0 +1,115 @@
+"""`solve`: all cases of a scene as it stands, in threads; the one place where the parts meet."""
+
+from __future__ import annotations
+
+import time
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.compiler.compiled import can_compile
+from qsbearing.model.compiler.threads import in_threads, thread_count
+from qsbearing.model.kernel.admissibility import CONVERGED
+from qsbearing.model.kernel.case import RESULT
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.closing_seats import solve_closing, with_touching
+from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solve_records import solve_records
+from qsbearing.model.solution.solved_cases import KEPT
+
+TOLERANCE = 1e-12
+LEAST_BATCH = 1000
+"""So many cases are solved in lanes, as far as lanes know them. Lanes are faster from 64 on, but their kernel is
+compiled with the first such batch: some ten seconds, once, which fewer cases would spend to save a few milliseconds."""
+
+
+def solve(
+    scene: Scene, *, start: Solution | None = None, threads: int | None = None, tolerance: float = TOLERANCE
+) -> Solution:
+    """Solve every case of a scene.
+
+    Args:
+        scene: what to solve; its array fields broadcast to the case axes.
+        start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
+        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
+            it, 1e-10 is accepted and `Solution.residual` states it.
+
+    Returns:
+        Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
+
+    Raises:
+        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
+    """
+    if not 0.0 < tolerance <= 0.1:
+        raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if scene.tolerance is not None:
+        raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
+    scene = with_touching(scene, {}) if scene.ring_effects else scene
+    if scene.elastic_rings is not None and scene.ring_expansion is not None:
+        return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
+    return _solve(scene, start, threads, tolerance)
+
+
+def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance: float) -> Solution:
+    """With seats as the scene has them."""
+    began = time.perf_counter()
+    as_preloaded = scene.as_preloaded
+    preloaded = None if as_preloaded is None else solve(as_preloaded, threads=threads)
+    maker = CaseMaker(scene, _preloaded(scene, preloaded))
+    count = maker.count
+    found = _start(start, maker)
+    made: dict[int, NDArray] = {}
+    workers = thread_count(threads)
+
+    def solve_stretch(part: slice) -> None:
+        records = maker.make(part.start, part.stop)
+        if count <= KEPT:
+            made[part.start] = records
+        results, positions, controls = (array[part] for array in found)
+        own = maker.own_balls(records, part.start)
+        is_batch = can_compile() and count >= LEAST_BATCH and start is None
+        into = results, positions, controls
+        solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=is_batch)
+
+    in_threads(solve_stretch, count, workers)
+    cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
+    again = partial(solve, threads=threads)
+    return Solution(maker, cases, *found, time.perf_counter() - began, workers, preloaded, again)
+
+
+def _preloaded(scene: Scene, preloaded: Solution | None) -> dict[str, Any]:
+    """What the preload makes of the axial channel."""
+    if scene.preload is None:
+        return {}
+    if preloaded is None:
+        return {"axial_load": scene.preload.spring}
+    held, rings = preloaded.displacement[..., 0], scene.ring_expansion
+    # A length of the shaft, which grows as it does.
+    return {"axial_displacement": held if rings is None else held * (1.0 + rings.seat_strains(scene.bearing)[0])}
+
+
+def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, NDArray]:
+    """Results, ball positions and controls to fill, holding the start where there is one."""
+    count, balls = maker.count, maker.ball_axis
+    results = np.empty(count, RESULT)
+    positions, controls = np.empty((count, balls, maker.position_size)), np.zeros((count, balls), np.int8)
+    if start is None:
+        return results, positions, controls
+    if not isinstance(start, Solution):
+        raise TypeError(f"start = {start!r}: must be a Solution")
+    if start._maker.ball_axis != balls or start._maker.count not in (1, count):
+        raise ValueError(
+            f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"{balls}: a start must match, or be a single case with as many balls"
+        )
+    results[:], controls[:] = start._results, start._controls
+    both = min(positions.shape[-1], start._positions.shape[-1])
+    positions[..., both:], positions[..., :both] = 0.0, start._positions[..., :both]
+    # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
+    failed = results["status"] != CONVERGED
+    results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0
+    return results, positions, controls

@@ -1,0 +1,229 @@
+"""What is wrong with an input, as data: collected first, reported together.
+
+An error names its field as Python does and holds SI values. Whoever reports it to a reader of another form (a scene
+file, with units in its keys) translates names and units and nothing else.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.units import deg, mm, rpm
+
+_PLAIN = (float, int, np.float64)
+
+_DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")
+
+LONGEST_VALUE = 60
+"""Characters of a value that a message repeats."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What kind of number a field holds: its SI unit, and the units it is often given in."""
+
+    unit: str
+    units: tuple[tuple[str, str, float], ...] = ()
+    """(as a key's ending, in words, size in SI); where several explain a mistake, the first is suggested."""
+
+
+LENGTH = Quantity(
+    "m", (("m", "metres", 1.0), ("mm", "millimetres", mm), ("um", "micrometres", 1e-6), ("in", "inches", 25.4 * mm))
+)
+ANGLE = Quantity("rad", (("rad", "radians", 1.0), ("deg", "degrees", deg), ("mrad", "milliradians", 1e-3)))
+SPEED = Quantity(
+    "rad/s",
+    (
+        ("rad_s", "radians per second", 1.0),
+        ("rpm", "revolutions per minute", rpm),
+        ("Hz", "revolutions per second", 2.0 * pi),
+    ),
+)
+MODULUS = Quantity("Pa", (("Pa", "pascals", 1.0), ("MPa", "megapascals", 1e6), ("GPa", "gigapascals", 1e9)))
+DENSITY = Quantity("kg/m³", (("kg_m3", "kg/m³", 1.0), ("g_cm3", "g/cm³", 1e3), ("kg_mm3", "kg/mm³", 1e9)))
+FORCE = Quantity("N", (("N", "newtons", 1.0), ("kN", "kilonewtons", 1e3), ("lbf", "pounds", 4.4482216152605)))
+MOMENT = Quantity(
+    "N m", (("Nm", "newton metres", 1.0), ("Nmm", "newton millimetres", 1e-3), ("kNm", "kilonewton metres", 1e3))
+)
+PRESSURE = MODULUS
+TEMPERATURE = Quantity("K")
+EXPANSION = Quantity("1/K")
+RATIO = Quantity("-")
+COUNT = Quantity("balls")
+
+
+@dataclass(frozen=True)
+class ErrorDetail:
+    """One thing wrong with one field."""
+
+    field: str
+    """The field's name in Python, e.g. `bearing.ball_diameter`."""
+    problem: str
+    """A sentence."""
+    value: Any = None
+    """The offending value, SI; the first one of an array."""
+    quantity: Quantity | None = None
+    allowed: tuple[float, float] | None = None
+    """Inclusive range, SI."""
+    cause: str = ""
+    """What is likely meant, or what to write instead."""
+    where: NDArray | None = dataclasses.field(default=None, compare=False, repr=False)
+    """Which cases it concerns, broadcasting to the case axes; None: all of them."""
+
+    def __str__(self) -> str:
+        unit = f" {self.quantity.unit}" if self.quantity and self.quantity.unit != "-" else ""
+        text = self.field
+        if self.value is not None:
+            text += f" = {shown(self.value)}{unit if isinstance(self.value, float | int) else ''}"
+        text += f": {self.problem}"
+        if self.allowed is not None:
+            text += f" (allowed: {self.allowed[0]:g} to {self.allowed[1]:g}{unit})"
+        return text + (f". {self.cause}" if self.cause else "")
+
+
+class SceneError(ValueError):
+    """Invalid input; `errors` holds every reason found."""
+
+    def __init__(self, errors: Iterable[ErrorDetail]) -> None:
+        self.errors = tuple(errors)
+        super().__init__("\n".join(map(str, self.errors)))
+
+
+def all_where(errors: Iterable[ErrorDetail]) -> NDArray | None:
+    """Which cases these errors concern together; None: all."""
+    masks = [error.where for error in errors]
+    given = [mask for mask in masks if mask is not None]
+    if len(given) < len(masks) or not given:
+        return None
+    return np.asarray(np.logical_or.reduce(np.broadcast_arrays(*given)))
+
+
+def raise_if_any(errors: list[ErrorDetail]) -> None:
+    """Raise `SceneError` with all errors, if there are any."""
+    if errors:
+        raise SceneError(errors)
+
+
+def printable(text: str) -> str:
+    """The text with every control character, terminal escape and bidirectional mark spelled as in Python: \\x1b.
+
+    Whatever comes from a user goes through here before a message or a picture repeats it.
+    """
+    return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
+
+
+def shown(value: Any) -> str:
+    """A value as a message repeats it: on one line, and no more of it than helps."""
+    try:
+        text = f"{value:.10g}" if isinstance(value, float) else repr(value)
+    except ValueError:
+        text = "<a number of thousands of digits>"  # as far as Python prints integers
+    text = printable(" ".join(text.split()))
+    return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
+
+
+def comma_advice(text: object) -> str:
+    """How to write a number that a text has with a comma, such as "22,225"; empty for any other text.
+
+    A comma before three digits may stand before decimals or between thousands: both readings.
+    """
+    given = text.strip() if isinstance(text, str) else ""
+    decimals, whole = _DECIMAL_COMMA.fullmatch(given), given.replace(",", "")
+    point = f"{decimals[1]}.{decimals[2]}" if decimals else ""
+    if not _THOUSANDS.fullmatch(given):
+        return f"Decimals take a point: {point}" if point else ""
+    if not point:
+        return f"Thousands take no comma: {whole}"
+    value = f"{float(point):g}"
+    meant = point if point == value else f"{point}, which is {value}"
+    return f"Write {whole} (thousands take no comma) or {meant} (decimals take a point)"
+
+
+def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:
+    """The value as a float array, or the error that says why it is none: not a number, NaN, infinite.
+
+    A quantity with a unit, of pint or its like, is none: numpy would take its number and drop the unit.
+    """
+    if hasattr(value, "m_as") or hasattr(value, "to_value"):
+        cause = "Python takes plain numbers in SI, such as 10 * qs.kN; of pint value.to_base_units().magnitude"
+        return None, [ErrorDetail(field, "is a quantity with a unit", str(value), quantity, cause=cause)]
+    try:
+        if value is None or isinstance(value, str | bytes | bool) or np.iscomplexobj(value):
+            raise TypeError
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return None, [ErrorDetail(field, "is not a number", value, quantity)]
+    except OverflowError:
+        return None, [ErrorDetail(field, "is an integer beyond any float", quantity=quantity)]
+    if array.size == 0:
+        return None, [ErrorDetail(field, "is an empty array", quantity=quantity)]
+    infinite = ~np.isfinite(array)
+    if infinite.any():
+        (wrong,) = first(infinite, array)
+        return None, [ErrorDetail(field, "is not a finite number", wrong, quantity, where=infinite)]
+    return array, []
+
+
+def first(where: NDArray, *arrays: NDArray) -> tuple[float, ...]:
+    """What each array holds at the first place marked."""
+    return tuple(float(np.broadcast_to(array, where.shape)[where][0]) for array in arrays)
+
+
+def choose(field: str, value: Any, choices: type[StrEnum]) -> tuple[Any, list[ErrorDetail]]:
+    """The member that a value names (a member itself, or its word), or the error that says which there are."""
+    try:
+        return choices(value), []
+    except ValueError:
+        return value, [ErrorDetail(field, f"is not one of {', '.join(choices)}", value)]
+
+
+def within(field: str, value: Any, quantity: Quantity, low: float, high: float, meaning: str = "") -> list[ErrorDetail]:
+    """Errors of a value that must be a finite number in [low, high], with a likely mistake of unit named."""
+    if type(value) in _PLAIN and low <= value <= high:
+        return []  # at once, for most values are plain numbers within their range
+    array, errors = numeric(field, value, quantity)
+    if array is None:
+        return errors
+    outside = (array < low) | (array > high)
+    if not outside.any():
+        return []
+    (wrong,) = first(outside, array)
+    problem = meaning or ("is negative" if wrong < 0.0 <= low else "is too small" if wrong < low else "is too large")
+    cause = unit_mistake(wrong, quantity, low, high)
+    return [ErrorDetail(field, problem, wrong, quantity, (low, high), cause, outside)]
+
+
+def on_side(field: str, value: Any, limit: Any, outward: float, what: str) -> list[ErrorDetail]:
+    """The error of a length that does not lie beyond another: above it where outward is 1, below it where -1."""
+    found, other = np.broadcast_arrays(np.asarray(value, float), np.asarray(limit, float))
+    bad = outward * (found - other) <= 0.0
+    if not bad.any():
+        return []
+    wrong, least = first(bad, found, other)
+    allowed = (least, 20.0) if outward > 0.0 else (0.0, least)
+    return [ErrorDetail(field, f"is not {what}, {least / mm:.6g} mm", wrong, LENGTH, allowed, where=bad)]
+
+
+def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> str:
+    """A sentence naming the unit in which an out-of-range SI value would be in range; empty where none would."""
+    for _, name, size in quantity.units:
+        if size != 1.0 and low <= value * size <= high:
+            return f"Given in {name}? Python takes SI and radians: multiply by the unit, as in 22.225 * qs.mm"
+    return ""
+
+
+def near(word: str, known: Any, cutoff: float) -> str:
+    """The known word most like this one; empty where none is."""
+    import difflib
+
+    return next(iter(difflib.get_close_matches(word, known, n=1, cutoff=cutoff)), "")

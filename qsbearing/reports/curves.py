@@ -1,0 +1,136 @@
+"""Curves around the operating point: over the speed, and over all loads in proportion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Block, Paragraph, Remark, Section
+from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.scene.preload import FORCES, Preload
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solver import solve
+from qsbearing.model.units import MPa, deg, rpm, um
+from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, legend_within, plain
+from qsbearing.systems.sets.set_solution import SetSolution
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+POINTS = 41
+FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
+"""What the axial channel answers with, where it is free to move and where it is held."""
+SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
+"""Parts of the scene's own speed and loads."""
+
+CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
+
+
+def section(solution: Solution) -> Section:
+    """Both sweeps; what cannot be varied is said."""
+    words = (
+        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
+        "the ball with the largest inner load. Points without a solution are left out."
+    )
+    return Section("Around the operating point", [Paragraph(words), *_speed(solution), *_load(solution)], "curves")
+
+
+def _speed(solution: Solution) -> list[Block]:
+    scene = solution.scene
+    operation = scene.operation
+    own = float(np.asarray(operation.speed))
+    if own == 0.0 or not (scene.ball_effects or scene.ring_effects):
+        return [Remark("No curve over the speed: the inner ring stands still, or nothing in the scene depends on it.")]
+    parts = np.linspace(*SPEED_RANGE, POINTS)
+    swept = solve(replace(scene, operation=replace(operation, speed=own * parts)))
+    figure = _figure(swept, own * parts / rpm, own / rpm, "inner ring, rpm")
+    return shown(swept, figure, "the speed of the inner ring", CURVES)
+
+
+def _load(solution: Solution) -> list[Block]:
+    scene = solution.scene
+    parts = np.linspace(*LOAD_RANGE, POINTS)
+    varied = _loaded(scene, parts)
+    if varied is None:
+        return [Remark("No curve over the load: the scene prescribes displacements only.")]
+    swept = solve(varied)
+    figure = _figure(swept, parts, 1.0, "loads over those of the scene")
+    return shown(swept, figure, "all loads in proportion", CURVES)
+
+
+def _loaded(scene: Scene, parts: NDArray) -> Scene | None:
+    """The scene with its loads, a preload by force among them, times these parts; None if it has none."""
+    loads: dict[str, Any] = {}
+    for channel in CHANNELS:
+        value = getattr(scene.operation, channel.load)
+        if value is not None and float(value) != 0.0:
+            loads[channel.load] = float(value) * parts
+    operation: Operation = replace(scene.operation, **loads)
+    preload: Preload | None = scene.preload
+    if preload is not None:
+        forces = {kind: getattr(preload, kind) for kind in FORCES}
+        given = {kind: float(value) * parts for kind, value in forces.items() if value is not None}
+        loads |= given
+        preload = replace(preload, **given)
+    return replace(scene, operation=operation, preload=preload) if loads else None
+
+
+def shown(
+    swept: Solution | SetSolution, figure: Figure, along: str, what: str, said: Sequence[str] = ()
+) -> list[Block]:
+    """The picture of what is swept, sentences, and how many points are left out."""
+    lost = int((~np.asarray(swept.converged)).sum())
+    alt = f"Curves over {along}: {what}; the operating point is marked."
+    blocks: list[Block] = [
+        picture(figure, alt, f"Results over {along}; the dotted line is the operating point"),
+        *map(Paragraph, said),
+    ]
+    return [*blocks, Remark(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
+
+
+def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
+    figure = figure_of_size(9.0, 4.4)
+    angles, pressures, displacement, stiffness = figure.subplots(2, 2).ravel()
+    solved = swept.converged
+    load = np.where(solved[:, None], swept.inner.load, np.nan)
+    heaviest = np.where(solved, np.argmax(np.nan_to_num(load, nan=-1.0), axis=-1), 0)[:, None]
+    for side in ("inner", "outer"):
+        contacts = getattr(swept, side)
+        style = {key: STYLE[side][key] for key in ("color", "linestyle")} | {"label": f"{side} raceway"}
+        of_ball = np.take_along_axis(contacts.angle, heaviest, axis=-1)[:, 0]
+        angles.plot(along, np.where(solved, of_ball, np.nan) / deg, **style)
+        pressures.plot(
+            along, np.where(solved, np.nan_to_num(contacts.max_pressure).max(axis=-1), np.nan) / MPa, **style
+        )
+    is_free = 0 in swept._free_channels
+    axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
+    displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
+    mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
+    names = ("contact angle, deg", "maximum pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
+    finish((angles, pressures, displacement, stiffness), names, own, label)
+    legend(figure, angles)
+    return figure
+
+
+def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArray) -> None:
+    """Axial and radial stiffness of the cases that are solved; stiffness of shape (case, 5)."""
+    for channel, name in enumerate(("axial", "radial_y")):
+        values = np.where(solved, stiffness[:, channel], np.nan) * um
+        axes.plot(along, values, label=CHANNELS[channel].label, **CHANNEL_LINES[name])
+    legend_within(axes)
+
+
+def finish(panels: Sequence[Axes], names: Sequence[str], own: float, label: str) -> None:
+    """What each panel shows, over what, and where along it the operating point is."""
+    for axes, name in zip(panels, names, strict=True):
+        axes.set_title(name, fontsize=10)
+        axes.axvline(own, color=GREY, linewidth=0.8, linestyle=":")
+        axes.set_xlabel(label, fontsize=9)
+        plain(axes)

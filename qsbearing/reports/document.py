@@ -1,0 +1,90 @@
+"""The design report of a scene: its parts in their order."""
+
+from __future__ import annotations
+
+from qsbearing import messages
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Document, Section
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures.style import carry_alike
+from qsbearing.reports import curves, effects, evidence, heat, inputs
+from qsbearing.reports.front import head
+from qsbearing.reports.key_results import key_results
+from qsbearing.results import report
+from qsbearing.results.readings_record import taken, warnings_of
+from qsbearing.results.readings_report import readings_tables
+
+
+def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:
+    """The whole report of one solved case.
+
+    Args:
+        solution: of a single case, converged.
+        asked: the scene as it was given.
+        source: the text of its file; empty for an example of the catalogue.
+        command: that makes this report.
+    """
+    scene = solution.scene
+    name = scene.bearing.name or "Ball bearing"
+    tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
+    found = taken(solution)
+    warnings = [*messages.warnings(solution), *warnings_of(found)]
+    return Document(
+        name,
+        "Design report",
+        [
+            inputs.section(scene, source, asked.thermal),
+            effects.section(solution, asked, tolerance),
+            _results(solution),
+            *heat.sections(solution.thermal),
+            *([Section("Readings", readings_tables(found, scene))] if found else []),
+            curves.section(solution),
+            evidence.section([solution]),
+        ],
+        "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
+        head(messages.message(solution), key_results(solution, found), warnings, command),
+    )
+
+
+def _results(solution: Solution) -> Section:
+    are_alike = carry_alike(solution, ())
+    which = "a ball" if are_alike else "the ball with the largest contact load"
+    drawn = [
+        picture(
+            section(solution),
+            f"Section through {which}, with the lines of action of its contacts.",
+            f"Section through {which}: contact angles, loads and pressures. Of the rings only the grooves are to scale",
+        )
+    ]
+    if not are_alike:  # else all is the same around the bearing
+        drawn += [
+            picture(
+                load_distribution(solution),
+                "Polar picture of the contact loads of all balls around the bearing.",
+                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
+            ),
+            picture(
+                contact_angles(solution),
+                "Both contact angles of every ball by its azimuth.",
+                "Contact angles by azimuth; the dotted line is the free contact angle",
+            ),
+        ]
+    drawn.append(
+        picture(
+            contact_ellipses(solution),
+            "Outlines of the contact ellipses to one scale, with their maximum pressures.",
+            "Contact ellipses of the balls, with their maximum pressures",
+        )
+    )
+    if solution.scene.elastic_rings is not None:
+        drawn.append(
+            picture(
+                ring_shape(solution),
+                "Grooves of the elastic rings around the bearing, as they move away from the balls.",
+                "Grooves of the elastic rings around the bearing, their movement far enlarged, to the scale of the bar "
+                "at 0 deg",
+            )
+        )
+    return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])

@@ -1,0 +1,111 @@
+"""Effects and choices: which are in, which are not, how much each matters here, and what the model assumes anyway."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.messages.bearing import chosen
+from qsbearing.model.effects import QUANTITIES
+from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.ranked_warning import capital
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.judgement import WORDS
+from qsbearing.model.solution.solution import Solution
+from qsbearing.reports.evidence import of_rows
+from qsbearing.studies.chooser.explain import Row, explain
+from qsbearing.studies.chooser.explain_set import explain_set
+from qsbearing.systems.sets.set_solution import SetSolution
+
+DEFAULT_TOLERANCE = 0.01
+
+STEADY = (
+    "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
+    "load."
+)
+OF_SETS = (
+    "Shaft and housing are rigid: nothing bends, and the distances of the rows change only with the temperatures of "
+    "shaft and housing in the input."
+)
+OF_SHAFTS = (
+    "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
+    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
+    "shaft."
+)
+RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
+GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
+NOT_GROWN = "Rings keep the size that they have at rest and cold: rotation, fits and heat do not change it."
+EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
+FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
+ROLLING = {
+    RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
+    RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
+    RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
+    RacewayControl.MINIMUM_DISSIPATION: "Each ball spins so that the friction power is least (a hypothesis).",
+}
+UNBOUNDED = (
+    "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
+    "table of inertia and motion."
+)
+BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
+
+
+def _of_shaft(solution: SetSolution) -> str:
+    """What the set assumes of shaft and housing."""
+    of = solution.set
+    is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
+    return OF_SHAFTS if is_elastic else OF_SETS
+
+
+def assumptions(scene: Scene) -> list[str]:
+    """What the solution of this scene rests on, in sentences."""
+    said = [STEADY, RIGID, NOT_GROWN if scene.ring_expansion is None else GROWN]
+    alike = scene.ball_diameter_deviations is None
+    said.append(EXACT.format(balls="all balls alike" if alike else "balls of the diameters in the input"))
+    if scene.hertz_angle is HertzAngle.FREE:
+        said.append(FREE_ANGLE)
+    if scene.raceway_control is not None:
+        said.append(ROLLING[scene.raceway_control])
+    if scene.gyroscopic_moment is not None:
+        said.append(UNBOUNDED if scene.gyroscopic_moment.friction_coefficient is None else BOUNDED)
+    return said
+
+
+def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
+    """Assumptions, and a row for each effect and choice.
+
+    Args:
+        solution: of the scene with its effects.
+        asked: the scene as it was given, which may leave the choice of effects to a tolerance.
+        tolerance: above which a change counts.
+    """
+    _, rows = explain(solution.scene, tolerance)
+    said = [] if solution.choice is None else chosen(solution, asked)
+    return _section(assumptions(solution.scene), said, rows, tolerance)
+
+
+def section_of_set(solution: SetSolution) -> Section:
+    """Likewise of a set."""
+    _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
+    assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
+    said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
+    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
+
+
+def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
+    blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
+    words = (
+        "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
+        f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."
+    )
+    headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
+    lines = [_line(row) for row in rows]
+    why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
+    blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l", stack=True), Bullets(why)]
+    return Section("Assumptions and effects", blocks, "effects")
+
+
+def _line(row: Row) -> list[Cell]:
+    status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
+    return [row.what, "yes" if row.in_scene else "no", *map(row.change, QUANTITIES), Badge(row.verdict, status)]

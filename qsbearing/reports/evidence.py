@@ -1,0 +1,81 @@
+"""The evidence that applies to a scene: what was checked, with what result, and whether the scene lies within it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TypeVar
+
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.messages.equal_warnings import in_ranges, numbered, without_numbers
+from qsbearing.model.solution.solution import Solution
+from qsbearing.reports.conditions import Difference, facts_of
+from qsbearing.reports.set_statements import OF_SETS
+from qsbearing.reports.statements import STATEMENTS
+from qsbearing.systems.sets.bearing_set import BearingSet
+
+Said = TypeVar("Said")
+COVERED, SIMILAR, NOT_COVERED = Badge("covered", "pass"), Badge("similar", "finding"), Badge("not covered", "missing")
+MEANING = (
+    "*Covered*: effects, choices and numbers of this {what} lie within what was checked.",
+    "*Similar*: the same effects and choices, but another bearing, or numbers beyond those that were checked.",
+    "*Not covered*: the {what} has an effect or choice that the check did not have. That does not make it wrong.",
+)
+WORDS = (
+    "Nothing here is a measurement unless it says so: contact angles, loads and stiffness at speed have not been "
+    "compared with measurements. The validation report, `fem-check report`, has all numbers. Commands that begin with "
+    "`python` or `pytest` run in a checkout of the repository."
+)
+
+
+def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Section:
+    """The statements that apply, with whether this scene or set lies within what was checked.
+
+    Args:
+        solutions: of the scene, or of each row of the set.
+    """
+    facts = {number: facts_of(solution) for number, solution in enumerate(solutions, 1)}
+    rows: list[list[Cell]] = []
+    for each in STATEMENTS:
+        concerned = {number: one for number, one in facts.items() if each.applies(one)}
+        if concerned:
+            found = _in_one([each.found(one) for one in concerned.values()])
+            differences = {number: each.differences(one) for number, one in concerned.items()}
+            reasons = [
+                one if which is None else one._replace(reason=f"{which}: {one.reason}")
+                for one, which in of_rows(differences)
+            ]
+            rows.append([Md(f"{each.says} `{each.command}`"), found, *judged(reasons)])
+    for of_set in OF_SETS:
+        if of is not None and of_set.applies(of):
+            said = Md(f"{of_set.says} `{of_set.command}`")
+            rows.append([said, of_set.found(of), *judged(of_set.differences(of))])
+    what = "scene" if of is None else "set"
+    blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
+    headings = ("check and its command", "result", f"this {what}", "why")
+    return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")
+
+
+def _in_one(found: Sequence[str]) -> str:
+    """What was found for each row: once, with a range of numbers, where only the numbers differ."""
+    return in_ranges(found) if len(set(map(without_numbers, found))) == 1 else "; ".join(dict.fromkeys(found))
+
+
+def judged(differences: Sequence[Difference]) -> list[Cell]:
+    """How far a scene is from what was checked, in a word and in the reasons for it."""
+    if not differences:
+        return [COVERED, ""]
+    badge = NOT_COVERED if any(each.in_kind for each in differences) else SIMILAR
+    return [badge, "; ".join(each.reason for each in differences)]
+
+
+def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]:
+    """Each thing once, in its order, with "rows 1 and 3", or None where it is said of every row.
+
+    Args:
+        said: of each row, by its number.
+    """
+    rows: dict[Said, list[int]] = {}
+    for number, found in said.items():
+        for each in found:
+            rows.setdefault(each, []).append(number)
+    return [(each, None if len(numbers) == len(said) else numbered("row", numbers)) for each, numbers in rows.items()]

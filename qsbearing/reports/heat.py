@@ -1,0 +1,26 @@
+"""The heat balance: temperatures, heat and its paths, and the steady states over speed."""
+
+from __future__ import annotations
+
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Paragraph, Section
+from qsbearing.model.units import rpm
+from qsbearing.pictures.heat import over_speed
+from qsbearing.results.thermal_report import speeds_record, speeds_table, thermal_record, thermal_tables
+from qsbearing.systems.heat.state import ThermalState
+
+
+def sections(state: ThermalState | None) -> list[Section]:
+    """Of a single case; none without a heat balance."""
+    if state is None:
+        return []
+    found = speeds_record(state)
+    blocks = thermal_tables(thermal_record(state))
+    if found["states"]:
+        drawn = picture(
+            over_speed(found, float(state.speed) / rpm),
+            "Temperatures and axial loads of the steady states over speed; the speed of the scene is marked.",
+            "Temperatures and axial load of the steady states over speed",
+        )
+        blocks += [drawn, speeds_table(found)]
+    return [Section("Heat balance", [*blocks, Paragraph(found["message"])])]

@@ -1,0 +1,287 @@
+"""What the scene says: every number in the field's units, with the source of a catalogue's; the file as read."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
+from qsbearing.files.bearing_table import entry_of
+from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.printed_numbers import is_printed
+from qsbearing.files.scene_file import load_scene
+from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
+from qsbearing.model.effects import ElasticRings, RingExpansion
+from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import (
+    BEARING,
+    COEFFICIENTS,
+    EFFECTS,
+    MATERIAL,
+    MATERIALS,
+    NUMBERS,
+    OPERATION,
+    PRELOAD,
+    SEATS,
+    Key,
+)
+from qsbearing.model.scene.scene import CHOICES, Scene
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.units import zero_celsius
+from qsbearing.model.validation import printable
+from qsbearing.results.tables import digits_of
+from qsbearing.systems.heat.network import Thermal
+
+Line = tuple[str, str, str, str]
+FOLLOWS = {
+    "diametral_clearance_mm": "computed from the free contact angle",
+    "free_contact_angle_deg": "computed from the clearance",
+}
+"""Of the two, the one that is not given."""
+CATALOGUE = "catalogue"
+ELASTIC = {field: key for key, field in SEATS.items()}
+"""Keys of what elastic rings touch, by its field."""
+HEADINGS = ("key of a scene file", "value", "unit", "from")
+
+
+def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
+    """All of the input.
+
+    Args:
+        source: the text of the scene file; empty for an example of the catalogue.
+        heat: [thermal] as given; the scene has the temperatures that were found.
+    """
+    own, of_file = scene.bearing, document(source).get("bearing")
+    rows = grouped(
+        ("Bearing", bearing_lines(own, "scene", of_file)),
+        ("Operation", numbers(OPERATION, scene.operation)),
+        ("Preload", numbers(PRELOAD, scene.preload)),
+        (
+            "Effects and choices",
+            [*effect_lines((*scene.ring_effects, *scene.ball_effects), heat, own), *choice_lines(scene)],
+        ),
+        ("Readings", reading_lines(scene.readings, own)),
+        *thermal_groups(heat),
+    )
+    words = (
+        "All input data, in the units and by the keys of a scene file. A channel of the "
+        "ring that is not named carries no load and is free to move."
+    )
+    blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
+    return Section("Input", blocks + as_read(source))
+
+
+def grouped(*parts: tuple[str, Sequence[Line]]) -> list[Line | Group]:
+    """The lines of each part below its title; of a part without lines nothing."""
+    rows: list[Line | Group] = []
+    for title, lines in parts:
+        rows += [Group(title), *lines] if lines else []
+    return rows
+
+
+LINES, COLUMNS = 400, 200
+"""Of a file's text that a report shows: it is typeset at half a millisecond a line."""
+
+
+def as_read(source: str) -> list[Block]:
+    """The text of the file, as far as a reader goes through it, with nothing in it that reorders or hides text."""
+    lines = source.rstrip("\n").split("\n")
+    shown = [printable(line.expandtabs(4)) for line in lines[:LINES]]
+    cut = "\n".join(line if len(line) <= COLUMNS else f"{line[:COLUMNS]} ..." for line in shown)
+    part = "The file" if len(lines) <= LINES else f"The first {LINES} of {len(lines):,} lines of the file,"
+    return [Paragraph(f"{part} as it was read:"), Code(cut, "toml")] if source else []
+
+
+def document(source: str) -> dict[str, Any]:
+    """The tables of a file by its text, which was read before; none of no text."""
+    return tomllib.loads(source)
+
+
+def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> list[Line]:
+    """A bearing and its materials.
+
+    Args:
+        given_by: a word for where numbers come from that are not a catalogue's.
+        of_file: the table [bearing] that it was read from, where there is one: what is not in it was computed.
+    """
+    entry = entry_of(bearing)
+    published = None if entry is None else load_scene(entry.name).bearing
+
+    def origin(key: str, same: bool) -> str:
+        """Of a number: the catalogue's source where it is the catalogue's number."""
+        if entry is None or not same:
+            return given_by
+        return entry.provenance.get(key) or FOLLOWS.get(key, "")
+
+    found: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
+    computed = _computed(of_file) if isinstance(of_file, dict) else {}
+    follows = {name: short for name, short in _what_follows(bearing).items() if computed.get(name, FOLLOWS[name])}
+    computed = {name: FOLLOWS[name] for name in follows} | computed
+    for line in numbers(BEARING, bearing):
+        source = origin(line[0], published is not None and line in numbers(BEARING, published))
+        if source == given_by:
+            source = computed.get(line[0], "") or given_by
+        found.append((line[0], follows.get(line[0], line[1]), line[2], source))
+    for name in MATERIALS:
+        material = getattr(bearing, name)
+        if entry is not None and published is not None and getattr(published, name) == material:
+            sources = entry.material_provenance
+            found += [
+                (f"{name}.{line[0]}", *line[1:3], sources.get(f"{name}.{line[0]}") or origin(name, True))
+                for line in numbers(MATERIAL, material)
+            ]
+        else:
+            found += _material(name, material)
+    if entry is not None:
+        found.append(("catalogue entry", entry.name, "", entry.source))
+    return found
+
+
+def _computed(of_file: dict[str, Any]) -> dict[str, str]:
+    """From what the bearing's numbers that this table does not give were computed; empty for those that it gives."""
+    found: dict[str, str] = {}
+    for name, radii in sorted(COEFFICIENTS.items(), key=lambda each: -len(each[1])):  # that of one groove goes last
+        if name in of_file:
+            found |= dict.fromkeys(radii, f"computed from {name} = {_text(of_file[name])}")
+    angle, clearance = (name in of_file for name in reversed(FOLLOWS))
+    if angle or clearance:
+        found |= {"free_contact_angle_deg": "" if angle else FOLLOWS["free_contact_angle_deg"]}
+        found |= {"diametral_clearance_mm": "" if clearance else FOLLOWS["diametral_clearance_mm"]}
+    return {name: "" if name in of_file else origin for name, origin in found.items()}
+
+
+def _what_follows(bearing: BallBearing) -> dict[str, str]:
+    """The clearance or the angle, whichever follows from the other: the one of many digits, in six of them."""
+    values = {key.name: key.in_file(float(getattr(bearing, key.field))) for key in BEARING if key.name in FOLLOWS}
+    short = {name: f"{value:.6g}" for name, value in values.items()}
+    long = [name for name, value in values.items() if short[name] != _text(value)]
+    return {long[0]: short[long[0]]} if len(long) == 1 else {}
+
+
+def _material(name: str, material: Material) -> list[Line]:
+    """The numbers of a material that no catalogue entry gives: named by the scene, or given by it."""
+    known = any(material == each for each in BY_NAME.values())
+    origin = f"this program's {material.name}" if known else "scene"
+    return [(f"{name}.{line[0]}", *line[1:3], origin) for line in numbers(MATERIAL, material)]
+
+
+def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: BallBearing | None = None) -> list[Line]:
+    """Effects with their numbers and choices; temperatures of nodes are not given, but found by the heat balance.
+
+    Args:
+        bearing: whose catalogue may have given a number; None: of several.
+    """
+    nodes = heat.found_nodes if heat is not None else ()
+    of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
+    found: list[Line] = []
+    for effect in effects:
+        found.append((effect.name, "on", "", ""))
+        for each in fields(effect):
+            value = getattr(effect, each.name)
+            key = _key(NUMBERS.get(effect.name, EFFECTS), each.name)
+            if value is None:
+                continue
+            if isinstance(value, Material):
+                found += _material(f"{effect.name}.{each.name}", value)
+            elif key is not None and np.ndim(value):
+                found.append(_list(key, np.asarray(value, float)))
+            elif key is not None:
+                number = key.in_file(float(value))
+                is_found = each.name in of_nodes
+                origin = "heat balance" if is_found else _origin(bearing, effect.name, key.name, number)
+                text = (digits_of if is_found else _text)(number)
+                found.append((f"{effect.name}.{key.name}", text, printed_unit(key.unit), origin))
+            elif isinstance(value, str):
+                name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name
+                found.append((name, str(value), "", ""))
+        if isinstance(effect, RingExpansion) and effect.is_warm:
+            found += [
+                (
+                    f"{effect.name}.{body}_temperature_C",
+                    _text(each.value - zero_celsius),
+                    "°C",
+                    f"left out: {each.taken_from}",
+                )
+                for body, each in effect.temperatures.items()
+                if each.taken_from != "given"
+            ]
+    return found
+
+
+def choice_lines(holder: Any) -> list[Line]:
+    """What a scene or set chooses among several models."""
+    return [(name, str(getattr(holder, name)), "", "") for name in CHOICES if getattr(holder, name) is not None]
+
+
+def _list(key: Key, values: NDArray) -> Line:
+    """Numbers of which there are many: between which they lie, and beside it all of them."""
+    found = [key.in_file(float(value)) for value in values]
+    return (
+        key.name,
+        f"{_text(min(found))} ... {_text(max(found))}",
+        printed_unit(key.unit),
+        ", ".join(map(_text, found)),
+    )
+
+
+def _origin(bearing: BallBearing | None, table: str, key: str, value: float) -> str:
+    """Where a number of an effect or a reading comes from, if not from the file."""
+    return CATALOGUE if bearing is not None and is_printed(bearing, table, key, value) else ""
+
+
+def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing | None = None) -> list[Line]:
+    """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
+    found: list[Line] = []
+    for name, arguments in asked.items():
+        found.append((name, "on", "", ""))
+        for key, value in arguments.items():
+            if isinstance(value, float | int | str) and not isinstance(value, bool):
+                keys = reading_tables()[name].keys if name in reading_tables() else ()
+                known = None if isinstance(value, str) else _key(keys, key)
+                text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
+                unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
+                origin = _origin(bearing, name, known.name, known.in_file(value)) if known else ""  # type: ignore[arg-type]
+                found.append((f"{name}.{known.name if known else key}", text, unit, origin))
+    return found
+
+
+def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
+    """The tables of [thermal]: friction, given temperatures, oil, other heats, heat capacities, conductances."""
+    if thermal is None:
+        return []
+    words: list[Line] = [(word, getattr(thermal, word), "", "") for word in WORDS if getattr(thermal, word)]
+    parts = [("Heat", [*words, *numbers(THERMAL, thermal)]), ("Heat: oil", numbers(OIL, thermal.oil))]
+    for name, keys in BY_NODE.items():
+        given = getattr(thermal, name)
+        known = [(key.name, key.in_file(float(given[key.field])), key.unit) for key in keys if key.field in given]
+        parts.append((f"Heat: {name}", [(key, _text(value), printed_unit(unit), "") for key, value, unit in known]))
+    conductances: list[Line] = []
+    for each in thermal.conductances:
+        ((name, value, unit, origin),) = numbers(CONDUCTANCE, each)
+        row = "" if each.row is None else f" of row {each.row}"
+        conductances.append((f"{name}, {' to '.join(each.between)}{row}", value, unit, origin))
+    return [*parts, ("Heat: conductances", conductances)]
+
+
+def numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:
+    """The numbers that an object holds, by the keys of a scene file."""
+    found = []
+    for key in keys:
+        value = getattr(holder, key.field, None)
+        if value is not None:
+            found.append((key.name, _text(key.in_file(float(value))), printed_unit(key.unit), ""))
+    return found
+
+
+def _key(keys: tuple[Key, ...], field: str) -> Key | None:
+    return next((key for key in keys if key.field == field), None)
+
+
+def _text(value: float) -> str:
+    return f"{value:.7g}"

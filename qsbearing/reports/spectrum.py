@@ -1,0 +1,89 @@
+"""The design report of a load spectrum: its life and its points, then the report of the point that does most damage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from qsbearing.documents.model import Block, Document, Paragraph, Remark, Table
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.reports import document as of_scene
+from qsbearing.reports import set_document
+from qsbearing.results.readings_record import taken
+from qsbearing.results.set_spectrum_report import set_spectrum_result
+from qsbearing.results.spectrum_report import spectrum_result
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def document(
+    solution: Solution | SetSolution,
+    asked: Scene | BearingSet,
+    solve: Callable[[Scene | BearingSet], Any],
+    source: str,
+    command: str,
+) -> Document:
+    """The whole report.
+
+    Args:
+        solution: of all operating points, converged.
+        asked: the scene or set as it was given.
+        solve: solves a scene or set of one operating point.
+        source: the text of its file.
+        command: that makes this report.
+    """
+    if isinstance(solution, SetSolution):
+        found = [taken(row) for row in solution.rows]
+        blocks = set_spectrum_result(solution, found)
+    else:
+        found = [taken(solution)]
+        blocks = spectrum_result(solution, found[0])
+    damage = np.max([np.nan_to_num(each["spectrum"].damage_share) for each in found], axis=0)
+    worst = int(np.argmax(damage))
+    point = point_of(asked, worst)
+    solved = solve(point)
+    whole = (
+        of_scene.document(solved, point, source, command)
+        if isinstance(point, Scene)
+        else set_document.document(solved, source, command)
+    )
+    part = f"{100.0 * damage[worst]:.3g} % of the damage" + (" of a row" if len(found) > 1 else "")
+    which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
+    count = "both" if damage.size == 2 else f"all {damage.size}"
+    first = Remark(f"Balls and rings are in equilibrium at {count} operating points.", "pass")
+    said = [
+        each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
+    ]
+    rest: list[Block] = [
+        each for each in whole.head if not isinstance(each, Remark)
+    ]  # warnings: with their points above
+    return replace(
+        whole,
+        summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
+        "the point that does most damage, by the quasi-static model of Jones and Harris.",
+        head=[first, *said, Paragraph(which), *rest],
+    )
+
+
+def point_of(asked: Scene | BearingSet, number: int) -> Any:
+    """One operating point as a scene or set of its own, without a spectrum."""
+    values = {each.name: getattr(asked.operation, each.name) for each in fields(asked.operation)}
+    own: dict[str, Any] = {name: value if value is None else float(value[number]) for name, value in values.items()}
+    changes: dict[str, Any] = {
+        "operation": replace(asked.operation, **own),
+        "readings": _without_spectrum(asked.readings),
+    }
+    if isinstance(asked, BearingSet):
+        changes["rows"] = tuple(
+            row if row.readings is None else replace(row, readings=_without_spectrum(row.readings))
+            for row in asked.rows
+        )
+    return replace(asked, **changes)
+
+
+def _without_spectrum(readings: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: each for name, each in readings.items() if name != "spectrum"}

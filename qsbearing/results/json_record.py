@@ -1,0 +1,235 @@
+"""A solved case as plain data in the field's units: the object that `run --json` prints."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing import __version__, messages
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.result_keys import (
+    BALL,
+    CONTACT,
+    DISPLACEMENT,
+    GEOMETRY,
+    LOAD,
+    RING_SHAPE,
+    RING_STATE,
+    STIFFNESS,
+    Shown,
+)
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import deg, um, zero_celsius
+from qsbearing.results.readings_record import Readings, number, readings_record
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.network import Thermal
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def record(
+    solution: Solution, readings: Readings, index: Place = (), thermal_of: Thermal | None = None
+) -> dict[str, Any]:
+    """One case as the object that `run --json` prints.
+
+    Args:
+        readings: what the scene asked to be read off.
+        index: the case, along the solution's case axes; nothing for a single case.
+        thermal_of: of a row, the set's heat balance, which has found its temperatures.
+
+    Returns:
+        None stands for a number that there is not: not called for by the scene, not solved, or not defined.
+    """
+    scene = solution.scene
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
+        **how_it_ended(solution, index),
+        "bearing": scene.bearing.name,
+        "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
+        "choices": choices(scene),
+        "warnings": messages.warnings(solution, index),
+        "preload": preload(solution, index),
+        "operating_geometry": operating_geometry(solution, index),
+        "rings": rings(solution, index),
+        "elastic_rings": elastic_rings(solution, index),
+        "temperatures": temperatures(solution, index, thermal_of),
+        "thermal": thermal(solution, index),
+        **motion_and_stiffness(solution, index),
+        "axial_from_middle_um": _from_middle(solution, index),
+        "balls": balls(solution, index) if solved else [],
+        "readings": readings_record(solution, readings, index) if solved else None,
+        **_choice(solution, index),
+    }
+
+
+def _from_middle(solution: Solution, index: Place) -> float | None:
+    """Of a deep-groove bearing."""
+    found = solution.axial_from_middle
+    return None if found is None else number(np.asarray(found)[index] / um)
+
+
+def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of a case of a bearing or set."""
+    return {
+        "version": __version__,
+        "status": str(np.asarray(solution.status)[index]),
+        "message": messages.message(solution, index),
+        "residual": number(np.asarray(solution.residual)[index]),
+        "iterations": int(np.asarray(solution.iterations)[index]),
+        "seconds": solution.seconds,
+    }
+
+
+def motion_and_stiffness(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+    """Of the ring, or of a set's shaft."""
+    solved = bool(np.asarray(solution.converged)[index])
+    return {
+        "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
+        "load": of_channels(LOAD, solution.load[index]),
+        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
+        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
+        "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
+        "compliance_SI": _matrix_rows(solution.compliance[index]) if solved else None,
+    }
+
+
+def _choice(solution: Solution, index: Place) -> dict[str, Any]:
+    """What was chosen and left out; null where the scene names its effects."""
+    choice = solution.choice
+    if choice is None:
+        return {"left_out": None, "accuracy": None}
+    left_out = [
+        {"effect": one.effect, "estimated_error": number(np.broadcast_to(one.estimated_error, solution.shape)[index])}
+        for one in choice.left_out
+    ]
+    chosen = {"asked": choice.tolerance, "has": list(choice.effects), "added": list(choice.added)}
+    return {"left_out": left_out, "accuracy": {**chosen, "solves": choice.solves}}
+
+
+def choices(scene: Scene) -> dict[str, str | None]:
+    """The scene's choices among several models, in the words of its file; None where nothing asks."""
+    gyroscopic = scene.gyroscopic_moment
+    return {
+        "raceway_control": None if scene.raceway_control is None else str(scene.raceway_control),
+        "moment_shares": None if gyroscopic is None else str(gyroscopic.moment_shares),
+        "hertz_angle": str(scene.hertz_angle),
+        "hertz_form": str(scene.hertz_form),
+        "tilt_lever": str(scene.tilt_lever),
+        "orbit_radius": str(scene.orbit_radius) if scene.ball_effects else None,
+    }
+
+
+def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+    """The preload before fitting, mounted and in operation; None where the scene has none."""
+    if solution.scene.preload is None:
+        return None
+    return {
+        "kind": solution.scene.preload.kind,
+        "at_rest_N": number(np.asarray(solution.preload_at_rest)[index]),
+        "unmounted_N": number(np.asarray(solution.preload_unmounted)[index]),
+        "mounted_N": number(np.asarray(solution.preload_mounted)[index]),
+        "in_operation_N": number(solution.load[index][0]),
+        "share": number(np.asarray(solution.preload_share)[index]),
+        "state": str(np.asarray(solution.preload_state)[index]) or None,
+        "axial_displacement_um": number(solution.displacement[index][0] / um),
+    }
+
+
+def operating_geometry(solution: Solution, index: Place = ()) -> dict[str, float | None] | None:
+    """The bearing as ring effects leave it; None where the scene names none."""
+    scene = solution.scene
+    return _numbers(GEOMETRY, scene.operating_bearing, solution.shape, index) if scene.is_reshaped else None
+
+
+def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | None]] | None:
+    """Seat pressures, growth and stress of both rings; None without ring expansion."""
+    if solution.inner_ring is None:
+        return None
+    return {
+        side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
+        for side in ("inner", "outer")
+    }
+
+
+def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+    """How the rings deflect, and what part of the axial displacement that is; None between rigid rings."""
+    if solution.scene.elastic_rings is None:
+        return None
+    share = solution.elastic_share
+    found: dict[str, Any] = {"share_of_axial_displacement": None if share is None else number(np.asarray(share)[index])}
+    for side in ("inner", "outer"):
+        shape = getattr(solution, f"{side}_shape")
+        found[side] = None
+        if shape is not None:
+            amplitudes = [number(value / um) for value in shape.amplitudes[index]]
+            found[side] = _numbers(RING_SHAPE, shape, solution.shape, index) | {"amplitudes_um": amplitudes}
+    return found
+
+
+def temperatures(
+    solution: Solution, index: Place = (), thermal_of: Thermal | None = None
+) -> dict[str, dict[str, Any]] | None:
+    """Of rings, shaft and housing, and whether each is given or found; None where the scene gives none."""
+    effect = solution.scene.ring_expansion
+    if effect is None or not effect.is_warm:
+        return None
+    balance = thermal_of if solution.thermal is None else solution.thermal.thermal
+    found = () if balance is None else balance.found_nodes
+    return {
+        body: {
+            "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
+            "from": "heat balance" if body in found and each.taken_from == "given" else each.taken_from,
+        }
+        for body, each in effect.temperatures.items()
+    }
+
+
+def thermal(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any] | None:
+    """Temperatures and heat of the steady state; None where the scene asks for none."""
+    if solution.thermal is None:
+        return None
+    from qsbearing.results.thermal_report import thermal_record  # loaded only where there is heat
+
+    return thermal_record(solution.thermal, index)
+
+
+def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
+    """What there is to say about each ball of one case, under the keys of `run --json`."""
+
+    def value(array: NDArray | None, ball: int, size: float) -> float | None:
+        return None if array is None else number(array[index][ball] / size)
+
+    def contact(side: str, ball: int) -> dict[str, float | None]:
+        holder = getattr(solution, side)
+        return {shown.key: value(getattr(holder, shown.path), ball, shown.size) for shown in CONTACT}
+
+    control, slips = solution.raceway_control, solution.slips
+    return [
+        {"azimuth_deg": value(solution.azimuth, ball, deg), "inner": contact("inner", ball)}
+        | {"outer": contact("outer", ball)}
+        | {shown.key: value(getattr(solution, shown.path), ball, shown.size) for shown in BALL}
+        | {"raceway_control": None if control is None else str(control[index][ball])}
+        | {"slips": None if slips is None else bool(slips[index][ball])}
+        for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
+    ]
+
+
+def _numbers(numbers: tuple[Shown, ...], holder: Any, shape: tuple[int, ...], index: Place) -> dict[str, float | None]:
+    """Some fields of one case, which may hold one number for all."""
+    found = {shown.key: shown.of(holder) for shown in numbers}
+    return {
+        key: None if values is None else number(np.broadcast_to(values, shape)[index]) for key, values in found.items()
+    }
+
+
+def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:
+    """Values of the five channels under their keys."""
+    return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
+
+
+def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
+    """A matrix as lists."""
+    return [[number(value) for value in row] for row in matrix]

@@ -1,0 +1,77 @@
+"""The readings that a scene asks for, taken once for all that show them; and a case's as plain data and as columns."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.columns import columns
+from qsbearing.model.solution.solution import Solution
+
+Readings = Mapping[str, Any]
+"""Results by the name of their reading."""
+
+
+def taken(solution: Solution) -> Readings:
+    """What the scene asks to be read off; nothing where it asks for nothing, or its one case is not solved."""
+    if not solution.scene.readings or not (solution.shape or solution.converged):
+        return {}
+    from qsbearing.readings.asked import take_asked  # a scene without readings does not load them
+
+    return take_asked(solution)
+
+
+def warnings_of(readings: Readings) -> list[str]:
+    """What there is to beware of in them."""
+    return [each for reading in readings.values() for each in getattr(reading, "warnings", ())]
+
+
+def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
+    """All of a solution and its readings as the columns of a table: one row per ball of every case."""
+    found = columns(solution)
+    if readings:
+        from qsbearing.readings.asked import reading_columns
+
+        found |= reading_columns(solution, readings)
+    return found
+
+
+def readings_record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any] | None:
+    """One case's readings, each under its name: the bearing's numbers, then its balls', then what to beware of.
+
+    None stands for what was not asked for, or has no number.
+    """
+    if not readings:
+        return None
+    balls = np.flatnonzero(np.isfinite(solution.azimuth[index]))
+    return {name: _one(name, reading, solution, index, balls) for name, reading in readings.items()}
+
+
+def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) -> dict[str, Any]:
+    from qsbearing.readings.asked import READINGS
+
+    out: dict[str, Any] = {}
+    rows: list[dict[str, Any]] = [{} for _ in balls]
+    for side, shown, is_per_ball, values in READINGS[name].values(reading):
+        if not is_per_ball:
+            out[shown.key] = None if values is None else number(np.broadcast_to(values, solution.shape)[index])
+            continue
+        for row, ball in zip(rows, balls, strict=True):
+            holder = row.setdefault(side, {}) if side else row
+            holder[shown.key] = None if values is None else number(values[index][ball])
+    if any(rows):
+        out["balls"] = rows
+    if hasattr(reading, "models"):
+        out["models"] = [model._asdict() for model in reading.models]
+    out["warnings"] = list(getattr(reading, "warnings", ()))
+    return out
+
+
+def number(value: Any) -> float | None:
+    """The value as a float; None for NaN and infinity, which JSON has not."""
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,370 @@
+"""The report on a solved case as tables for people: ring, contacts, ellipses, motion, warnings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.solution.flatten import case_arrays
+from qsbearing.model.solution.judgement import percent
+from qsbearing.model.solution.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import deg, mm, mrad, rpm, um
+from qsbearing.results.json_record import record
+from qsbearing.results.readings_record import Readings
+from qsbearing.results.tables import remarks
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.network import Thermal
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+SAME = 7
+"""Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
+makes them equal but for rounding."""
+
+RING_NOISE = 1e-10
+"""Ring loads below this part of the largest are rounding."""
+
+_UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
+
+
+def result(solution: Solution, readings: Readings) -> list[Block]:
+    """The report on a single case: heading, ring, balls, what was read off, warnings."""
+    found = record(solution, {})
+    parts = _heading(solution, found)
+    if found["status"] == "converged":
+        parts += [*_tables(solution, found), *heat_tables(found)]
+        if readings:
+            from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
+
+            parts += readings_tables(readings, solution.scene)
+    return [*parts, *remarks(found["warnings"], is_apart=True)]
+
+
+def heat_tables(found: dict[str, Any]) -> list[Block]:
+    """Of a record's steady state; none where it has none."""
+    if found["thermal"] is None:
+        return []
+    from qsbearing.results.thermal_report import thermal_tables  # loaded only where there is heat
+
+    return thermal_tables(found["thermal"])
+
+
+def tables(solution: Solution) -> list[Table]:
+    """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
+    return _tables(solution, record(solution, {}))
+
+
+def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:
+    """The tables of a solved case that tell of its balls: lengths in operation, contacts, ellipses, motion.
+
+    Args:
+        thermal_of: of a row, the set's heat balance, which has found its temperatures.
+    """
+    found = record(solution, {}, (), thermal_of)
+    return [*_expansion(solution, found), *_of_balls(solution, found)]
+
+
+def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
+    lever, loads = float(solution.scene.bearing.pitch_diameter) / 2.0, list(found["load"].values())  # type: ignore[arg-type]
+    noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
+    tables = [
+        channels_table("Inner ring", solution, found, noise, noise * lever),
+        *_expansion(solution, found),
+        stiffness_table(solution, found),
+    ]
+    return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
+
+
+def _of_balls(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    rows, count = distinct(found["balls"]), len(found["balls"])
+    tables = [contacts_table(rows, count), _ellipses(rows, count)]
+    return [*tables, _motion(rows, count, found)] if solution.scene.ball_effects else tables
+
+
+@dataclass(frozen=True)
+class Row:
+    """Balls that are alike, by their numbers, and what is true of each of them."""
+
+    members: list[int]
+    ball: dict[str, Any]
+    azimuths: list[float]
+
+    def names(self, count: int) -> tuple[str, str]:
+        """The balls and their azimuths: one, a symmetric pair, or how many."""
+        if len(self.members) == count > 1:
+            return f"all {count}", "any"
+        places = [f"{azimuth:.2f}".rstrip("0").rstrip(".") for azimuth in self.azimuths]
+        if len(self.members) > 2:
+            return f"{len(self.members)} balls", f"{places[0]} ... {places[-1]}"
+        return ", ".join(map(str, self.members)), ", ".join(places)
+
+
+def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
+    """The balls with equal ones gathered, in the order of their first."""
+    largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
+    rows: dict[Any, Row] = {}
+    for number, ball in enumerate(balls):
+        loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
+        angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
+        alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
+        row = rows.setdefault(alike, Row([], ball, []))
+        row.members.append(number)
+        row.azimuths.append(ball["azimuth_deg"])
+    return list(rows.values())
+
+
+def _heading(solution: Solution, found: dict[str, Any]) -> list[Block]:
+    numbers = {name: float(values) for name, values in case_arrays(solution.scene).items() if values is not None}
+    bearing = solution.scene.bearing
+    name = bearing.name or "Bearing"
+    what = (
+        f"{name}  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
+        f"{numbers['ball_diameter'] / mm:.6g} mm on {numbers['pitch_diameter'] / mm:.6g} mm, free contact angle "
+        f"{numbers['free_contact_angle'] / deg:.5g} deg"
+    )
+    outer = f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm" if "outer_speed" in numbers else ""
+    turning = f"Inner ring {numbers['speed'] / rpm:.6g} rpm{outer}. {asked_for(found)}"
+    parts: list[Block] = [Paragraph(what, name), Paragraph(turning)]
+    preload = found["preload"]
+    if preload is not None and found["status"] == "converged":
+        parts.append(Paragraph(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}"))
+    return [*parts, *ending(found)]
+
+
+def preload_text(preload: dict[str, Any]) -> str:
+    """A record's preload in its three states, and what has become of it."""
+    states = (("unmounted_N", "before fitting"), ("mounted_N", "mounted, at rest"), ("in_operation_N", "in operation"))
+    text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
+    if preload["share"] is None:
+        return text
+    return f"{text}: {preload['state']}, {percent(preload['share'])} of the given preload"
+
+
+def ending(found: dict[str, Any]) -> list[Block]:
+    """How the case of a record ended."""
+    status = found["status"].replace("_", " ").capitalize()
+    if found["status"] != "converged":
+        message = found["message"]
+        if message.startswith(status):
+            return [Remark(message, "fail", status, "red")]
+        return [Remark(status, "fail", status, "red"), Paragraph(message)]
+    took = f"{status} in {found['iterations']} iterations, {duration(found['seconds'])}"
+    told = f"{took}; largest imbalance {found['residual']:.1e} of the largest force"
+    return [Remark(told, "pass", status, "green")]
+
+
+def asked_for(found: dict[str, Any]) -> str:
+    """The effects of a record, and the choices that are not the usual ones."""
+    choices = found["choices"]
+    *others, last = found["effects"] or ["No ball effects (static)"]
+    text = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
+    if choices["raceway_control"]:
+        text += f"; raceway control: {choices['raceway_control']}"
+    if choices["moment_shares"]:
+        text += f"; moment shares: {choices['moment_shares']}"
+    if choices["orbit_radius"] == "displaced":
+        text += "; each ball on its own orbit"
+    for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
+        if choices[name] != usual:
+            text += f"; {name}: {choices[name]}"
+    return text.replace("_", " ")
+
+
+def duration(seconds: float) -> str:
+    """How long a solve took."""
+    return f"{seconds:.2g} s" if seconds >= 0.1 else f"{seconds * 1e3:.2g} ms"
+
+
+FROM_MIDDLE = "axial from middle"
+
+
+def channels_table(
+    title: str, solution: Solution | SetSolution, found: dict[str, Any], noise: float, of_moments: float
+) -> Table:
+    """Displacement and load of ring or shaft; loads and moments below their noise are rounding."""
+    rows = []
+    values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
+    for i, (channel, displacement, load) in enumerate(values):
+        length, force, _ = _UNITS[channel.is_rotation]
+        shown = digits(load, of_moments if channel.is_rotation else noise)
+        imposed = "load" if i in solution._free_channels else "displacement"
+        rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
+    middle, notes = found.get("axial_from_middle_um"), []
+    if middle is not None:
+        rows.insert(1, (FROM_MIDDLE, digits(middle, 1e-9), "µm", "", "", ""))
+        notes = [("axial:", "from where the balls just touch one side, at the free contact angle"),
+                 (f"{FROM_MIDDLE}:", "from where the grooves of both rings lie in one plane")]  # fmt: skip
+    return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title, notes=notes)
+
+
+RINGS = (
+    "", "radial growth\nof groove µm", "seat pressure\nMPa", "seat gap\nµm", "hoop stress\nat bore MPa",
+    "largest Tresca\nstress MPa",
+)  # fmt: skip
+
+
+def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
+    """Lengths before and after the ring effects, and the state of the rings."""
+    operating, rings = found["operating_geometry"], found["rings"]
+    tables = []
+    if operating is not None:
+        rows = []
+        for shown in GEOMETRY:
+            cold = float(shown.of(solution.scene.bearing))
+            rows.append(
+                (shown.plain_name, f"{cold:.6g}", f"{operating[shown.key]:.6g}", printed_unit(split(shown.key)[1]))
+            )
+        heading = ("", "at rest, cold", "in operation", "")
+        tables.append(Table(heading, rows, "lrrl", "Geometry before loading"))
+    if rings is not None:
+        states = [(side, *(digits(value, 1e-9) for value in state.values())) for side, state in rings.items()]
+        tables.append(Table(RINGS, states, caption="Rings"))
+    return tables + _shapes(found) + temperature_tables(found)
+
+
+def _shapes(found: dict[str, Any]) -> list[Table]:
+    """How elastic rings have deflected."""
+    elastic = found["elastic_rings"]
+    if elastic is None:
+        return []
+    heading = ("", "growth\nµm", "bending\nµm", "seat pressure\nMPa", "least\nMPa", "largest\nMPa")
+    share = elastic["share_of_axial_displacement"]
+    part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
+    rows = [
+        (side, *(digits(elastic[side][key], 1e-9) for key, *_ in RING_SHAPE))
+        for side in ("inner", "outer")
+        if elastic[side] is not None
+    ]
+    return [Table(heading, rows, caption=f"Rings deflected by the ball loads{part}")]
+
+
+def temperature_tables(found: dict[str, Any]) -> list[Table]:
+    """The temperatures that a record was solved with, those that its file leaves out among them."""
+    if found["temperatures"] is None:
+        return []
+    rows = [
+        (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+        for body, each in found["temperatures"].items()
+    ]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures of rings, shaft and housing")]
+
+
+def freedom(free: Collection[int]) -> str:
+    """Which channels are free to move, and which are not, by the numbers of the free ones."""
+    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
+    found = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in found.items() if names)
+
+
+def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+    """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
+    heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
+    rows = []
+    for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
+        values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
+        rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
+    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution._free_channels)})")
+
+
+def stiffness_matrix_table(found: dict[str, Any]) -> Table:
+    """The whole tangent of a record; what is rounding beside the diagonal is shown as zero."""
+    tilts = [channel.is_rotation for channel in CHANNELS]
+    sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
+    heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
+    matrix, rows = found["stiffness_SI"], []
+    for i, channel in enumerate(CHANNELS):
+        noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
+        cells = [digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
+        rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
+    return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load (row) per displacement (column)")
+
+
+def digits(value: float | None, noise: float) -> str:
+    """A number to six digits; what is rounding as zero, what there is not as a dash."""
+    if value is None:
+        return "-"
+    return "0" if abs(value) <= noise else f"{value:.6g}"
+
+
+_SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"angle_deg": "angle", "load_N": "load"}
+"""Of a column of balls; two that everybody knows are in words."""
+
+
+def _head_of(key: str, side: str = "") -> str:
+    _, unit = split(key)
+    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + (printed_unit(unit) or "-")
+
+
+def contacts_table(rows: list[Row], count: int) -> Table:
+    """Angles, loads and pressures of the balls' contacts."""
+    pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
+    heading = [_head_of(key, side) for side, key in pairs]
+    columns = [_contact_column(rows, *pair) for pair in pairs]
+    deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
+    if any(deviation is not None for deviation in deviations):
+        heading, columns = ["D - D0\nµm", *heading], [_column(deviations, 4), *columns]
+    return _per_ball("Contacts", heading, rows, count, columns)
+
+
+def _ellipses(rows: list[Row], count: int) -> Table:
+    pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
+    pairs += [("inner", "approach_um"), ("outer", "approach_um")]
+    title = "Contact ellipses: a across, b along rolling; δ: approach"
+    heading = [_head_of(key, side) for side, key in pairs]
+    return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
+
+
+def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
+    gyroscopic = "gyroscopic_moment" in found["effects"]
+    title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
+    columns: dict[str, list[str]] = {}
+    for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
+        if any(row.ball[key] is not None for row in rows):
+            columns[_head_of(key)] = _column([row.ball[key] for row in rows])
+    if gyroscopic:
+        for side in ("inner", "outer"):
+            columns[_head_of("required_friction", side)] = _column(
+                [row.ball[side]["required_friction"] for row in rows], 4
+            )
+    for key, name in (("orbital_speed_rpm", "orbit\nrpm"), ("rotation_speed_rpm", "rotation\nrpm")):
+        columns[name] = _column([row.ball[key] for row in rows], 5)
+    if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
+        columns["control"] = [row.ball["raceway_control"] for row in rows]
+    if any(row.ball["slips"] is not None for row in rows):
+        columns["slips"] = ["yes" if row.ball["slips"] else "no" for row in rows]
+    return _per_ball(title, list(columns), rows, count, list(columns.values()))
+
+
+def _contact_column(rows: list[Row], side: str, key: str, significant: int = 6) -> list[str]:
+    """A contact's numbers; none where the two do not touch: no ellipse, no contact line, only a gap."""
+    contacts = [row.ball[side] for row in rows]
+    always = key in ("load_N", "approach_um")
+    return _column([each[key] if always or each["load_N"] != 0.0 else None for each in contacts], significant)
+
+
+def _column(values: list[float | None], significant: int = 6) -> list[str]:
+    """Cells with the decimals that give the largest value its significant digits; a dash where there is no number."""
+    largest = max((abs(value) for value in values if value is not None), default=0.0)
+    if largest == 0.0:
+        return ["-" if value is None else "0" for value in values]
+    decimals = min(max(significant - 1 - math.floor(math.log10(largest)), 0), 6)
+    return ["-" if value is None else _rounded(value, decimals) for value in values]
+
+
+def _rounded(value: float, decimals: int) -> str:
+    text = f"{value:.{decimals}f}"
+    return text if float(text) != 0.0 else "0"  # no "-0.000"
+
+
+def _per_ball(
+    title: str, heading: Sequence[str], rows: list[Row], count: int, columns: Sequence[Sequence[str]]
+) -> Table:
+    cells = [(*row.names(count), *own) for row, own in zip(rows, zip(*columns, strict=True), strict=True)]
+    unloaded = [number for number, row in enumerate(rows) if row.ball["inner"]["load_N"] == 0.0]
+    return Table(("ball", "azimuth\ndeg", *heading), cells, "ll" + "r" * len(heading), title, faint=unloaded)

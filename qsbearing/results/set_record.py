@@ -1,0 +1,122 @@
+"""A solved set as plain data in the field's units, the object that `run --json` prints; and as columns of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
+from qsbearing.model.units import mm, um
+from qsbearing.results.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
+from qsbearing.results.readings_record import Readings, all_columns, number
+from qsbearing.results.shaft_report import shaft_record
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.system_life import system_life
+
+OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
+"""What a row's own record would only repeat."""
+
+
+def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
+    """A single case of a set as the object that `run --json` prints.
+
+    Args:
+        readings: what each row was asked to be read off.
+
+    Returns:
+        None stands for a number that there is not: not called for, not solved, or not defined.
+    """
+    of, solved = solution.set, bool(solution.converged)
+    scene = solution.rows[0].scene
+    rows = [_row(solution, i, found) for i, found in enumerate(readings)]
+    return {
+        **how_it_ended(solution),
+        "set": of.name,
+        "arrangement": of.arrangement,
+        "reference_position_mm": float(of.reference / mm),
+        "axial_datum_row": of.axial_datum + 1 if of.spacers else None,
+        "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
+        "choices": choices(scene),
+        "warnings": solution.warnings(),
+        "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
+        **motion_and_stiffness(solution),
+        "shaft": shaft_record(solution) if solved else None,
+        "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
+        "system_life_h": _system_life(rows, "duration_h") if solved else None,
+        "thermal": thermal(solution),
+        "rows": rows,
+    }
+
+
+def _slide(solution: SetSolution) -> dict[str, float | None]:
+    return {} if solution.slide is None else {"slide_um": number(solution.slide / um)}
+
+
+def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
+    heat = None if solution.thermal is None else solution.thermal.thermal
+    row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat)
+    state = solution.preload_state
+
+    def of_row(values: NDArray | None) -> float | None:
+        return None if values is None else number(values[i])
+
+    return {
+        "position_mm": float(np.asarray(row.position) / mm),
+        "carries": str(row.carries),
+        "sprung": row.sprung,
+        "offset_um": float(np.asarray(row.offset) / um),
+        "axial_load_N": number(solution.axial_loads[i]),
+        "share": of_channels(LOAD, solution.row_loads[i]),
+        "preload_given_N": of_row(solution.preload_given),
+        "preload_at_rest_N": of_row(solution.preload_at_rest),
+        "preload_unmounted_N": of_row(solution.preload_unmounted),
+        "preload_mounted_N": of_row(solution.preload_mounted),
+        "preload_in_operation_N": of_row(solution.preload_in_operation),
+        "preload_share": of_row(solution.preload_share),
+        "preload_state": None if state is None else str(state[i]) or None,
+        **{key: value for key, value in own.items() if key not in OF_THE_SET},
+    }
+
+
+def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
+    """Hours that all rows survive together; None unless each has its life."""
+    lives = [((row["readings"] or {}).get("life") or {}).get(key) for row in rows]
+    known = [life for life in lives if life is not None]
+    return number(system_life(known)) if len(known) == len(rows) else None
+
+
+def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:
+    """One row per ball of every row of every case, rows counting from 1; the shaft's values follow on each.
+
+    Rows that differ in what they have leave cells empty.
+    """
+    shaft = {
+        f"shaft_{kind}_{key}": values[..., i] / size
+        for kind, keys, values in (
+            ("displacement", DISPLACEMENT, solution.displacement),
+            ("load", LOAD, solution.load),
+            ("locked_stiffness", STIFFNESS, solution.locked_stiffness),
+        )
+        for i, (key, size) in enumerate(keys)
+    }
+    parts = [_row_columns(solution, i, found, shaft) for i, found in enumerate(readings)]
+    names = dict.fromkeys(name for part in parts for name in part)
+    empty = [np.full(part["row"].size, np.nan) for part in parts]
+    return {
+        name: np.concatenate([part.get(name, none).astype(object) for part, none in zip(parts, empty, strict=True)])
+        for name in names
+    }
+
+
+def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[str, Any]) -> dict[str, NDArray]:
+    row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
+    of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
+    count = own["ball"].size
+    case = tuple(own[f"case_{axis}"] for axis in range(len(solution.shape)))
+    first = {name: np.full(count, value) for name, value in of_row.items()}
+    last = {name: np.full(count, value[case]) for name, value in shaft.items()}
+    first["carries"] = np.array([row.carries] * count, object)
+    return first | own | last

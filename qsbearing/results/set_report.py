@@ -1,0 +1,131 @@
+"""The report on a solved set as tables for people: shaft, rows, stiffness, each row's contacts and readings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.messages.bearing_set import row_name, warnings_by_rows
+from qsbearing.model.ranked_warning import capital
+from qsbearing.model.solution.judgement import percent
+from qsbearing.model.units import rpm
+from qsbearing.results.readings_record import Readings
+from qsbearing.results.report import (
+    RING_NOISE,
+    asked_for,
+    channels_table,
+    contacts_table,
+    digits,
+    distinct,
+    ending,
+    heat_tables,
+    stiffness_matrix_table,
+    stiffness_table,
+    temperature_tables,
+)
+from qsbearing.results.set_record import set_record
+from qsbearing.results.shaft_report import shaft_tables
+from qsbearing.results.tables import digits_of, remarks
+from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+    """The report on a single case of a set; with what each row was asked to be read off."""
+    found = set_record(solution, readings)
+    parts = heading(solution, found)
+    if found["status"] == "converged":
+        parts += [*_tables(solution, found), *_temperatures(found)]
+        for number, row in enumerate(found["rows"]):
+            title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
+            parts.append(replace(contacts_table(distinct(row["balls"]), len(row["balls"])), caption=title))
+            if readings[number]:
+                from qsbearing.results.readings_report import (
+                    readings_tables,  # a set without readings does not load them
+                )
+
+                parts += readings_tables(readings[number], solution.rows[number].scene)
+        parts += [*heat_tables(found), *_system_life(found)]
+    return [*parts, *remarks(warnings_by_rows(solution), is_apart=True)]
+
+
+def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+    """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
+    in hours."""
+    found = set_record(solution, readings)
+    return [*_tables(solution, found), *_system_life(found)]
+
+
+def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
+    noise = RING_NOISE * max(1e-300, *(abs(row["axial_load_N"]) for row in found["rows"]), *map(abs, solution.load))
+    tables = [
+        channels_table("Shaft", solution, found, noise, noise),
+        *rows_tables(found),
+        *shaft_tables(found["shaft"]),
+        stiffness_table(solution, found),
+    ]
+    return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
+
+
+def _temperatures(found: dict[str, Any]) -> list[Table]:
+    """Of each row; once where all are alike."""
+    rows = found["rows"]
+    if all(row["temperatures"] == rows[0]["temperatures"] for row in rows):
+        return temperature_tables(rows[0])
+    return [
+        replace(table, caption=f"Row {number}. {table.caption}")
+        for number, row in enumerate(rows, 1)
+        for table in temperature_tables(row)
+    ]
+
+
+def _system_life(found: dict[str, Any]) -> list[Block]:
+    basic, modified = found["system_basic_life_h"], found["system_life_h"]
+    if modified is None:
+        return []
+    together = f"{digits_of(basic)} h"
+    if modified != basic:
+        together = f"basic {digits_of(basic)} h, modified {digits_of(modified)} h"
+    return [Paragraph(f"Life of all rows together: {together}", is_apart=True)]
+
+
+def heading(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
+    """What a set is, and how its case ended."""
+    of = solution.set
+    name = of.name or "Set"
+    count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
+    number = found["axial_datum_row"]
+    datum = "" if number is None else f"; row {number} is the axial datum of spacers, which move the other rows"
+    what = (
+        f"{name}  {count}, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
+        f"channels at x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
+    )
+    preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
+    return [Paragraph(what, name), *preload, *ending(found)]
+
+
+def rows_tables(found: dict[str, Any]) -> list[Table]:
+    """What each row of a record carries; and where rows press each other, what has become of the preload."""
+    heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
+    cells = []
+    noise = RING_NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
+    for number, row in enumerate(found["rows"], 1):
+        loads = [row["axial_load_N"], row["share"]["radial_y_N"], row["share"]["radial_z_N"]]
+        loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
+        place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
+        cells.append((*place, *(digits(load, noise) for load in loads)))
+    tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
+    if all(row["preload_state"] is None for row in found["rows"]):
+        return tables
+    heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "with the\nloads N", "share of the\ngiven preload")
+    cells = []
+    for number, row in enumerate(found["rows"], 1):
+        loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
+        share = "-" if row["preload_share"] is None else percent(row["preload_share"])
+        state = row["preload_state"] or ""
+        cells.append((str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state))
+    title = "Preload: axial load of each row, without external loads and with them"
+    return [*tables, Table(("row", *heads, ""), cells, "lrrrrrl", title)]

@@ -1,0 +1,108 @@
+"""A set under a load spectrum as plain data for `run --json` and as tables for people: life of each row and of all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from qsbearing import __version__, messages
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.messages.bearing_set import warnings_by_rows
+from qsbearing.messages.equal_warnings import together
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
+from qsbearing.model.units import mm, rpm
+from qsbearing.readings.rating_life import HOUR, MILLION
+from qsbearing.results.json_record import number, of_channels
+from qsbearing.results.readings_record import Readings
+from qsbearing.results.spectrum_report import NAMES
+from qsbearing.results.tables import digits_of, remarks
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.system_life import system_life
+
+
+def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
+    """The points, and what they do together to each row.
+
+    Args:
+        readings: of each row.
+
+    Returns:
+        None stands for a number that there is not: lives where a point is not solved.
+    """
+    of, solved = solution.set, solution.converged
+    lives = [found["spectrum"] for found in readings]
+    shares = np.asarray(of.readings["spectrum"]["time_share"])
+    return {
+        "version": __version__,
+        "status": "converged" if solved.all() else str(solution.status[np.argmin(solved)]),
+        "message": messages.message(solution),
+        "seconds": solution.seconds,
+        "set": of.name,
+        "arrangement": of.arrangement,
+        "system_life_h": number(system_life([life.duration for life in lives]) / HOUR),
+        "rows": [
+            {
+                "bearing": row.bearing.name,
+                "position_mm": float(np.asarray(row.position) / mm),
+                "carries": str(row.carries),
+                "life_Mrev": number(life.life / MILLION),
+                "duration_h": number(life.duration / HOUR),
+            }
+            for row, life in zip(of.rows, lives, strict=True)
+        ],
+        "points": [
+            {
+                "share": float(share),
+                "status": str(solution.status[k]),
+                "residual": number(solution.residual[k]),
+                "warnings": messages.warnings(solution, k),
+                "displacement": of_channels(DISPLACEMENT, solution.displacement[k]),
+                "load": of_channels(LOAD, solution.load[k]),
+                "rows": [
+                    {
+                        "axial_load_N": number(solution.axial_loads[k, i]),
+                        "duration_h": number(found["life"].duration[k] / HOUR),
+                        "damage_share": number(found["spectrum"].damage_share[k]),
+                    }
+                    for i, found in enumerate(readings)
+                ],
+            }
+            for k, share in enumerate(shares)
+        ],
+    }
+
+
+def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+    """For each row and operating point what it carries and its part of the damage; the lives of rows and set."""
+    found = set_spectrum_record(solution, readings)
+    name = found["set"] or "Set"
+    head = f"{name}  {found['arrangement']}; {len(found['points'])} operating points. {found['message']}"
+    loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
+    heading = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads))
+    heading += ("row", "its axial\nload N", "life\nh", "damage\n%")
+    rows = []
+    for k, point in enumerate(found["points"]):
+        own: tuple[str, ...] = (f"{k + 1}", f"{point['share']:.6g}", f"{readings[0]['life'].speed[k] / rpm:.6g}")
+        own += tuple(digits_of(solution.load[k, i] / LOAD[i][1]) for i in loads)
+        for row_number, row in enumerate(point["rows"], 1):
+            damage = None if row["damage_share"] is None else 100.0 * row["damage_share"]
+            cells = map(_digits, (row["axial_load_N"], row["duration_h"], damage))
+            rows.append((*(own if row_number == 1 else [""] * len(own)), str(row_number), *cells))
+    lives = [
+        (str(row_number), row["bearing"], _digits(row["duration_h"]), _digits(row["life_Mrev"]))
+        for row_number, row in enumerate(found["rows"], 1)
+    ]
+    lives.append(("all", "", _digits(found["system_life_h"]), ""))
+    said = {k + 1: warnings_by_rows(solution, (k,)) for k in range(len(found["points"]))}
+    return [
+        Paragraph(head, name),
+        Table(heading, rows, caption="Load spectrum"),
+        Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under the whole spectrum"),
+        *remarks(together("point", said), is_apart=True),
+    ]
+
+
+def _digits(value: float | None) -> str:
+    return "-" if value is None else digits_of(value)

@@ -1,0 +1,103 @@
+"""What a solved shaft does along it and at its points, as plain data and as tables for people."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from qsbearing.documents.model import Table
+from qsbearing.model.solution.judgement import percent
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
+from qsbearing.model.units import mm, um
+from qsbearing.results.json_record import number, of_channels
+from qsbearing.results.report import digits
+from qsbearing.results.tables import digits_of
+from qsbearing.systems.sets.set_solution import SetSolution
+
+DEFLECTION = "Shaft: deflection and internal forces (of the part after x on the part before)"
+CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")
+NOISE = 1e-9
+"""Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
+LEAST_SHARE = 1e-4
+"""Less is said to be nothing."""
+
+
+def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
+    """Of a single case; None without a shaft."""
+    shaft = solution.set.shaft
+    if shaft is None:
+        return None
+    places = _places(solution)
+    at = np.array(list(places.values()))
+    moved, inner, grown = solution.deflection(at), solution.inner_forces(at), solution.axial_growth(at)
+    line = [
+        {
+            "at": name,
+            "position_mm": float(position / mm),
+            "displacement": of_channels(DISPLACEMENT, moved[i]),
+            "axial_growth_um": None if grown is None else number(grown[i] / um),
+            "inner_forces": of_channels(LOAD, inner[i]),
+        }
+        for i, (name, position) in enumerate(places.items())
+    ]
+    points = {
+        name: {
+            "position_mm": float(point.position / mm),
+            "displacement": of_channels(DISPLACEMENT, point.displacement),
+            "axial_growth_um": None if point.axial_growth is None else number(point.axial_growth / um),
+            "effective_stiffness": of_channels(STIFFNESS, point.effective_stiffness),
+            "shares": {
+                part: dict(zip(CHANNELS, map(number, share / np.diagonal(point.compliance)), strict=True))
+                for part, share in point.shares.items()
+            },
+        }
+        for name, point in solution.points.items()
+    }
+    supports = [of_channels(LOAD, load) for load in solution.support_loads]
+    return {"points": points, "line": line, "supports": supports}
+
+
+def _places(solution: SetSolution) -> dict[str, float]:
+    """What stands on the shaft, and its ends, in the order of their positions."""
+    of = solution.set
+    shaft = of.shaft
+    assert shaft is not None
+    found = {"begin": float(shaft.ends[0]), "end": float(shaft.ends[-1]), **shaft.points}
+    found |= {f"row {i}": float(np.asarray(row.position)) for i, row in enumerate(of.rows, 1)}
+    found |= {f"load {i}": float(load.position) for i, load in enumerate(shaft.loads, 1)}
+    found |= {f"support {i}": float(support.position) for i, support in enumerate(shaft.supports, 1)}
+    return dict(sorted(found.items(), key=lambda item: item[1]))
+
+
+def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
+    """Of a record: deflection and inner forces along the shaft; stiffness of its points, and what gives way there."""
+    if found is None:
+        return []
+    straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")
+    heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
+    grows = any(each["axial_growth_um"] is not None for each in found["line"])
+    heading += ["growth by\nheat µm"] if grows else []
+    rows = [_values(each) for each in found["line"]]
+    noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
+    noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
+    cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
+    tables = [Table(heading, cells, caption=DEFLECTION)]
+    for name, point in found["points"].items():
+        heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
+        cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
+        for part, share in point["shares"].items():
+            cells.append((f"deflection due to {part}", *map(_share, share.values())))
+        tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))
+    return tables
+
+
+def _values(each: dict[str, Any]) -> list[float]:
+    """Of a place on the shaft, as a line of the table has them."""
+    bent, inner = list(each["displacement"].values()), list(each["inner_forces"].values())
+    grown = [] if each["axial_growth_um"] is None else [each["axial_growth_um"]]
+    return [each["position_mm"], *bent[:3], bent[4], inner[1], inner[2], inner[4], *grown]
+
+
+def _share(value: float | None) -> str:
+    return "-" if value is None else "0" if value < LEAST_SHARE else percent(value)

@@ -1,0 +1,186 @@
+"""Temperatures and heat of a solution as plain data, the object under "thermal" of `run --json`, and as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.case_index import Place
+from qsbearing.model.units import rpm, zero_celsius
+from qsbearing.model.validation import SceneError
+from qsbearing.results.readings_record import number
+from qsbearing.results.tables import digits_of
+from qsbearing.systems.heat.state import Course, State, ThermalState, in_words
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.bearing_set import BearingSet
+
+
+def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
+    """One case; None stands for a number that there is not."""
+    thermal = state.thermal
+    return {
+        "verdict": str(state.verdict[index]),
+        "message": state.message(index),
+        "friction": thermal.friction,
+        "temperatures_C": {name: number(value[index] - zero_celsius) for name, value in state.temperatures.items()},
+        "powers_W": {name: number(value[index]) for name, value in state.powers.items()},
+        "flows_W": [
+            {"from": one, "to": other, "heat_W": number(np.asarray(value)[index])}
+            for (one, other), value in state.flows.items()
+        ],
+        "imbalance_W": number(state.imbalance[index]),
+        "feedback": number(state.feedback[index]),
+        "limit_C": thermal.limit_temperature - zero_celsius,
+        "solves": state.solves,
+    }
+
+
+def course_record(course: Course) -> dict[str, Any]:
+    """Heating up in time."""
+    return {
+        "message": course.message(),
+        "end": course.end,
+        "time_s": course.time.tolist(),
+        "temperatures_C": {name: (value - zero_celsius).tolist() for name, value in course.temperatures.items()},
+        "power_W": course.powers.sum(axis=1).tolist(),
+        "axial_load_N": course.preloads.T.tolist(),
+    }
+
+
+def speeds_record(state: ThermalState) -> dict[str, Any]:
+    """Steady states over speed, and where they end."""
+    curve = state.speeds
+    return {
+        "message": state.onset(),
+        "fold": None if curve.fold is None else _at_speed(state, curve.fold),
+        "at_limit": None if curve.at_limit is None else _at_speed(state, curve.at_limit),
+        "states": [_at_speed(state, each) for each in curve.states],
+    }
+
+
+WHOLE = "With Palmgren's friction of the whole bearing"
+
+
+def whole_bearing_record(of: Scene | BearingSet) -> dict[str, Any]:
+    """Steady states over speed with Palmgren's friction in place of that of the contacts; without states where it lacks
+    numbers, which its message then names."""
+    from qsbearing.files.file_errors import translate
+    from qsbearing.systems.heat.solve import solve
+    from qsbearing.systems.heat.whole_bearing import with_whole_friction
+    from qsbearing.systems.sets.solve import solve_set
+
+    try:
+        whole, assumed = with_whole_friction(of)
+        state = (solve(whole) if isinstance(whole, Scene) else solve_set(whole)).thermal
+    except SceneError as error:
+        reasons = " ".join(f"{translate(each)}." for each in error.errors)
+        return {"message": f"{WHOLE}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
+    assert state is not None
+    found = speeds_record(state)
+    basis = f"{WHOLE} (assumed: {', '.join(assumed)})" if assumed else WHOLE
+    return {**found, "message": f"{basis}: {found['message'][0].lower()}{found['message'][1:]}", "assumed": assumed}
+
+
+def whole_bearing_table(found: dict[str, Any]) -> Table:
+    """Of this record."""
+    return replace(speeds_table(found), caption="Likewise, with Palmgren's friction of the whole bearing")
+
+
+def _at_speed(state: ThermalState, each: State) -> dict[str, Any]:
+    return {
+        "speed_rpm": each.factor * float(state.speed) / rpm,
+        "temperatures_C": dict(zip(state.free, (each.temperatures - zero_celsius).tolist(), strict=True)),
+        "power_W": float(each.powers.sum()),
+        "axial_load_N": each.preloads.tolist(),
+    }
+
+
+SHOWN = 12
+"""Rows of a table of a course, about."""
+
+
+def speeds_table(found: dict[str, Any]) -> Table:
+    """Of the record of steady states over speed."""
+    states, fold = along_curve({**found, "states": _thinned(found["states"])})
+    rows = [
+        (f"{each['speed_rpm']:.5g}", each, "the curve turns back" if number == fold else "")
+        for number, each in enumerate(states)
+    ]
+    return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
+
+
+def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
+    """The states of the record of steady states over speed with the fold among them, and the fold's place."""
+    states, fold = list(found["states"]), found["fold"]
+    if fold is None:
+        return states, None
+    fastest = max(range(len(states)), key=lambda number: float(states[number]["speed_rpm"]))
+    place = fastest + (fold["power_W"] > states[fastest]["power_W"])  # the power grows along the curve
+    return [*states[:place], fold, *states[place:]], place
+
+
+def course_table(found: dict[str, Any]) -> Table:
+    """Of the record of heating up."""
+    times = found["time_s"]
+    rows = [(f"{times[number]:.4g}", instant(found, number), "") for number in _thinned(range(len(times)))]
+    return _course_table("Heating up", "s", rows)
+
+
+def instant(found: dict[str, Any], number: int) -> dict[str, Any]:
+    """One instant of the record of heating up, as a state over speed is recorded."""
+    return {
+        "temperatures_C": {name: values[number] for name, values in found["temperatures_C"].items()},
+        "power_W": found["power_W"][number],
+        "axial_load_N": [loads[number] for loads in found["axial_load_N"]],
+    }
+
+
+def _thinned(every: Sequence[Any]) -> list[Any]:
+    numbers = np.linspace(0, len(every) - 1, min(SHOWN, len(every))).round().astype(int)
+    return [every[number] for number in numbers]
+
+
+def hottest(temperatures: dict[str, float]) -> dict[str, float]:
+    """By kind of node: of all rows' inner rings, for instance, the hottest."""
+    found: dict[str, float] = {}
+    for name, value in temperatures.items():
+        kind = name.rstrip("0123456789 ").replace("_", " ")
+        found[kind] = max(value, found.get(kind, value))
+    return found
+
+
+def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], str]]) -> Table:
+    """Of several rows the hottest nodes and the largest load."""
+    nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
+    heads = (*(f"{node}\n°C" for node in nodes), "friction\nW", "axial load\nN")
+    is_noted = any(note for *_, note in rows)
+    cells: list[tuple[str, ...]] = []
+    for at, each, note in rows:
+        numbers = (*hottest(each["temperatures_C"]).values(), each["power_W"])
+        own = (at, *(f"{value:.1f}" for value in numbers), f"{max(each['axial_load_N']):.5g}")
+        cells.append((*own, note) if is_noted else own)
+    sides = "r" * (len(heads) + 1)
+    return Table((along, *heads, *([""] if is_noted else [])), cells, sides + "l" * is_noted, title)
+
+
+def thermal_tables(found: dict[str, Any]) -> list[Block]:
+    """What a record says of a steady state: nodes, paths, and the verdict."""
+    nodes = [(in_words(name), digits_of(value)) for name, value in found["temperatures_C"].items()]
+    by = "" if found["friction"] == "contacts" else f" ({found['friction']})"
+    heat = [(f"{in_words(name)}{by}", "", digits_of(value)) for name, value in found["powers_W"].items()]
+    for path in found["flows_W"]:
+        ends, flow = (in_words(path["from"]), in_words(path["to"])), path["heat_W"]
+        heat.append(
+            (*(ends if flow is None or flow >= 0.0 else ends[::-1]), digits_of(np.nan if flow is None else abs(flow)))
+        )
+    return [
+        Table(("node", "temperature °C"), nodes, caption="Steady state"),
+        Table(("made by, or flowing from", "to", "W"), heat, "llr", "Heat"),
+        Paragraph(found["message"], is_apart=True),
+    ]

@@ -1,0 +1,145 @@
+"""Why a scene needs each effect and choice or does not: what leaving it out changes, cost in time, verdict."""
+
+from __future__ import annotations
+
+import statistics
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from qsbearing.model.compiler.compiled import is_compiled
+from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.kernel.solve_case import solve_cases
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.judgement import estimated, judge, lines_to_add
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solver import solve
+from qsbearing.studies.chooser import choose
+from qsbearing.studies.chooser.comparison import by_quantity
+
+NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
+DATA_MISSING = "likely needed, data missing"
+
+NOTHING = 1e-6
+"""Changes below it are not worth showing."""
+FEWEST, REPEATS = 3, 9
+"""Solves, at least and at most, of which the median is the time."""
+ENOUGH = 0.1
+"""Seconds, after which a scene that takes long is not solved more often than it must be."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """What there is to say about one effect or choice at one case; null for what there is not."""
+
+    effect: str
+    what: str
+    in_scene: bool
+    indicator: float | None
+    predicted: dict[str, float | None] | None
+    """Relative change of the reported results if it is left out, or was, as its indicator estimates it."""
+    actual: dict[str, float | None] | None
+    """The same, found by solving with and without it; null where its parameters are not known."""
+    time_with_over_without: float | None
+    """Where the kernel runs compiled."""
+    verdict: str
+    why: str
+    add: list[str]
+    """Lines for a scene file that lacks it, under [effects]."""
+
+    def change(self, quantity: str) -> str:
+        """What leaving it out changes of one of `QUANTITIES`, in per cent: with ≈ where it is estimated."""
+        found = self.predicted if self.actual is None else self.actual
+        value = None if found is None else found.get(quantity, 0.0)  # what is not named does not change
+        if self.actual is None and value is not None and value > NOTHING:
+            return estimated(value, "")
+        return two_digits(value, 100.0)
+
+
+def two_digits(value: float | None, size: float = 1.0) -> str:
+    """A number in so many, times a size; a dash where there is none."""
+    if value is None:
+        return "-"
+    return "0" if value < NOTHING else f"{value * size:.2g}" if value * size < 100.0 else f"{value * size:.0f}"
+
+
+def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
+    """The scene's solution, and a row for every effect and choice, named by the scene or not.
+
+    Each is solved with and without; estimated alone is what takes parameters that the scene does not give.
+
+    Args:
+        scene: a single case, with its effects as it names them.
+        tolerance: the relative error below which an effect is not needed.
+
+    Raises:
+        ValueError: the scene has array fields.
+    """
+    solution = choose.solve(scene)
+    if solution.shape:
+        raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")
+    return solution, [_row(entry, solution, tolerance) for entry in EFFECTS]
+
+
+def _row(entry: Entry, solution: Solution, tolerance: float) -> Row:
+    scene = solution.scene
+    is_in = entry.is_in(scene)
+    finer, coarser = entry.finer(scene), entry.coarser(scene)
+    judged, actual, ratio, error = None, None, None, None
+    if solution.converged and (finer is not coarser or entry.without_parameters):
+        judged = judge(entry, solution)
+        error = float(judged.largest)
+        if finer is not coarser:
+            actual, ratio = _solved(finer, coarser)
+            error = float(max(actual.values()))
+    (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
+    predicted = as_floats(None if judged is None else judged.errors)
+    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance)
+    lines = lines_to_add(scene, [entry])
+    return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines)
+
+
+def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
+    """Plain numbers; null for what is none."""
+    return None if errors is None else {name: float(x) if np.isfinite(x) else None for name, x in errors.items()}
+
+
+def verdict(
+    entry: Entry, of: str, is_solved: bool, is_in: bool, error: float | None, tolerance: float
+) -> tuple[str, str]:
+    """Whether it is needed, and why not so where that cannot be judged.
+
+    Args:
+        of: what has it or not, in a word.
+        error: the largest change of all reported results; None where there is none.
+    """
+    if not is_solved:
+        return NOT_ASSESSED, f"the {of} has no solution to judge by"
+    if entry.needs and not is_in:
+        if error is None:
+            return NOT_ASSESSED, f"needs {entry.needs}"
+        is_likely = np.isfinite(error) and error > tolerance
+        why = f"needs {entry.needs}; the numbers are estimated {entry.without_parameters}"
+        return (DATA_MISSING if is_likely else NOT_ASSESSED), why
+    if error is None:
+        return NOT_ASSESSED, f"the {of} has another choice, or nothing that this one acts on"
+    if error > tolerance and entry.hypothesis:
+        return NOT_ASSESSED, entry.hypothesis
+    return (NEEDED if error > tolerance else NOT_NEEDED), ""
+
+
+def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float | None]:
+    """What a solve with it and one without differ by, and the time of the first over that of the other: medians of
+    solves in turn, of the compiled kernel; None where it runs as plain Python."""
+    scenes = finer, coarser
+    found = [solve(each, threads=1) for each in scenes]
+    times = [[each.seconds] for each in found]
+    with_it, without = found
+    if not is_compiled(solve_cases):
+        return by_quantity(without, with_it), None
+    while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
+        found = [solve(each, threads=1) for each in scenes]
+        for taken, each in zip(times, found, strict=True):
+            taken.append(each.seconds)
+    return by_quantity(without, with_it), statistics.median(times[0]) / statistics.median(times[1])

@@ -1,0 +1,183 @@
+"""Several bearings at the same job: what they are, and what each makes of it, side by side."""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.files.set_file import is_set, set_of
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution import quantities
+from qsbearing.model.solution.solution import Solution
+from qsbearing.studies.chooser.choose import solve as choose
+from qsbearing.studies.chunk import MAIN
+from qsbearing.studies.results import Result, known_results, read
+from qsbearing.studies.results import find as find_result
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.solve import solve_set
+
+MOST = 20
+"""Bearings: of more no table is read."""
+SHOWN = (
+    *MAIN, "ring_effective_stiffness_tilt_z", "outer_required_friction_max", "centrifugal_force_max", "balls_off_inner",
+    "inner_film_film_parameter_min", "outer_film_film_parameter_min",
+)  # fmt: skip
+"""Of one bearing; with them every number of its readings that is not of single balls."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """One number of each bearing."""
+
+    name: str
+    unit: str
+    values: tuple[float, ...]
+    """NaN where there is none."""
+
+    def difference(self, number: int) -> float:
+        """Of a bearing from the first, as a part of the first; 0 where either has none or the first is 0."""
+        first, own = self.values[0], self.values[number]
+        return own / first - 1.0 if np.isfinite(first) and np.isfinite(own) and first != 0.0 else 0.0
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Bearings at the same job, in the order given."""
+
+    labels: tuple[str, ...]
+    statuses: tuple[str, ...]
+    inputs: tuple[Line, ...]
+    """Numbers of the bearings in which they differ."""
+    results: tuple[Line, ...]
+    job: str
+    """Where the job stands."""
+
+    @property
+    def all_solved(self) -> bool:
+        """Whether each bearing has an equilibrium."""
+        return all(status == "converged" for status in self.statuses)
+
+
+Source = str | os.PathLike[str] | dict[str, Any]
+
+
+def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
+    """Solve several bearings under the same operating conditions.
+
+    Args:
+        sources: scenes by file, catalogue name, or tables; only the bearing of each is used.
+        at: a scene file, or tables, whose operation, preload, effects and readings are used for all bearings, its own
+            bearing left out; None: the first source. If it is a set, each bearing in turn is that of its rows.
+
+    Raises:
+        SceneFileError: everything that is wrong with any of them, at once.
+    """
+    return solved(job_of(sources, at))
+
+
+class Job(NamedTuple):
+    """Bearings at one job, as they can be solved."""
+
+    made: list[Scene | BearingSet]
+    files: list[str]
+    where: str
+    """Where the job stands."""
+
+
+def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
+    """What is to be compared, read and checked; arguments and errors are those of `compare`."""
+    count = len(sources)
+    if not 2 <= count <= MOST:
+        given = f"{count} scene{'' if count == 1 else 's'} given"
+        raise refused("compare", f"{given}: a comparison takes 2 to {MOST}")
+    errors: list[FileErrorDetail] = []
+    documents = [_read(source, errors) for source in sources]
+    job = documents[0][0] if at is None else _read(at, errors)[0]
+    if "spectrum" in job:
+        errors.append(FileErrorDetail("[[spectrum]]", "has several operating points: a comparison takes one"))
+    made: list[Scene | BearingSet] = []
+    for document, file, label in documents if not errors else ():
+        try:
+            made.append(_with_bearing(job, document, file, label))
+        except SceneFileError as error:
+            for each in error.errors:
+                found = each if isinstance(each, FileErrorDetail) else FileErrorDetail("", str(each))
+                errors.append(FileErrorDetail(**{**vars(found), "key": f"{file}: {found.key}"}))
+    if errors:
+        raise SceneFileError("compare", errors)
+    where = "the first scene" if at is None else ("tables" if isinstance(at, dict) else str(at))
+    return Job(made, [file for _, file, _ in documents], where)
+
+
+def solved(job: Job) -> Comparison:
+    """All of them solved."""
+    solutions = [solve_set(each) if isinstance(each, BearingSet) else choose(each) for each in job.made]
+    bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
+    labels = _labels([bearing.name for bearing in bearings], job.files)
+    statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
+    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), job.where)
+
+
+def _read(source: Source, errors: list[FileErrorDetail]) -> tuple[dict[str, Any], str, str]:
+    if isinstance(source, dict):
+        return source, "tables", ""
+    try:
+        return document_of(source)
+    except SceneFileError as error:
+        for each in error.errors:
+            assert isinstance(each, FileErrorDetail)
+            errors.append(FileErrorDetail(**{**vars(each), "key": f"{error.file}: {each.key}".removesuffix(": ")}))
+        return {}, str(source), ""
+
+
+def _with_bearing(job: dict[str, Any], document: dict[str, Any], file: str, label: str) -> Scene | BearingSet:
+    merged = copy.deepcopy({name: table for name, table in job.items() if name not in ("bearing", "vary", "study")})
+    if "bearing" in document:
+        merged["bearing"] = copy.deepcopy(document["bearing"])
+    return set_of(merged, file, label) if is_set(merged) else scene_of(merged, file, label)
+
+
+def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:
+    """Names of the bearings; with their files where two have the same."""
+    names = [name or Path(file).stem for name, file in zip(names, files, strict=True)]
+    if len(set(names)) < len(names):
+        names = [f"{name} ({Path(file).stem})" for name, file in zip(names, files, strict=True)]
+    return tuple(f"{name} #{i + 1}" if names.count(name) > 1 else name for i, name in enumerate(names))
+
+
+def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
+    lines = [
+        Line(key.name, key.unit, tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings))
+        for key in BEARING
+    ]
+    for side in MATERIALS:
+        for key in MATERIAL[:3]:
+            values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
+            lines.append(Line(f"{side}.{key.name}", key.unit, values))
+    return tuple(line for line in lines if len(set(line.values)) > 1)
+
+
+def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
+    every: dict[str, Result] = {}
+    values: list[dict[str, float]] = []
+    for solution in solutions:
+        known = known_results(solution)
+        of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
+        names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
+        kept = {each.name: each for name in names if (each := find_result(name, known)) is not None}
+        every |= {name: each for name, each in kept.items() if name not in every}
+        found = read(solution, kept.values())
+        values.append({name: float(np.asarray(each)) for name, each in found.items()})
+    lines = (Line(name, each.unit, tuple(found.get(name, np.nan) for found in values)) for name, each in every.items())
+    return tuple(line for line in lines if any(np.isfinite(each) and each != 0.0 for each in line.values))

@@ -1,0 +1,123 @@
+"""What a search found, as tables, as plain data and as a picture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing import __version__
+from qsbearing.files.scene_tables import input_tables
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.studies.design.find import Found
+from qsbearing.studies.design.wanted import Variable
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from qsbearing.documents.model import Block
+
+GRID = 81
+"""Points along each axis of the picture."""
+
+
+def heading(found: Found) -> str:
+    """How the search ended, in a sentence."""
+    share = f"{100.0 * found.feasible_share:.3g} % of the sampled points meet all goals and limits"
+    goals = " (goals within 1 %)" if any(each.sense == "=" for each in found.wanted.conditions) else ""
+    end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all goals and limits."
+    if not found.is_feasible:
+        nearest = "The nearest point is shown: its largest violation, relative to the limit, is the smallest"
+        return f"No point is feasible. {nearest}."
+    if found.wanted.objective:
+        kind = "Largest" if found.wanted.is_maximised else "Smallest"
+        return f"{kind} {found.wanted.objective} found. {end}"
+    return f"All goals and limits are met. {end}"
+
+
+def tables(found: Found) -> list[Block]:
+    """For the terminal."""
+    from qsbearing.documents.model import Paragraph, Table
+
+    variables, results = [], []
+    for key, value in found.values.items():
+        ends = found.ranges.get(key)
+        shown = ("", "") if ends is None else (f"{ends[0]:.5g}", f"{ends[1]:.5g}")
+        variables.append((key, f"{value:.6g}", *shown, printed_unit(found.units[key])))
+    for name, value in found.results.items():
+        asked = [f"{each.sense} {each.value:g}" for each in found.wanted.conditions if each.name == name]
+        if name == found.wanted.objective:
+            asked.append("largest" if found.wanted.is_maximised else "smallest")
+        results.append((name, f"{value:.6g}", ", ".join(asked), printed_unit(found.units[name])))
+    lines = []
+    if found.ranges:
+        within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
+        change = f" and {within} stays within 1 %" if within else ""
+        lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
+    lines += [f"Binding: {each}" for each in found.binding]
+    lines += [f"Not met: {each}" for each in found.failed]
+    more = found.evaluations - found.sampled
+    lines.append(f"{found.sampled:,} points over all ranges and {more:,} near the best ones, {found.seconds:.2g} s")
+    return [
+        Paragraph(heading(found)),
+        Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
+        Table(("result", "found", "asked for", "unit"), results, "lrll", "Results"),
+        *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(lines)),
+    ]
+
+
+def record(found: Found) -> dict[str, Any]:
+    """What `find --json` prints: "input" is the scene found, which every command reads."""
+    return {
+        "version": __version__,
+        "input": input_tables(found.scene),
+        "status": "feasible" if found.is_feasible else "infeasible",
+        "message": heading(found),
+        "values": found.values,
+        "results": found.results,
+        "units": found.units,
+        "binding": list(found.binding),
+        "failed": list(found.failed),
+        "ranges": {key: list(ends) for key, ends in found.ranges.items()},
+        "feasible_share": found.feasible_share,
+        "sampled": found.sampled,
+        "evaluations": found.evaluations,
+        "seconds": found.seconds,
+    }
+
+
+def picture(found: Found) -> Figure:
+    """The feasible region over the first two variables that have a range, or over one; the others as found."""
+    from qsbearing.pictures.feasible_region import Along, Shown, draw_region
+
+    ranged = [each for each in found.wanted.variables if not each.values]
+    over = ranged[:2] or [found.wanted.variables[0]]
+    places = {each.key: _spread(each) for each in over}
+    if len(over) == 1:  # the curve meets the star
+        places = {key: np.union1d(values, [found.values[key]]) for key, values in places.items()}
+    axes = [
+        Along(each.key, found.units[each.key], places[each.key], found.values[each.key], each.is_log) for each in over
+    ]
+    grid = dict(zip((each.key for each in over), np.meshgrid(*(each.values for each in axes)), strict=True))
+    results = found.evaluate({key: np.asarray(value) for key, value in found.values.items()} | grid)
+    shown = [
+        Shown(
+            name, found.units[name], values,
+            [(each.sense, each.value) for each in found.wanted.conditions if each.name == name],
+        )
+        for name, values in results.items()
+    ]  # fmt: skip
+    held = [f"{key} = {value:.5g}" for key, value in found.values.items() if key not in grid]
+    best = "optimum" if found.wanted.objective else "point found"
+    name = best if found.is_feasible else "nearest point"
+    return draw_region(
+        axes[0], axes[1] if len(axes) > 1 else None, shown, found.wanted.objective, ", ".join(held), name
+    )
+
+
+def _spread(variable: Variable) -> Any:
+    return np.asarray(variable.values) if variable.values else variable.at(np.linspace(0.0, 1.0, GRID))
+
+
+def _has_goals(found: Found) -> bool:
+    return any(each.sense == "=" for each in found.wanted.conditions)

@@ -1,0 +1,190 @@
+"""What a search is asked for: the variables with their ranges, and goals, limits and an objective by name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from math import ceil, floor, isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
+from qsbearing.model.validation import comma_advice
+from qsbearing.studies import keys
+
+MOST_VARIABLES = 6
+"""Of a search over a scene (chosen: 16,000 points still see every pair of them in some detail)."""
+RANGE = "KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=A,B,C"
+WHOLE = ("ball_count",)
+"""Keys that take whole numbers only."""
+_CONDITION = re.compile(r"\s*([\w.]+)\s*(<=|>=|==|=|<|>)\s*([^\s<>=]+)\s*")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One number that is looked for: in a range, or among values."""
+
+    key: str
+    low: float
+    high: float
+    is_log: bool = False
+    """Whether points are spread evenly over the logarithm of the range."""
+    values: tuple[float, ...] = ()
+    """In rising order, where only these are taken."""
+
+    def at(self, u: NDArray) -> NDArray:
+        """Values at places in the unit interval."""
+        if self.values:
+            place = np.minimum((u * len(self.values)).astype(int), len(self.values) - 1)
+            return np.asarray(self.values)[place]
+        found = self.low * (self.high / self.low) ** u if self.is_log else self.low + (self.high - self.low) * u
+        return np.clip(found, self.low, self.high)
+
+    def some(self, count: int) -> tuple[float, ...]:
+        """At most so many different values, spread over the range, its ends among them."""
+        spread = np.linspace(0.0, 1.0, count)
+        return tuple(dict.fromkeys(float(value) for value in self.at(spread)))
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A goal (=) or a limit (<=, >=) of a result, in the result's unit."""
+
+    name: str
+    sense: str
+    value: float
+
+    def __str__(self) -> str:
+        return f"{self.name} {self.sense} {self.value:g}"
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """All that a search is asked for; conditions in the order goals, limits."""
+
+    variables: tuple[Variable, ...]
+    conditions: tuple[Condition, ...]
+    objective: str = ""
+    """The result to make small or large; empty: none."""
+    is_maximised: bool = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the results in the order of the columns that a search works on: conditions, then the objective."""
+        return (*(each.name for each in self.conditions), *([self.objective] if self.objective else []))
+
+
+def wanted(
+    vary: Mapping[str, Any],
+    goals: Iterable[str],
+    limits: Iterable[str],
+    minimise: str | None,
+    maximise: str | None,
+    file: str,
+) -> Wanted:
+    """What was asked for in words.
+
+    Args:
+        vary: for each key "LOW:HIGH", "LOW:HIGH:log" or (LOW, HIGH), or the values to choose from: "A,B,C" or a list.
+        goals, limits: "NAME=VALUE", "NAME<=VALUE" or "NAME>=VALUE".
+        file: what to call it in errors.
+
+    Raises:
+        SceneFileError: everything that is wrong with it, at once.
+    """
+    errors: list[FileErrorDetail] = []
+    variables: dict[str, Variable] = {}
+    for name, given in vary.items():
+        try:
+            variable = _variable(name, given)
+            if variable.key in variables:
+                raise ValueError("is varied twice")
+            variables[variable.key] = variable
+        except ValueError as error:
+            errors.append(FileErrorDetail(f"vary {name}", str(error), given))
+    if not 1 <= len(vary) <= MOST_VARIABLES:
+        cause = f"From one to {MOST_VARIABLES}: {RANGE}"
+        errors.append(FileErrorDetail("vary", f"{len(vary) or 'no'} variables", cause=cause))
+    conditions = [
+        *(_condition("goal", text, ("=",), errors) for text in goals),
+        *(_condition("limit", text, ("<=", ">="), errors) for text in limits),
+    ]
+    objective = minimise or maximise or ""
+    if minimise and maximise:
+        errors.append(FileErrorDetail("maximise", "beside minimise", maximise, cause="Keep one, and limit the other"))
+    if not conditions and not objective:
+        cause = "Give a goal, a limit, or a result to minimise or maximise"
+        errors.append(FileErrorDetail("goal", "nothing is asked for", cause=cause))
+    if errors:
+        raise SceneFileError(file, errors)
+    return Wanted(tuple(variables.values()), tuple(filter(None, conditions)), objective.strip(), bool(maximise))
+
+
+def _variable(name: str, given: Any) -> Variable:
+    """Raises ValueError with what is wrong."""
+    key = keys.find(name)
+    if key is None:
+        raise ValueError(f"is not a numeric key of a scene. {keys.suggestion(name)}")
+    if key.name == keys.EACH_BALL:
+        raise ValueError(f"is drawn at random; of one ball it is {keys.EACH_BALL}_0")
+    is_log = False
+    if isinstance(given, str) and ":" in given:
+        low, high, *rest = given.split(":")
+        if rest not in ([], ["log"]):
+            raise ValueError(f"is not a range. Write {RANGE}: a search chooses its points itself")
+        ends, is_log = (_number(low), _number(high)), bool(rest)
+    elif isinstance(given, tuple) and len(given) == 2:
+        ends = (_number(given[0]), _number(given[1]))
+    else:
+        parts = given.split(",") if isinstance(given, str) else np.ravel(given).tolist()
+        values = sorted(map(_number, parts))
+        if len(set(values)) < max(2, len(values)):
+            raise ValueError("needs at least two different values to choose from, or a range LOW:HIGH")
+        return Variable(key.name, values[0], values[-1], values=tuple(values))
+    low_end, high_end = ends
+    if not low_end < high_end:
+        raise ValueError(f"is not a range: {low_end:g} is not below {high_end:g}")
+    if is_log and low_end <= 0.0:
+        raise ValueError(f"starts at {low_end:g}: a logarithmic range needs a start above zero")
+    if key.name in WHOLE:
+        least, most = BALL_COUNT_RANGE
+        if low_end < least or high_end > most:
+            raise ValueError(f"is beyond what a bearing has: {least} to {most} balls")
+        whole = tuple(float(value) for value in range(ceil(low_end), floor(high_end) + 1))
+        if len(whole) < 2:
+            raise ValueError("holds fewer than two whole numbers")
+        return Variable(key.name, whole[0], whole[-1], values=whole)
+    return Variable(key.name, low_end, high_end, is_log)
+
+
+def _condition(kind: str, text: str, senses: tuple[str, ...], errors: list[FileErrorDetail]) -> Condition | None:
+    form = f"NAME{senses[0]}VALUE"
+    found = _CONDITION.fullmatch(text)
+    try:
+        if found is None:
+            raise ValueError(f"is not of the form {form}")
+        name, sense, value = found.groups()
+        sense = {"<": "<=", ">": ">=", "==": "="}.get(sense, sense)
+        if sense not in senses:
+            other = "limit" if kind == "goal" else "goal"
+            raise ValueError(f"is a {other}: a {kind} is {form}")
+        return Condition(name, sense, _number(value))
+    except ValueError as error:
+        errors.append(FileErrorDetail(kind, str(error), text))
+        return None
+
+
+def _number(given: Any) -> float:
+    try:
+        value = float(given)
+    except (TypeError, ValueError):
+        advice = comma_advice(given)
+        cause = f". {advice}" if advice else ""
+        raise ValueError(f"{str(given).strip()!r} is not a number{cause}") from None
+    if isinstance(given, bool) or not isfinite(value):
+        raise ValueError(f"{given} is not a finite number")
+    return value

@@ -1,0 +1,1 @@
+"""Bearings together and around: rows on a shaft, heat, rotor dynamics."""

@@ -1,0 +1,403 @@
+"""The set: rows of bearings on one rigid shaft, where they stand, which way each carries, and what presses them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.documents.in_notebooks import InNotebooks
+from qsbearing.model.contact.hertz import HertzForm
+from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
+from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.orbit_radius import OrbitRadius
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.tilt_lever import TiltLever
+from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.scene.elastic_seats import clearance_errors
+from qsbearing.model.scene.operation import Operation
+from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
+from qsbearing.systems.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.network import Thermal
+
+FARTHEST = 10.0
+"""Metres along the shaft; it catches mistakes of unit."""
+
+WIDEST_OFFSET = 0.01
+"""Metres; likewise."""
+
+
+class Direction(StrEnum):
+    """Which axial load on the shaft a row carries; it presses the row's balls."""
+
+    PLUS = "+x"
+    MINUS = "-x"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of balls: its bearing and its place in the set. SI units; numbers may be arrays that span cases."""
+
+    bearing: BallBearing
+    position: ArrayLike = 0.0
+    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
+    reference temperature [m]."""
+    carries: Direction = Direction.PLUS
+    """As a member or as its word."""
+    offset: ArrayLike = 0.0
+    """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
+    faces are ground off, or a spacer is longer. Below zero it is a gap."""
+    sprung: bool = False
+    """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
+    housing_stiffness: HousingStiffness | None = None
+    """Of what its outer ring sits in; None: rigid."""
+    ring_effects: tuple[RingEffect, ...] | None = None
+    """Its own; None: those of the set."""
+    readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
+    """Its own; None: those of the set."""
+
+    @property
+    def sign(self) -> float:
+        """1 for a row that carries load in +x, -1 for one that carries it in -x."""
+        return 1.0 if self.carries == Direction.PLUS else -1.0
+
+
+@dataclass(frozen=True)
+class BearingSet(InNotebooks):
+    """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.
+
+    The shaft has five channels at its reference position, each with its load or its displacement: forces, moments and
+    tilts are those of the shaft there. A row at x moves as the shaft does there; from the tilts it gets
+
+        y + tilt_z (x - reference),      z - tilt_y (x - reference).
+
+    Positions and the reference are those of planes of ball centres, at rest and unloaded. So a set's moments are about
+    another point than those of a bearing alone, which are about the plane of its inner groove centres: `Operation`.
+
+    A row that carries load in -x is solved as its mirror image in a plane across the shaft: the same azimuths and
+    speeds, axial displacement and tilts reversed.
+
+    A preload presses the rows that carry in +x against those that carry in -x:
+        rigid: the axial load of the rows of either direction together at rest and cold, before fitting; the rings are
+            then held;
+        mounted: likewise after fitting, at the reference temperature;
+        axial_displacement: how far both directions together are pressed beyond first contact, half each; also held;
+        spring: the force on the outer rings of the sprung rows, which slide together.
+    It leaves the shaft's axial channel free for a load or a displacement of its own.
+
+    With ring expansion, inner rings part as the shaft grows between them and outer ones as the housing does, both from
+    the reference position; offsets and held displacements are lengths of the shaft. Spacers move all rows but the one
+    of `axial_datum`.
+
+    Raises:
+        SceneError: parts that do not fit together; every error, at once.
+    """
+
+    rows: tuple[Row, ...]
+    operation: Operation = field(default_factory=Operation)
+    preload: Preload | None = None
+    reference_position: ArrayLike | None = None
+    """Where the shaft's channels are meant [m]; None: midway between the first and the last row."""
+    ball_effects: tuple[BallEffect, ...] = ()
+    raceway_control: RacewayControl | None = None
+    hertz_angle: HertzAngle = HertzAngle.FREE
+    hertz_form: HertzForm = HertzForm.EXACT
+    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    ring_effects: tuple[RingEffect, ...] = ()
+    readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
+    name: str = ""
+    thermal: Thermal | None = None
+    """With it, `qs.solve_set` finds the temperatures at which the set runs."""
+    shaft: Shaft | None = None
+    """Its sections, loads and supports; None: rigid, and loaded at the reference alone."""
+    housing: Housing | None = None
+    """Its temperature, which parts outer rings; None: that of ring expansion."""
+    spacers: tuple[Spacer, ...] = ()
+    floating: tuple[FloatingGroup, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
+            raise SceneError([ErrorDetail("rows", "is not a tuple of rows", cause="Write (qs.Row(...), qs.Row(...))")])
+        numbers = _number_errors(self)
+        # Whether a preload has rows to press against is known only once groups name rows that there are.
+        preload = [] if numbers else _preload_errors(self)
+        raise_if_any([*_row_errors(self.rows), *numbers, *_place_errors(self), *preload])
+        rows = (
+            row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
+            for row in self.rows
+        )
+        object.__setattr__(self, "rows", tuple(rows))
+        raise_if_any(_temperature_errors(self) or _scene_errors(self))
+
+    def effects_of(self, row: Row) -> tuple[RingEffect, ...]:
+        """What changes the bearing of a row of the set: its own ring effects, or the set's."""
+        if id(row) not in self._effects:
+            self._effects[id(row)] = self._seated_effects(row)
+        return self._effects[id(row)]
+
+    @cached_property
+    def _effects(self) -> dict[int, tuple[RingEffect, ...]]:
+        """What is asked for again and again, by the rows' identities."""
+        return {}
+
+    def _seated_effects(self, row: Row) -> tuple[RingEffect, ...]:
+        effects = self.ring_effects if row.ring_effects is None else row.ring_effects
+        if self.shaft is None and self.housing is None:
+            return effects
+        return tuple(self._seated(each, row) if isinstance(each, RingExpansion) else each for each in effects)
+
+    def _seated(self, rings: RingExpansion, row: Row) -> RingExpansion:
+        """Rings on this shaft and in this housing: what they leave out of their seats is the shaft's and housing's."""
+        seats: dict[str, Any] = {}
+        if self.shaft is not None and rings.shaft_interference is not None:
+            section = self.shaft.sections[self.shaft.section_number(row.position)]
+            seats |= {"shaft_bore_diameter": section.inner_diameter, "shaft_material": section.material}
+            seats["shaft_temperature"] = self.shaft.temperature
+        if self.housing is not None and rings.housing_interference is not None:
+            seats |= {"housing_material": self.housing.material, "housing_temperature": self.housing.temperature}
+        missing = {name: value for name, value in seats.items() if getattr(rings, name) is None and value is not None}
+        return replace(rings, **missing)
+
+    def row_scene(self, number: int, operation: Operation) -> Scene:
+        """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
+        row = self.rows[number]
+        choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_effects")
+        return Scene(
+            row.bearing,
+            operation,
+            ring_effects=self.effects_of(row),
+            readings=self.readings if row.readings is None else row.readings,
+            **{name: getattr(self, name) for name in choices},
+        )
+
+    def turning_scene(self, number: int) -> Scene:
+        """A row alone, turning without any load."""
+        if number not in self._turning_scenes:
+            turning = Operation(**self.operation.turning)  # type: ignore[arg-type]
+            self._turning_scenes[number] = self.row_scene(number, turning)
+        return self._turning_scenes[number]
+
+    @cached_property
+    def _turning_scenes(self) -> dict[int, Scene]:
+        """Checked when the set is made, and solved later."""
+        return {}
+
+    @cached_property
+    def alike(self) -> tuple[int, ...]:
+        """Of each row, from 0, the first that as a bearing is the very same: solved alike, checked once."""
+        known: dict[tuple[int, ...], int] = {}
+        found = []
+        for number, row in enumerate(self.rows):
+            effects = self.ring_effects if row.ring_effects is None else row.ring_effects
+            effects = effects if isinstance(effects, tuple) else (effects,)
+            seat = 0
+            if self.shaft is not None and any(isinstance(each, RingExpansion) for each in effects):
+                seat = self.shaft.section_number(row.position)
+            own = row.bearing, row.readings, *effects
+            found.append(known.setdefault((seat, *map(id, own)), number))
+        return tuple(found)
+
+    @cached_property
+    def growth(self) -> tuple[Growth, Growth]:
+        """Along the shaft and in the housing."""
+        return Growth(self, SHAFT), Growth(self, HOUSING)
+
+    def offset_in_operation(self, row: Row, offset: NDArray) -> NDArray:
+        """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
+
+        What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
+        the reference position.
+        """
+        along, outside = (growth(row.position) for growth in self.growth)
+        return np.asarray(offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside))
+
+    @cached_property
+    def axial_datum(self) -> int:
+        """Number, from 0, of the row that spacers leave in its place on the shaft and in the housing: the one of least
+        x that carries in +x and does not float; without such a row, the first in +x, or the first of all."""
+        floating = {number - 1 for group in self.floating for number in group.rows}
+
+        def rank(number: int) -> tuple[bool, bool, float]:
+            row = self.rows[number]
+            return row.sign < 0.0, number in floating or row.sprung, float(np.ravel(row.position)[0])
+
+        return min(range(len(self.rows)), key=rank)
+
+    @cached_property
+    def reference(self) -> NDArray:
+        """Where the shaft's channels are meant [m]."""
+        if self.reference_position is not None:
+            return np.asarray(self.reference_position, float)
+        positions = np.broadcast_arrays(*(np.asarray(row.position, float) for row in self.rows))
+        return np.asarray(0.5 * (np.min(positions, axis=0) + np.max(positions, axis=0)))
+
+    @property
+    def numbers_around(self) -> list[ArrayLike | None]:
+        """Of shaft, housing, spacers and sleeves, which may span cases."""
+        found = [each.temperature for each in (self.shaft, self.housing) if each is not None]
+        if self.shaft is not None:
+            found += [value for load in self.shaft.loads for value in load.values]
+        for each in self.spacers:
+            found += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
+        return found + [group.spring for group in self.floating]
+
+    @property
+    def groups(self) -> tuple[tuple[tuple[int, ...], Preload | None], ...]:
+        """(numbers of rows, from 0, that hold each other axially through one outer body; their preload): the housing's
+        rows, then each floating group's."""
+        floating = [tuple(number - 1 for number in group.rows) for group in self.floating]
+        away = {number for group in floating for number in group}
+        fixed = tuple(number for number in range(len(self.rows)) if number not in away)
+        own = [self.preload if group.preload is None else group.preload for group in self.floating]
+        return ((fixed, self.preload), *zip(floating, own, strict=True))
+
+    def opposes(self, group: tuple[int, ...]) -> bool:
+        """Whether rows of a group carry in both directions."""
+        return len({str(self.rows[number].carries) for number in group}) == 2
+
+    @property
+    def is_opposed(self) -> bool:
+        """Whether some rows carry in +x and some in -x."""
+        return len({row.carries for row in self.rows}) == 2
+
+    @property
+    def arrangement(self) -> str:
+        """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest."""
+        order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
+        pair = tuple(row.carries for row in order)
+        names = {
+            (Direction.PLUS, Direction.MINUS): "DB (back to back)",
+            (Direction.MINUS, Direction.PLUS): "DF (face to face)",
+        }
+        if len(pair) == 2:
+            return names.get(pair, "DT (tandem)")
+        return " ".join(pair)
+
+
+def _row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
+    errors = []
+    for number, row in enumerate(rows, 1):
+        path = f"row {number}"
+        if not isinstance(row.bearing, BallBearing):
+            errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
+        errors += choose(f"{path}.carries", row.carries, Direction)[1]
+        errors += placement_errors(path, row.position, row.offset)
+    return errors
+
+
+def _number_errors(of: BearingSet) -> list[ErrorDetail]:
+    """Errors of spacers and floating groups that name rows."""
+    errors: list[ErrorDetail] = []
+    taken: set[int] = set()
+    cause = f"Rows count from 1 to {len(of.rows)}"
+    named: dict[str, tuple[Spacer | FloatingGroup, ...]] = {"spacer": of.spacers, "floating": of.floating}
+    for kind, parts in named.items():
+        for number, part in enumerate(parts, 1):
+            path, rows = f"{kind} {number}.rows", tuple(part.rows)
+            known = all(isinstance(row, int) and 1 <= row <= len(of.rows) for row in rows)
+            if not known or len(set(rows)) < len(rows) or not rows or (kind == "spacer" and len(rows) != 2):
+                errors.append(ErrorDetail(path, "are not valid numbers of rows", list(rows), cause=cause))
+            elif kind == "floating" and (taken & set(rows) or any(of.rows[row - 1].sprung for row in rows)):
+                errors.append(ErrorDetail(path, "name a row that is sprung, or in another group", list(rows)))
+            taken |= set(rows) if kind == "floating" else set()
+    return errors
+
+
+def placement_errors(path: str, position: ArrayLike, offset: ArrayLike) -> list[ErrorDetail]:
+    """Errors of where a row stands, whatever the bearing."""
+    errors = within(f"{path}.position", position, LENGTH, -FARTHEST, FARTHEST)
+    return errors + within(f"{path}.offset", offset, LENGTH, -WIDEST_OFFSET, WIDEST_OFFSET)
+
+
+def _place_errors(of: BearingSet) -> list[ErrorDetail]:
+    errors = []
+    if of.reference_position is not None:
+        errors += within("reference_position", of.reference_position, LENGTH, -FARTHEST, FARTHEST)
+    if of.shaft is not None and not isinstance(of.shaft, Shaft):
+        errors.append(ErrorDetail("shaft", "is not a shaft", of.shaft, cause="Write qs.Shaft(...)"))
+    elif of.shaft is not None:
+        errors += outside(of.shaft, [(f"row {number}", row.position) for number, row in enumerate(of.rows, 1)])
+        if of.reference_position is not None and not errors:
+            errors += outside(of.shaft, [("reference", of.reference_position)])
+    for number, row in enumerate(of.rows, 1):
+        for before, other in enumerate(of.rows[: number - 1], 1):
+            if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
+                cause = "Give the position of the balls of each row along the shaft"
+                problem = f"is the position of row {before} too"
+                errors.append(ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause))  # type: ignore[arg-type]
+    return errors
+
+
+def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
+    sprung = [row for row in of.rows if row.sprung]
+    if of.preload is not None and not isinstance(of.preload, Preload):
+        return [ErrorDetail("preload", "is not a preload", of.preload, cause=NOT_A_PRELOAD)]
+    kind = None if of.preload is None else of.preload.kind
+    errors = []
+    if kind == "spring" and not sprung:
+        cause = "Give sprung = true to each row whose outer ring slides and is preloaded"
+        errors.append(ErrorDetail("preload.spring", "is given, but no row is sprung", cause=cause))
+    if kind != "spring" and sprung:
+        cause = "Give preload.spring, or leave sprung out"
+        errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
+    if len({str(row.carries) for row in sprung}) > 1:
+        cause = "Spring only rows that carry in one direction; the other rows react against them"
+        errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
+    directions = {str(row.carries) for row in of.rows}
+    if kind is not None and kind != "spring" and len(directions) == 2 and not any(map(of.opposes, dict(of.groups))):
+        cause = (
+            "No group of rows, in the housing or floating, carries in both directions: give the floating group a force"
+        )
+        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
+    if kind is not None and len(directions) == 1:
+        cause = f"All rows carry in {directions.pop()}: let some carry in the other direction, or give an axial load"
+        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
+    return errors
+
+
+def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
+    """Errors of a temperature that rings and body both have."""
+    errors = []
+    for number, row in enumerate(of.rows, 1):
+        for rings in of.ring_effects if row.ring_effects is None else row.ring_effects:
+            for body in ("shaft", "housing"):
+                own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
+                if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
+                    cause = f"Give {body}.temperature only: the rows take it from there"
+                    path = f"row {number}.ring_expansion.{body}_temperature"
+                    errors.append(ErrorDetail(path, f"differs from {body}.temperature", cause=cause))
+    return errors
+
+
+def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
+    """What is wrong with the rows as bearings; what all have alike is said once, without a row."""
+    found: list[list[ErrorDetail]] = []
+    for number, same in enumerate(of.alike):
+        if same < number:
+            found.append(found[same])
+            continue
+        try:
+            row = of.turning_scene(number)
+            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, row.operation))
+        except SceneError as error:
+            found.append(list(error.errors))
+    common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]
+    said = set(map(str, common))
+    own = [
+        replace(each, field=f"row {number}.{each.field}")
+        for number, errors in enumerate(found, 1)
+        for each in errors
+        if str(each) not in said
+    ]
+    return common + own

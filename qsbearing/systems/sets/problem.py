@@ -1,0 +1,197 @@
+"""All cases of a set, made ready for the kernel, solved in stretches, and what is found of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
+from qsbearing.model.kernel.case import OWN_BALL
+from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.solution import Solution
+from qsbearing.systems.sets.bearing_set import BearingSet, Row
+from qsbearing.systems.sets.direct import solve_directly
+from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
+from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
+from qsbearing.systems.sets.outcome import Outcome
+from qsbearing.systems.sets.rigid_shaft import SLIDE
+from qsbearing.systems.sets.row_cases import RowCases, empty
+
+
+class Problem:
+    """All cases of a set, made ready for the kernel; what is found of them."""
+
+    def __init__(self, of: BearingSet, offsets: list[NDArray], tolerance: float, threads: int) -> None:
+        self.of, self.tolerance, self.threads = of, tolerance, threads
+        operation = of.operation
+        scenes = {number: of.turning_scene(number) for number in sorted(set(of.alike))}
+        spring = None if of.preload is None else of.preload.spring
+        numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
+        numbers += of.numbers_around
+        shapes = [np.shape(number) for number in numbers if number is not None]
+        try:
+            self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes.values()))
+        except ValueError:
+            raise ValueError("the array fields of the set do not broadcast to common case axes") from None
+        self.count = prod(self.shape)
+        given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
+        self.makers = {number: CaseMaker(scene, dict(given)) for number, scene in scenes.items()}
+        """Of bearings that are not alike, by their first row."""
+        warm = (of.offset_in_operation(row, offset) for row, offset in zip(of.rows, offsets, strict=True))
+        self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
+        self._lever = 0.5 * np.mean(self._of_rows(lambda row: row.bearing.pitch_diameter), axis=0)
+        self.structure = structure_of(of, self.shape, self._lever)
+        self.matrices = self.structure.matrices
+        self.outcome = Outcome.of(self.count, *self.matrices.shape[::3])
+        size = max(maker.position_size for maker in self.makers.values())
+        balls = max(maker.ball_axis for maker in self.makers.values())
+        self.found = empty(len(of.rows), self.count, balls, position_size=size)
+        """Of all rows: row, case, ball."""
+        self._set_unknowns(spring)
+        self._step = LARGEST_STEP * np.min(self._of_rows(lambda row: row.bearing.groove_centre_distance), axis=0)
+
+    def _flat(self, values: Any) -> NDArray:
+        array = np.asarray(values, float)
+        return np.full(self.count, array) if array.ndim == 0 else np.broadcast_to(array, self.shape).reshape(-1)
+
+    def _of_rows(self, number: Callable[[Row], Any]) -> list[NDArray]:
+        """A number of each row over the flattened cases."""
+        known = {same: self._flat(number(self.of.rows[same])) for same in self.makers}
+        return [known[same] for same in self.of.alike]
+
+    def _set_unknowns(self, spring: Any) -> None:
+        """Loads, and which unknowns have their values given or vanish by symmetry."""
+        self._load, self._place = self.structure.load.copy(), np.zeros_like(self.structure.load)
+        self._held = np.zeros(self._load.shape, bool)
+        self._held[:, self.structure.given :] = True
+        self._place[:, self.structure.given :] = 1.0
+        for i, channel in enumerate(CHANNELS):
+            load = getattr(self.of.operation, channel.load)
+            displacement = getattr(self.of.operation, channel.displacement)
+            if load is not None:
+                self._load[:, i] += self._flat(load)
+            self._held[:, i] = displacement is not None
+            if displacement is not None:
+                self._place[:, i] = self._flat(displacement)
+        self._held[:, SLIDE] = spring is None
+        if spring is not None:
+            self._load[:, SLIDE] = self._flat(spring)
+        given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
+        out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
+        around = self.structure
+        skew = self._has_unequal_balls | around.bends_askew
+        out_of_xy, out_of_xz = out_of_xy | skew | around.bends_in(2), out_of_xz | skew | around.bends_in(1)
+        is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
+        in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
+        for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
+            self._held[:, [*PLANES[plane], *self.structure.unknowns_in(plane)]] |= vanish[:, None]
+
+    @property
+    def _has_unequal_balls(self) -> NDArray:
+        """Where some row has balls that make nothing symmetric."""
+        found = [maker.has_unequal_balls(0, self.count) for maker in self.makers.values()]
+        return np.any([np.broadcast_to(each, self.count) for each in found], axis=0)
+
+    def _mirrors(self, azimuth: float) -> NDArray:
+        """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""
+        first = self._flat(self.of.operation.first_ball_azimuth)
+        turns = (azimuth - first) * np.array(self._of_rows(lambda row: row.bearing.ball_count)) / np.pi
+        return np.asarray((np.abs(turns - np.round(turns)) <= 1e-9).all(axis=0))
+
+    def solve(self, part: slice, carried: NDArray) -> None:
+        """A stretch of the flattened cases, but for those whose preload at rest is not carried."""
+        count = part.stop - part.start
+        alike = self.of.alike
+        made = {number: maker.make(part.start, part.stop) for number, maker in self.makers.items()}
+        cases = np.stack([made[number] for number in alike])
+        moved = {
+            number: np.broadcast_to(maker.axial_datum_shift(), self.count) for number, maker in self.makers.items()
+        }
+        shift = np.stack([moved[number][part] for number in alike])
+        own = self._own_balls(cases, part.start)
+        matrices, offsets, found = self.matrices[:, part], self.offsets[:, part], self.found.part(np.s_[:, part])
+        rows = [
+            RowCases(cases[r], matrices[r], offsets[r], shift[r], found.part(np.s_[r]), own[r])
+            for r in range(len(alike))
+        ]
+        o = self.outcome
+        s = Stretch(
+            rows, self._load[part], self._held[part], self._begin(cases, part), self.structure.elasticity[part],
+            self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
+            o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
+            np.zeros_like(o.q[part]), np.zeros(count, bool),
+        )  # fmt: skip
+        o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
+        solve_directly(s, cases, own, matrices, offsets - shift, found)
+        rest = np.flatnonzero(carried[part] & ~s.solved)
+        if rest.size:
+            is_lost = is_beyond_springs(s, rest)
+            lost, rest = rest[is_lost], rest[~is_lost]
+            o.status[part][lost], o.unsupported[part][lost, 0] = NO_EQUILIBRIUM, True
+            rest = np.setdiff1d(rest, newton(s, rest))
+        reached = np.ones(count)
+        if rest.size:
+            went, reached = follow(s, rest)
+            rest = np.setdiff1d(rest, went)
+        if rest.size:
+            o.status[part][rest] = NOT_CONVERGED
+            o.unsupported[part][rest] = unsupported(s, rest)
+            for case in rest:
+                if s.fault[case] >= 0:
+                    rows[s.fault[case]].found.results[case] = s.refused[int(case)]
+                    o.fault[part.start + case] = s.fault[case]
+            refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
+            o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
+            o.reached[part][rest] = reached[rest]
+        o.axial[:, part] = found.results["load"][..., 0] * cases["force"]
+        failed = o.status[part] != CONVERGED
+        if failed.any():
+            for row in rows:
+                codes = row.found.results["status"]
+                codes[failed & (codes != NO_EQUILIBRIUM)] = NOT_CONVERGED
+
+    def _begin(self, cases: NDArray, part: slice) -> NDArray:
+        """Values of what is held, and a start of the rest: where loads of the shaft bend it, on rows as stiff as balls
+        are at a small deflection, so that no row starts far from its equilibrium."""
+        place = self._place[part].copy()
+        if self.structure.given == place.shape[1]:
+            return place
+        held, matrix = self._held[part], self.structure.elasticity[part].copy()
+        for own, of_row in zip(self.matrices[:, part], cases, strict=True):
+            contact = of_row["series_stiffness"] * of_row["force"] / of_row["length"]
+            stiffness = 0.5 * of_row["ball_count"] * contact * START_DEFLECTION**0.5
+            springs = np.zeros((place.shape[0], 5))
+            springs[:, 1:3] = stiffness[:, None]
+            springs[:, 3:] = (stiffness * self._lever[part] ** 2)[:, None]
+            matrix += np.einsum("kia,ki,kib->kab", own, springs, own)
+        force = self._load[part] - np.einsum("kij,kj->ki", matrix, np.where(held, place, 0.0))
+        held = held.copy()
+        held[:, [0, *range(SLIDE, self.structure.rigid), *self.structure.unknowns_in(0)]] = True
+        matrix[held[:, :, None] | held[:, None, :]] = 0.0
+        matrix[:, range(place.shape[1]), range(place.shape[1])] += np.where(held, 1.0, 0.0)
+        return place + np.linalg.solve(matrix, np.where(held, 0.0, force)[..., None])[..., 0]
+
+    def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
+        """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""
+        each = {number: maker.own_balls(cases[number], begin) for number, maker in self.makers.items()}
+        together = np.zeros((*cases.shape, max(own.shape[1] for own in each.values())), OWN_BALL)
+        for whole, number in zip(together, self.of.alike, strict=True):
+            whole[:, : each[number].shape[1]] = each[number]
+        return together
+
+    def row_solution(self, number: int) -> Solution:
+        """A row at the displacement found, with all its results."""
+        moved = np.einsum("kij,kj->ki", self.matrices[number], self.outcome.q)
+        moved[:, 0] += self.offsets[number]
+        names = [channel.displacement for channel in CHANNELS]
+        given = {name: moved[:, i].reshape(self.shape)[()] for i, name in enumerate(names)}
+        maker = CaseMaker(self.of.row_scene(number, Operation(**self.of.operation.turning, **given)))  # type: ignore[arg-type]
+        results, positions, controls = self.found.part(np.s_[number])
+        balls = maker.ball_axis
+        own = np.ascontiguousarray(positions[:, :balls]), np.ascontiguousarray(controls[:, :balls])
+        return Solution(maker, None, results, *own, seconds=0.0, threads=self.threads)

@@ -1,0 +1,493 @@
+"""The solution of a set: the shaft's displacement and stiffness, what each row carries, what is left of the preload."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.documents.in_notebooks import Plotted
+from qsbearing.messages import bearing_set
+from qsbearing.model.effects import RingEffect, as_fitted, as_made
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.model.ranked_warning import RankedWarning
+from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.solution import preload_state
+from qsbearing.model.solution.case_index import Index, place_of
+from qsbearing.model.solution.preload_state import PreloadLoads
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
+from qsbearing.model.solution.ring_stiffness import inverse
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
+from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.systems.sets.axial_growth import SHAFT
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
+from qsbearing.systems.sets.elastic_shaft import Structure
+from qsbearing.systems.sets.outcome import Outcome
+from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.state import ThermalState
+
+AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
+"""What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
+
+LENGTH_OF_TILTS = 0.1
+"""Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
+
+
+class SetSolution(Plotted):
+    """Solved cases of a set. Arrays lead with the case axes: none for a single case.
+
+    Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
+    units and radians. Cases that did not converge hold NaN; `qs.message` says why and which row has no solution.
+    """
+
+    def __init__(
+        self,
+        of: BearingSet,
+        shape: tuple[int, ...],
+        row_solution: Callable[[int], Solution],
+        structure: Structure,
+        outcome: Outcome,
+        sides: dict[tuple[int, ...], SetSolution],
+        unloaded: Callable[[AtRest | None], SetSolution],
+        seconds: float,
+    ) -> None:
+        self.set = of
+        self.shape = shape
+        self._row_solution = row_solution
+        self._structure = structure
+        self._outcome = outcome
+        self._sides = sides
+        self._unloaded = unloaded
+        self.seconds = seconds
+        """Wall time of the solve [s]."""
+        self.thermal: ThermalState | None = None
+        """As `Solution.thermal`."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Plain data: rows as they are known, and not what the solver works with."""
+        return vars(self) | {"rows": self.rows, "_row_solution": None}
+
+    def mark_unsolved(self, cases: NDArray, code: int) -> None:
+        """As `Solution.mark_unsolved`."""
+        self._outcome.status[np.reshape(cases, -1)] = code
+        for row in self.rows:
+            row.mark_unsolved(cases, code)
+
+    @cached_property
+    def rows(self) -> tuple[Solution, ...]:
+        """Each row's own solution, in its own frame: axial displacement and load count in the direction that it
+        carries, tilts likewise; azimuths and speeds are the shaft's."""
+        return tuple(map(self._row_solution, range(len(self.set.rows))))
+
+    def _shaped(self, array: NDArray, *tail: int) -> Any:
+        shaped = array.reshape(self.shape + tail)
+        return shaped[()] if not shaped.shape else shaped
+
+    def _flat_index(self, index: Index) -> int:
+        place = place_of(index, self.shape)
+        return int(np.ravel_multi_index(place, self.shape)) if place else 0
+
+    def __repr__(self) -> str:
+        name = f"SetSolution of {self.set.name or 'a set'}, {self.set.arrangement}"
+        if self.shape:
+            return f"{name}: {self.message()}"
+        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
+        if not self.converged:
+            return f"{lines[0]}\n  {self.message()}"
+        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
+            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
+            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+        for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
+            largest = self.rows[number].inner.load.max()
+            name = bearing_set.row_name(row, number)
+            lines.append(f"  {name}: axial load {load:.6g} N, largest ball load {largest:.6g} N")
+        return "\n".join(lines)
+
+    def message(self, index: Index = None) -> str:
+        """A sentence or two on how a case ended, and which row has no solution; for several cases without an index, the
+        number of cases with each status.
+
+        Raises:
+            ValueError: the index does not name one case of this solution.
+        """
+        return bearing_set.message(self, index)
+
+    def warnings(self, index: Index = None) -> list[RankedWarning]:
+        """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
+        cases without an index, in how many each row's is.
+
+        Raises:
+            ValueError: the index does not name one case of this solution.
+        """
+        return bearing_set.warnings(self, index)
+
+    @property
+    def converged(self) -> Any:
+        """Whether each case is solved; shape (*cases)."""
+        return self._shaped(self._outcome.status == CONVERGED)
+
+    @property
+    def status(self) -> Any:
+        """`Status` of a single case, or an array of their names; shape (*cases)."""
+        if not self.shape:
+            return STATUS_OF_CODE[int(self._outcome.status[0])]
+        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
+        return self._shaped(names[self._outcome.status])
+
+    @property
+    def reason(self) -> Any:
+        """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
+        names = np.full(self._outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        names[self._outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
+        for number in np.unique(self._outcome.fault[self._outcome.fault >= 0]):
+            own = np.asarray(self.rows[number].reason).reshape(-1)
+            at = self._outcome.fault == number
+            names[at] = own[at]
+        names[self._outcome.status != NO_EQUILIBRIUM] = ""
+        return str(names[0]) if not self.shape else self._shaped(names)
+
+    @property
+    def control_is_consistent(self) -> Any:
+        """Whether every row's is; shape (*cases)."""
+        return self._shaped(np.all([np.reshape(row.control_is_consistent, -1) for row in self.rows], axis=0))
+
+    @property
+    def residual(self) -> Any:
+        """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
+        return self._shaped(self._outcome.residual)
+
+    @property
+    def iterations(self) -> Any:
+        """Newton iterations of the shaft; shape (*cases)."""
+        return self._shaped(self._outcome.iterations)
+
+    @property
+    def row_that_gives_way(self) -> Any:
+        """Number of the row, from 0, whose own equilibrium ends before the set's; -1: none; shape (*cases)."""
+        return self._shaped(self._outcome.fault)
+
+    def _known(self, array: NDArray) -> NDArray:
+        solved = self._outcome.status == CONVERGED
+        return np.where(solved.reshape(-1, *[1] * (array.ndim - 1)), array, np.nan)
+
+    @cached_property
+    def displacement(self) -> NDArray:
+        """Of the shaft at the reference position; shape (*cases, 5) [m, m, m, rad, rad].
+
+        Axially from where every row is pressed by its offset and by the preload that is held, and by what heat and
+        spacers move it: heat from the reference position, spacers from the row of `BearingSet.axial_datum`.
+        """
+        return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
+
+    @cached_property
+    def slide(self) -> Any:
+        """How far the sprung outer rings have slid towards their balls; shape (*cases) [m]; None without a spring."""
+        if not any(row.sprung for row in self.set.rows):
+            return None
+        return self._shaped(self._known(self._outcome.q[:, SLIDE]))
+
+    @cached_property
+    def row_loads(self) -> NDArray:
+        """What each row carries of the shaft's load, about the reference position and in the shaft's axes;
+        shape (*cases, row, 5) [N, N m]."""
+        parts = [
+            np.einsum("kij,ki->kj", matrix, row.load.reshape(-1, 5))[:, :5]
+            for matrix, row in zip(self._structure.matrices, self.rows, strict=True)
+        ]
+        return np.asarray(self._shaped(self._known(np.stack(parts, axis=1)), len(parts), 5))
+
+    @cached_property
+    def load(self) -> NDArray:
+        """On the shaft at the reference position: what was prescribed, or the reaction to a prescribed displacement;
+        shape (*cases, 5). Loads of the shaft's own, elsewhere, are not in it."""
+        beside = -self._structure.load[:, :5]
+        if self._structure.elasticity.size:
+            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self._outcome.q)
+        load = self.row_loads.sum(axis=-2) + self._shaped(beside, 5)
+        for i, channel in enumerate(CHANNELS):
+            given = getattr(self.set.operation, channel.load)
+            if getattr(self.set.operation, channel.displacement) is None:
+                prescribed = np.asarray(0.0 if given is None else given, float)
+                load[..., i] = np.where(np.isnan(load[..., i]), np.nan, prescribed)
+        return np.asarray(load)
+
+    @cached_property
+    def axial_loads(self) -> NDArray:
+        """Of each row in the direction that it carries; shape (*cases, row) [N]."""
+        return np.asarray(self._shaped(self._known(self._outcome.axial.T), len(self.set.rows)))
+
+    @cached_property
+    def stiffness(self) -> NDArray:
+        """The shaft's exact tangent stiffness dF/dd at the reference position; shape (*cases, 5, 5), SI.
+
+        Rows are loads, columns displacements, in the order x, y, z, tilt y, tilt z; all channels, whether load or
+        displacement is prescribed. Sprung rings slide so that the spring's force stays what it is. NaN where some row's
+        per-ball control contradicts itself: such a row has several solutions side by side and no tangent.
+        """
+        total, follow = self._tangent, self._followers
+        if follow:
+            inner = solve_known(total[:, follow][..., follow], total[:, follow, :5])
+            total = total[:, :5, :5] - total[:, :5, follow] @ inner
+        return np.asarray(self._shaped(self._known(total[:, :5, :5]), 5, 5))
+
+    @cached_property
+    def _tangent(self) -> NDArray:
+        """Over all unknowns of the flattened cases."""
+        parts = [
+            matrix.swapaxes(1, 2) @ row.stiffness.reshape(-1, 5, 5) @ matrix
+            for matrix, row in zip(self._structure.matrices, self.rows, strict=True)
+        ]
+        total = np.asarray(sum(parts))
+        if self._structure.elasticity.size:
+            total = total + self._structure.elasticity
+        total[~np.reshape(self.control_is_consistent, -1)] = np.nan
+        return total
+
+    @cached_property
+    def _deflection(self) -> Deflection:
+        loads = np.stack([row.load.reshape(-1, 5) for row in self.rows])
+        return Deflection(self.set, self.shape, self._structure, self._outcome.q, loads, self.load.reshape(-1, 5))
+
+    def deflection(self, positions: ArrayLike) -> NDArray:
+        """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
+
+        Tilt z is the slope of y, tilt y that of -z. Growth by heat is not in it: `axial_growth`.
+        """
+        along = self._known(self._deflection.along(positions))
+        return np.asarray(self._shaped(along, *along.shape[1:]))
+
+    def axial_growth(self, positions: ArrayLike) -> NDArray | None:
+        """By how much heat moves these positions [m] of the shaft in +x, seen from the reference position; shape
+        (*cases, position) [m]. None: the set names no temperature of it."""
+        growth = self.set.growth[SHAFT]
+        if not growth.is_evaluated:
+            return None
+        places = np.atleast_1d(np.asarray(positions, float))
+        along = [np.broadcast_to(growth.by_heat(each), self.shape) for each in places]
+        return np.where(np.asarray(self.converged)[..., None], np.stack(along, axis=-1), np.nan)
+
+    def inner_forces(self, positions: ArrayLike) -> NDArray:
+        """Axial force, shear forces and bending moments of the shaft at these positions [m]: what its part beyond, in
+        +x, does to that before; shape (*cases, position, 5) [N, N, N, N m, N m]."""
+        along = self._known(self._deflection.inner_forces(positions))
+        return np.asarray(self._shaped(along, *along.shape[1:]))
+
+    @cached_property
+    def support_loads(self) -> NDArray:
+        """What each support of the shaft carries; shape (*cases, support, 5) [N, N m]."""
+        loads = self._known(-self._deflection.supports)
+        return np.asarray(self._shaped(loads, *loads.shape[1:]))
+
+    @cached_property
+    def points(self) -> dict[str, ShaftPoint]:
+        """The shaft's named points: deflection, compliance, and the parts that contribute to it."""
+        return {} if self.set.shaft is None else {name: self.point(at) for name, at in self.set.shaft.points.items()}
+
+    def point(self, position: float) -> ShaftPoint:
+        """Likewise, of any position on the shaft [m]."""
+        rows = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
+        free = [*self._free_channels, *self._followers]
+        compliance, parts = self._deflection.compliance(position, self._tangent, free, rows)
+        shares = {name: np.asarray(self._shaped(self._known(part), 5)) for name, part in parts.items()}
+        compliance = np.asarray(self._shaped(self._known(compliance), 5, 5))
+        growth = self.axial_growth(position)
+        growth = None if growth is None else growth[..., 0]
+        return ShaftPoint(position, self.deflection(position)[..., 0, :], compliance, shares, growth)
+
+    @property
+    def _followers(self) -> list[int]:
+        """Unknowns that go where their equations take them: the slide and what is elastic."""
+        return [*([] if self.slide is None else [SLIDE]), *range(UNKNOWNS, self._structure.given)]
+
+    @property
+    def locked_stiffness(self) -> NDArray:
+        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5)."""
+        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
+
+    @cached_property
+    def unmounted(self) -> SetSolution | None:
+        """The set at rest and cold under its preload alone, before its rings are fitted, straight and centred; None
+        where nothing presses one row against another."""
+        return self._unloaded(as_made) if self.set.is_opposed else None
+
+    @cached_property
+    def mounted(self) -> SetSolution | None:
+        """Likewise, with its fits."""
+        return self._unloaded(as_fitted) if self.set.is_opposed else None
+
+    @cached_property
+    def without_load(self) -> SetSolution | None:
+        """The set in operation without its external loads, straight and centred; None likewise."""
+        return self._unloaded(None) if self.set.is_opposed else None
+
+    @property
+    def preload_unmounted(self) -> NDArray | None:
+        """Axial load of each row at rest and cold, before fitting, nothing else acting; shape (*cases, row) [N]; None
+        likewise."""
+        return self._spread(self.unmounted)
+
+    @property
+    def preload_mounted(self) -> NDArray | None:
+        """Likewise, after fitting."""
+        return self._spread(self.mounted)
+
+    @property
+    def preload_at_rest(self) -> NDArray | None:
+        """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other."""
+        return self.preload_mounted if self._is_given_mounted else self.preload_unmounted
+
+    @cached_property
+    def preload_given(self) -> NDArray | None:
+        """What the preload alone gives each row, where it is a force that holds the rings: without offsets and spacers.
+        Else what lengths or a spring make at rest; shape (*cases, row) [N]; None likewise."""
+        at_rest = self.preload_at_rest
+        if at_rest is None:
+            return None
+        given = np.array(at_rest)
+        for numbers, side in self._sides.items():
+            given[..., list(numbers)] = side.axial_loads
+        return np.where(given != 0.0, given, at_rest)
+
+    @property
+    def _is_given_mounted(self) -> bool:
+        return self.set.preload is not None and self.set.preload.is_given_mounted
+
+    @property
+    def preload_in_operation(self) -> NDArray | None:
+        """What is left of it, or has grown, in operation without external loads; shape (*cases, row) [N]; None
+        likewise."""
+        return self._spread(self.without_load)
+
+    @cached_property
+    def preload_loads(self) -> PreloadLoads | None:
+        """What is given, left and carried, of each row; None likewise."""
+        if not self.set.is_opposed:
+            return None
+        return PreloadLoads(self.preload_given, self.preload_in_operation, self.axial_loads)
+
+    @property
+    def preload_state(self) -> NDArray | None:
+        """maintained, lost or excessive, of each row; shape (*cases, row); empty where not solved; None likewise.
+
+        Lost: in operation, external loads included, below 1 % of what is given. Excessive: without external loads above
+        three times that.
+        """
+        return None if self.preload_loads is None else preload_state.states(self.preload_loads)
+
+    @property
+    def preload_share(self) -> NDArray | None:
+        """What each row carries, external loads included, over what is given; NaN where nothing is; else likewise."""
+        return None if self.preload_loads is None else preload_state.share(self.preload_loads)
+
+    @cached_property
+    def _free_channels(self) -> NDArray:
+        """Numbers of the channels whose load is prescribed."""
+        given = [getattr(self.set.operation, channel.displacement) for channel in CHANNELS]
+        return np.flatnonzero([displacement is None for displacement in given])
+
+    @cached_property
+    def compliance(self) -> NDArray:
+        """Inverse of the stiffness over the free channels, those whose load is prescribed; shape (*cases, 5, 5), SI.
+
+        NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
+        free direction.
+        """
+        out = np.full((*self.shape, 5, 5), np.nan)
+        free = self._free_channels
+        if not free.size:
+            return out
+        scale = np.ones(5)
+        scale[3:] = 1.0 / LENGTH_OF_TILTS
+        sizes = scale[free, None] * scale[free]
+        out[..., free[:, None], free] = inverse(self.stiffness[..., free[:, None], free] * sizes) * sizes
+        return out
+
+    @property
+    def effective_stiffness(self) -> NDArray:
+        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI; NaN where
+        `compliance` is."""
+        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
+
+    def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
+        """One bearing element of ROSS for the whole set, at the node of its reference position; needs the `ross` extra.
+
+        As `Solution.to_ross`; for an element per row, at a node each: `rows[i].to_ross(n, mirrored=...)`, mirrored
+        where the row carries in -x.
+
+        Raises:
+            SceneError: every error of the arguments; cases that are not solved.
+            ImportError: ROSS is not installed.
+        """
+        from qsbearing.systems.rotor_dynamics import ross_bearing
+
+        return ross_bearing.of_solution(self, self.set.operation.speed, n, index, **arguments)
+
+    def to_ross_rotor(self, *, disks: Sequence[dict[str, Any]] = (), longest: float = 0.5) -> Any:
+        """The whole as a rotor of ROSS: the shaft's elements, each row with its stiffness over the speed in series with
+        its housing's, and the supports; needs the `ross` extra.
+
+        A node stands at each row, support, load, point and step of the shaft. The rows that slide in one sleeve have
+        each its own axial stiffness in ROSS, less than that by which the sleeve would follow; their coupling through
+        the sleeve has no place there.
+
+        Args:
+            disks: what is on the shaft, arguments of ROSS's `DiskElement` each: m, Id, Ip, and `position` [m] for n.
+            longest: element, in outer diameters.
+
+        Raises:
+            SceneError: no shaft, more than one axis of cases, cases that are not solved, or a speed that falls.
+            ImportError: ROSS is not installed.
+        """
+        from qsbearing.systems.rotor_dynamics import ross_rotor
+
+        shaft = self.set.shaft
+        if shaft is None:
+            raise SceneError([ErrorDetail("shaft", "missing: the rotor is made of its sections")])
+        if len(self.shape) > 1:
+            problem = "has several axes of cases; one is wanted, that of speed"
+            raise SceneError([ErrorDetail("shape", problem, self.shape)])
+        if not np.all(self.converged):
+            raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
+        sections = [
+            ross_rotor.RotorSection(begin, end, each.outer_diameter, each.inner_diameter, each.material)
+            for (begin, end), each in zip(pairwise(map(float, shaft.ends)), shaft.sections, strict=True)
+        ]
+        holders = [
+            ross_rotor.Holder(float(np.asarray(row.position)), self._shaped(stiffness, 5, 5), f"row {number}")
+            for number, (row, stiffness) in enumerate(zip(self.set.rows, self._held_by(), strict=True), 1)
+        ]
+        holders += [
+            ross_rotor.Holder(each.position, each.stiffness, f"support {number}")
+            for number, each in enumerate(shaft.supports, 1)
+        ]
+        places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
+        speed = np.broadcast_to(np.asarray(self.set.operation.speed, float), self.shape)
+        return ross_rotor.rotor(sections, holders, speed, places, disks, longest)
+
+    def _held_by(self) -> NDArray:
+        """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5)."""
+        own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
+        turned = self._deflection.turned
+        held = turned.swapaxes(2, 3) @ own @ turned
+        for number, row in enumerate(self.set.rows):
+            if row.housing_stiffness is not None:
+                give = np.eye(5) + row.housing_stiffness.compliance @ held[number]
+                held[number] = held[number] @ np.linalg.inv(give)
+        sleeves = [[number - 1 for number in group.rows] for group in self.set.floating]
+        sleeves += [[number for number, row in enumerate(self.set.rows) if row.sprung]]
+        for sleeve in filter(None, sleeves):
+            along = held[sleeve][..., 0]
+            total = along[..., 0].sum(axis=0)
+            held[sleeve] -= along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
+        return held
+
+    def _spread(self, other: SetSolution | None) -> NDArray | None:
+        return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))

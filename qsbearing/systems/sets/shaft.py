@@ -1,0 +1,314 @@
+"""What is around the rows of a set, as it is drawn: shaft, housing, spacers, sleeves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.model.effects.ring_expansion_errors import temperature_errors
+from qsbearing.model.material import STEEL, Material, material_errors
+from qsbearing.model.scene.preload import Preload
+from qsbearing.model.units import zero_celsius
+from qsbearing.model.validation import FORCE, LENGTH, MOMENT, ErrorDetail, Quantity, raise_if_any, within
+
+STIFFNESS, TILT_STIFFNESS = Quantity("N/m"), Quantity("N m/rad")
+LOADS = (("axial", FORCE), ("radial_y", FORCE), ("radial_z", FORCE), ("moment_y", MOMENT), ("moment_z", MOMENT))
+SPRINGS = (
+    *((name, STIFFNESS) for name in ("axial", "radial_y", "radial_z")),
+    *((name, TILT_STIFFNESS) for name in ("tilt_y", "tilt_z")),
+)
+FARTHEST = 10.0
+REFERENCE_TEMPERATURE = 20.0 + zero_celsius
+"""At which lengths and diameters hold unless another is given [K]."""
+STIFFEST = 1e18
+
+
+@dataclass(frozen=True)
+class ShaftSection:
+    """A length of shaft between two steps; SI units, plain numbers."""
+
+    length: float
+    outer_diameter: float
+    inner_diameter: float = 0.0
+    material: Material = STEEL
+
+
+@dataclass(frozen=True)
+class ShaftLoad:
+    """A load on the shaft at a position [m]; forces [N] and moments [N m], which may be arrays that span cases."""
+
+    position: float
+    axial: ArrayLike = 0.0
+    radial_y: ArrayLike = 0.0
+    radial_z: ArrayLike = 0.0
+    moment_y: ArrayLike = 0.0
+    moment_z: ArrayLike = 0.0
+
+    @property
+    def values(self) -> tuple[ArrayLike, ...]:
+        """In the order of the channels."""
+        return tuple(getattr(self, name) for name, _ in LOADS)
+
+
+@dataclass(frozen=True)
+class ShaftSupport:
+    """Linear springs between the shaft and ground, unstressed while the shaft is at its zero and straight; plain
+    numbers [N/m, N m/rad]."""
+
+    position: float
+    axial: float = 0.0
+    radial_y: float = 0.0
+    radial_z: float = 0.0
+    tilt_y: float = 0.0
+    tilt_z: float = 0.0
+
+    @property
+    def stiffness(self) -> NDArray:
+        """Shape (5, 5)."""
+        return np.diag([float(getattr(self, name)) for name, _ in SPRINGS])
+
+
+@dataclass(frozen=True)
+class HousingStiffness:
+    """The elastic support of an outer ring: linear springs about the plane of the balls' centres; None is rigid.
+
+    Raises:
+        SceneError: neither a stiffness, nor one that is positive; a matrix beside others, or one that is not symmetric
+            and positive definite.
+    """
+
+    axial: float | None = None
+    """[N/m]"""
+    radial: float | None = None
+    """[N/m]"""
+    tilt: float | None = None
+    """[N m/rad]"""
+    matrix: ArrayLike | None = None
+    """In place of the three, shape (5, 5), in the order x, y, z, tilt y, tilt z of the shaft's axes."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(_housing_errors(self))
+
+    @property
+    def compliance(self) -> NDArray:
+        """Shape (5, 5); SI."""
+        if self.matrix is not None:
+            return np.linalg.inv(np.asarray(self.matrix, float))
+        each = (self.axial, self.radial, self.radial, self.tilt, self.tilt)
+        return np.diag([0.0 if stiffness is None else 1.0 / stiffness for stiffness in each])
+
+
+def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
+    springs = (("axial", STIFFNESS), ("radial", STIFFNESS), ("tilt", TILT_STIFFNESS))
+    given = [(name, quantity) for name, quantity in springs if getattr(of, name) is not None]
+    if (of.matrix is None) == (not given):
+        problem = "has a matrix together with single stiffnesses" if given else "has no stiffness"
+        return [ErrorDetail("housing_stiffness", problem, cause="Give axial, radial and tilt, or the whole matrix")]
+    errors = []
+    for name, quantity in given:
+        errors += within(f"housing_stiffness.{name}", getattr(of, name), quantity, 1.0, STIFFEST)
+    if of.matrix is None:
+        return errors
+    matrix = np.asarray(of.matrix, float)
+    is_one = matrix.shape == (5, 5) and np.isfinite(matrix).all() and bool(np.allclose(matrix, matrix.T, 1e-9, 0.0))
+    if not is_one or np.linalg.eigvalsh(matrix)[0] <= 0.0:
+        cause = "A symmetric, positive definite matrix of shape (5, 5), in N/m, N/rad and N m/rad"
+        return [ErrorDetail("housing_stiffness.matrix", "is not a stiffness", cause=cause)]
+    return errors
+
+
+@dataclass(frozen=True)
+class Housing:
+    """The body around the outer rings, which expands along the shaft; SI units.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    temperature: ArrayLike | None = None
+    """[K]; None: the reference temperature."""
+    material: Material = STEEL
+    reference_temperature: float = REFERENCE_TEMPERATURE
+
+    def __post_init__(self) -> None:
+        errors = material_errors("housing.material", self.material) + _temperatures("housing", self)
+        if self.temperature is not None and not errors and self.material.thermal_expansion is None:
+            errors.append(ErrorDetail("housing.material.thermal_expansion", "missing: the housing has a temperature"))
+        raise_if_any(errors)
+
+    @property
+    def strain(self) -> NDArray:
+        """alpha dT."""
+        if self.temperature is None:
+            return np.zeros(())
+        warmer = np.asarray(self.temperature, float) - self.reference_temperature
+        return np.asarray(np.asarray(self.material.thermal_expansion, float) * warmer)
+
+
+@dataclass(frozen=True)
+class Spacer:
+    """Sleeves between two rows, on the shaft and in the housing; SI units, lengths and temperatures may be arrays.
+
+    If both lengths are given, their difference moves the inner rings further apart than the outer ones, and so presses
+    or releases the pair. A single length only expands with temperature.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    rows: tuple[int, int]
+    """The two rows, which count from 1."""
+    inner_length: ArrayLike | None = None
+    """[m]; None: there is none, the shaft parts the rows."""
+    outer_length: ArrayLike | None = None
+    """[m]; None: likewise, the housing."""
+    inner_material: Material = STEEL
+    outer_material: Material = STEEL
+    inner_temperature: ArrayLike | None = None
+    """[K]; None: as the shaft."""
+    outer_temperature: ArrayLike | None = None
+    """[K]; None: as the housing."""
+
+    def __post_init__(self) -> None:
+        errors: list[ErrorDetail] = []
+        for side in ("inner", "outer"):
+            length, temperature = getattr(self, f"{side}_length"), getattr(self, f"{side}_temperature")
+            errors += [] if length is None else within(f"spacer.{side}_length", length, LENGTH, 0.0, FARTHEST)
+            errors += material_errors(f"spacer.{side}_material", getattr(self, f"{side}_material"))
+            errors += [] if temperature is None else temperature_errors(f"spacer.{side}_temperature", temperature)
+        if self.inner_length is None and self.outer_length is None:
+            errors.append(ErrorDetail("spacer", "has no length", cause="Give inner_length, outer_length or both"))
+        raise_if_any(errors)
+
+
+@dataclass(frozen=True)
+class FloatingGroup:
+    """Rows whose outer rings sit in one sleeve that slides along the housing; SI units.
+
+    The housing holds the sleeve only radially: the axial loads of its rows add up to the force of the spring.
+
+    Raises:
+        SceneError: a force that is no number.
+    """
+
+    rows: tuple[int, ...]
+    """They count from 1."""
+    spring: ArrayLike = 0.0
+    """Force of a spring on the sleeve, in +x [N]; it stays what it is. 0: the group floats."""
+    preload: Preload | None = None
+    """That of its rows against each other; None: the set's."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(within("floating.spring", self.spring, FORCE, -1e8, 1e8))
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """A shaft of round sections, end to end from `start` in +x; SI units.
+
+    The set's positions are along it. Loads of the set's operation act at its reference position, those here where they
+    say.
+
+    Raises:
+        SceneError: every error, at once.
+    """
+
+    sections: tuple[ShaftSection, ...]
+    start: float = 0.0
+    """Where the first section begins [m]."""
+    loads: tuple[ShaftLoad, ...] = ()
+    supports: tuple[ShaftSupport, ...] = ()
+    points: Mapping[str, float] = field(default_factory=dict)
+    """Positions [m] at which deflection and stiffness are asked, by their names, such as the tool's."""
+    temperature: ArrayLike | None = None
+    """[K]; None: the reference temperature."""
+    reference_temperature: float = REFERENCE_TEMPERATURE
+    """At which all lengths and diameters hold [K]."""
+
+    def __post_init__(self) -> None:
+        raise_if_any(list(_shaft_errors(self)))
+
+    @cached_property
+    def ends(self) -> NDArray:
+        """Of the sections, from `start`; shape (section + 1,) [m]."""
+        return self.start + np.concatenate([[0.0], np.cumsum([each.length for each in self.sections])])
+
+    @cached_property
+    def strains(self) -> NDArray:
+        """alpha dT of each section; shape (..., section)."""
+        if self.temperature is None:
+            return np.zeros(len(self.sections))
+        warmer = np.asarray(self.temperature, float) - self.reference_temperature
+        return np.stack([warmer * float(each.material.thermal_expansion) for each in self.sections], axis=-1)  # type: ignore[arg-type]
+
+    def section_number(self, position: ArrayLike) -> int:
+        """Which section, from 0, a position is in; the later one of two that meet there."""
+        number = int(np.searchsorted(self.ends, float(np.ravel(position)[0]), side="right")) - 1
+        return min(max(number, 0), len(self.sections) - 1)
+
+
+def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
+    if not isinstance(of.sections, tuple) or not of.sections:
+        yield ErrorDetail("shaft.sections", "is not a tuple of sections", cause="Write (qs.ShaftSection(...), ...)")
+        return
+    broken = False
+    for number, section in enumerate(of.sections, 1):
+        path = f"shaft.section {number}"
+        errors = [
+            *within(f"{path}.length", section.length, LENGTH, 1e-5, FARTHEST),
+            *within(f"{path}.outer_diameter", section.outer_diameter, LENGTH, 1e-4, FARTHEST),
+            *within(f"{path}.inner_diameter", section.inner_diameter, LENGTH, 0.0, FARTHEST),
+            *material_errors(f"{path}.material", section.material),
+        ]
+        if not errors and section.inner_diameter >= section.outer_diameter:
+            problem = "is not within the outer diameter"
+            errors.append(ErrorDetail(f"{path}.inner_diameter", problem, section.inner_diameter, LENGTH))
+        if of.temperature is not None and not errors and section.material.thermal_expansion is None:
+            problem = "missing: the shaft has a temperature"
+            errors.append(ErrorDetail(f"{path}.material.thermal_expansion", problem))
+        broken |= bool(errors)
+        yield from errors
+    yield from within("shaft.start", of.start, LENGTH, -FARTHEST, FARTHEST)
+    yield from _temperatures("shaft", of)
+    numbers: tuple[tuple[str, Any, Any], ...] = (("load", of.loads, LOADS), ("support", of.supports, SPRINGS))
+    for kind, each, channels in numbers:
+        for number, one in enumerate(each, 1):
+            for name, quantity in channels:
+                low, high = (-1e9, 1e9) if kind == "load" else (0.0, STIFFEST)
+                yield from within(f"shaft.{kind} {number}.{name}", getattr(one, name), quantity, low, high)
+    if not broken:
+        yield from outside(of, [(f"shaft.load {n}", one.position) for n, one in enumerate(of.loads, 1)])
+        yield from outside(of, [(f"shaft.support {n}", one.position) for n, one in enumerate(of.supports, 1)])
+        yield from outside(of, [(f"shaft.point {name}", position) for name, position in of.points.items()])
+
+
+def outside(of: Shaft, positions: list[tuple[str, Any]]) -> list[ErrorDetail]:
+    """Errors of what does not stand on the shaft."""
+    low, high = float(of.ends[0]), float(of.ends[-1])
+    slack = 1e-9 * (high - low)
+    problem = "is beyond the sections of the shaft, whose lengths add up from its start"
+    return [
+        error
+        for path, position in positions
+        for error in within(f"{path}.position", position, LENGTH, low - slack, high + slack, problem)
+    ]
+
+
+def _temperatures(path: str, of: Shaft | Housing) -> list[ErrorDetail]:
+    given = [name for name in ("temperature", "reference_temperature") if getattr(of, name) is not None]
+    return [error for name in given for error in temperature_errors(f"{path}.{name}", getattr(of, name))]
+
+
+def with_loads(of: Shaft | None, factors: ArrayLike) -> Shaft | None:
+    """A shaft under these multiples of its loads."""
+    if of is None:
+        return None
+    scaled = (
+        ShaftLoad(load.position, *(np.asarray(value, float) * factors for value in load.values)) for load in of.loads
+    )
+    return replace(of, loads=tuple(scaled))

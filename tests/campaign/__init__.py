@@ -1,1 +1,0 @@
-"""Random scenes over the whole envelope, each solved, classified and checked: `python -m tests.campaign --help`."""

@@ -1,0 +1,188 @@
+"""When the kernel runs plain, when it is loaded or compiled, and what a process loads for that.
+
+Each test runs processes of its own, as users do, with an empty cache of their own where nothing else is said.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from qsbearing.model.compiler.compiled import COMPILED
+
+pytestmark = pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
+
+PROBE = """
+from qsbearing.model.compiler.compiled import entry, kernel
+
+@kernel
+def twice(x):
+    return 2.0 * x
+
+@entry
+def doubled(x, steps):
+    for _ in range(steps):
+        x = twice(x) - x
+    return twice(x)
+"""
+"""A module with a kernel of two functions."""
+
+NO_NUMBA = "import sys; sys.modules['numba'] = None; import importlib.util as u; f = u.find_spec\n"
+NO_NUMBA += "u.find_spec = lambda name, *a: None if name == 'numba' else f(name, *a)\n"
+
+
+def run(code: str, folder: Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    """Python code in a process that has compiled nothing."""
+    environment = {key: value for key, value in os.environ.items() if key != "QSBEARING_COMPILED"}
+    environment |= {"NUMBA_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": str(folder)} | variables
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, env=environment, timeout=600
+    )
+
+
+def printed(code: str, folder: Path, **variables: str) -> str:
+    done = run(code, folder, **variables)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture
+def probe(tmp_path: Path) -> Path:
+    (tmp_path / "probe_module.py").write_text(PROBE, encoding="utf-8")
+    return tmp_path
+
+
+def command(arguments: str) -> str:
+    return f"import sys\nfrom qsbearing.cli import cli\ncli({arguments.split()!r}, standalone_mode=False)\n"
+
+
+HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'qsbearing.model.compiler.compile_ahead'}"
+LOADED = f"print(*sorted({HEAVY} & set(sys.modules)), 'loaded')"
+
+
+def test_a_thrust_loaded_bearing_needs_no_compiler(tmp_path: Path) -> None:
+    """Nor a cache, nor a process beside its own."""
+    assert printed(command("run b218") + LOADED, tmp_path).endswith("\nloaded\n")
+    assert not (tmp_path / "cache").exists()
+
+
+def test_without_numba_cases_and_sets_are_solved(tmp_path: Path) -> None:
+    """A batch too, and it says what would make it faster."""
+    assert "14.7578" in printed(NO_NUMBA + command("run b218"), tmp_path)
+    code = "import numpy as np; from qsbearing import compiled, threads; from qsbearing.model.contact import hertz\n"
+    code += "work = lambda part: hertz._ellipse(0, 1.0, 2.0, 1.0)\nthreads.in_threads(work, 2000, 1)\nprint('done')"
+    done = run(NO_NUMBA + code, tmp_path)
+    assert done.stdout == "done\n"
+    assert "pip install numba" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_numba_that_cannot_be_loaded_is_said_in_a_sentence(probe: Path) -> None:
+    """As on a machine with too little memory for it: the answer comes all the same."""
+    (probe / "numba").mkdir()
+    (probe / "numba" / "__init__.py").write_text("raise OSError('libllvmlite.so:\\nfailed to map')", encoding="utf-8")
+    done = run("import probe_module as p; print(p.doubled(3.0, 9))", probe, QSBEARING_COMPILED="1")
+    assert done.stdout == "6.0\n"
+    assert done.stderr.count("\n") == 1
+    assert "numba cannot be loaded (libllvmlite.so: failed to map)" in done.stderr
+
+
+SPEND = """
+import sys, probe_module as p
+from qsbearing.model.compiler import compiled
+compiled.LOADING, compiled.LOADING_MORE, compiled.COMPILING = {prices}
+while not p.doubled.is_compiled and compiled._process.plain < {most}:
+    p.doubled(3.0, 1000)
+print(p.doubled.is_compiled, compiled._process.plain >= {least}, 'numba' in sys.modules, p.doubled(3.0, 9))
+"""
+
+
+def test_it_is_compiled_when_plain_python_has_taken_as_long_as_that_may_take(probe: Path) -> None:
+    """And loaded, in another process, when it has taken as long as loading."""
+    first = SPEND.format(prices=(0.02, 0.02, 0.2), most=2.0, least=0.2)
+    assert printed(first, probe) == "True True True 6.0\n"
+    second = SPEND.format(prices=(0.02, 0.02, 10.0), most=0.5, least=0.02)
+    assert printed(second, probe) == "True True True 6.0\n"
+    never = SPEND.format(prices=(10.0, 10.0, 10.0), most=0.1, least=0.1)
+    assert printed(never, probe) == "False True False 6.0\n"
+
+
+def test_what_is_known_to_come_counts_as_taken(probe: Path) -> None:
+    """Of many cases the first alone runs plain where the others would take too long, and none of very many."""
+    code = """
+import probe_module as p
+from qsbearing import compiled, threads
+compiled.LOADING = compiled.LOADING_MORE = compiled.COMPILING = {price}
+done = []
+def work(part):
+    p.doubled(3.0, 1000 * (part.stop - part.start))
+    done.append((part.stop - part.start, p.doubled.is_compiled))
+threads.in_threads(work, {count}, 1)
+print(done)
+"""
+    assert printed(code.format(count=900, price=0.02), probe) == "[(1, False), (1, True), (898, True)]\n"
+    assert printed(code.format(count=1000, price=9.0), probe) == "[(1000, True)]\n"
+    few = eval(printed(code.format(count=9, price=9.0), probe))
+    assert few == [(1, False), (1, False), (2, False), (4, False), (1, False)]
+
+
+AHEAD = """
+import time, probe_module as p
+from qsbearing.model.compiler import compiled, compile_ahead
+compiled.LOADING = 0.0
+compiled.compile_ahead()
+assert p.doubled(3.0, 9) == 6.0
+{then}
+began = time.monotonic()
+while not p.doubled.is_compiled and time.monotonic() < began + {most}:
+    time.sleep(0.05)
+    p.doubled(3.0, 9)
+print(p.doubled.is_compiled, compile_ahead._Compiler.process.wait(60))
+"""
+
+
+def test_a_process_beside_it_compiles_what_is_then_taken_up(probe: Path) -> None:
+    assert printed(AHEAD.format(then="", most=300), probe) == "True 0\n"
+    assert [path.suffix for path in (probe / "cache").rglob("*.kernel")] == [".kernel"]
+
+
+def test_a_compiler_that_is_killed_leaves_plain_python(probe: Path) -> None:
+    """No half file is taken for a whole one, and nothing is said."""
+    killed = "time.sleep(0.3); compile_ahead._Compiler.process.kill()"
+    done = run(AHEAD.format(then=killed, most=1.0), probe)
+    assert done.stdout == f"False {-signal.SIGKILL}\n"
+    assert done.stderr == ""
+    assert list((probe / "cache").rglob("*.kernel")) == []
+
+
+def test_no_process_is_started_where_that_is_forbidden(probe: Path) -> None:
+    code = AHEAD.format(then="", most=0.2).rpartition("print")[0] + "print(compile_ahead._Compiler.process)"
+    assert printed(code, probe, QSBEARING_COMPILE_AHEAD="0") == "None\n"
+
+
+FORKED = """
+import os, multiprocessing as m, probe_module as p
+from qsbearing.model.compiler import compiled
+compiled.COMPILING = 0.0
+compiled.LOADING = 0.0
+p.doubled(3.0, 99999)
+compiled._process.lock.acquire()  # as another thread may, when the process is forked
+if __name__ == "__main__":
+    found = m.get_context({kind!r}).Pool(2).map(p.twice, range(4))
+    assert found == [0.0, 2.0, 4.0, 6.0]
+    worker = m.get_context({kind!r}).Process(target=p.doubled, args=(3.0, 99999))
+    worker.start()
+    worker.join(60)
+    print(worker.exitcode)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+@pytest.mark.filterwarnings("ignore")
+def test_a_forked_process_solves(probe: Path) -> None:
+    assert printed(FORKED.format(kind="fork"), probe) == "0\n"

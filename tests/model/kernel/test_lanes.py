@@ -1,0 +1,200 @@
+"""Batches in lanes: the digits of the scalar kernel, whatever stands in the other lanes, and loops that are packed."""
+
+from __future__ import annotations
+
+import platform
+import re
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import qsbearing as qs
+from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import _functions as kinds
+from qsbearing.model.kernel import lanes
+from qsbearing.model.kernel.admissibility import CONVERGED
+from qsbearing.model.kernel.case import RESULT
+from qsbearing.model.kernel.lane_state import BALL_LANES, LANES, RING_LANES, lane_memory
+from qsbearing.model.kernel.lanes import evaluate_ball_lanes, propose_lanes, step_ball_lanes
+from qsbearing.model.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
+from qsbearing.model.kernel.workspace import working_memory
+from qsbearing.model.solution import solver
+from qsbearing.model.solution.flatten import CaseMaker
+from tests.verification.benchmarks import scenes
+from tests.verification.campaign.envelope import chunk_groups
+
+pytestmark = pytest.mark.skipif(not COMPILED, reason="plain Python solves no batches in lanes")
+
+Found = tuple[NDArray, NDArray, NDArray]
+
+
+def solved_by(solve: Any, maker: CaseMaker, cases: NDArray) -> Found:
+    """Results, positions and controls."""
+    shape = (cases.size, maker.ball_axis)
+    found = np.zeros(cases.size, RESULT), np.zeros((*shape, maker.position_size)), np.zeros(shape, np.int8)
+    solve(cases, *working_memory(maker.ball_axis), maker.own_balls(cases), solver.TOLERANCE, BUDGET, False, *found)
+    return found
+
+
+def in_lanes_alone(cases: NDArray, memory: NDArray, balls: NDArray, own: NDArray, *rest: Any) -> None:
+    """As `solve_batch`, without what is left to the scalar kernel."""
+    tolerance, _, _, *found = rest
+    found[0]["status"] = lanes.WAITING
+    lanes.solve_in_lanes(cases, memory, balls, own, *lane_memory(balls.size), tolerance, *found)
+
+
+def made(scene: qs.Scene) -> tuple[CaseMaker, NDArray]:
+    maker = CaseMaker(scene)
+    return maker, maker.make(0, maker.count)
+
+
+def assert_same(found: Found, expected: Found, which: Any = ...) -> None:
+    """The same digits; of cases that did not converge, the same status and iterations."""
+    for name in ("status", "iterations"):
+        assert np.array_equal(found[0][name][which], expected[0][name][which]), name
+    there = np.zeros(expected[0].size, bool)
+    there[which] = expected[0]["status"][which] == CONVERGED
+    for name in ("displacement", "load", "residual", "reached", "notes"):
+        assert np.array_equal(found[0][name][there], expected[0][name][there]), name
+    for one, other in zip(found[1:], expected[1:], strict=True):
+        assert np.array_equal(one[there], other[there])
+
+
+def mixed(count: int) -> qs.Scene:
+    """Cases of other kinds among usual ones: without radial load, at rest, pulled, other ball counts; and some that end
+    with contacts on the open side, which no equilibrium has."""
+    rng = np.random.default_rng(5)
+    scene = scenes.random_points(count)
+    axial, radial = np.array(scene.operation.axial_load), np.array(scene.operation.radial_load_y)
+    speed = np.array(scene.operation.speed)
+    radial[rng.random(count) < 0.2] = 0.0
+    speed[rng.random(count) < 0.1] = 0.0
+    axial[rng.random(count) < 0.1] *= -1.0
+    radial[::20] = 2.5 * np.abs(axial[::20])
+    bearing = replace(scene.bearing, ball_count=rng.choice([16, 16, 15], count))
+    operation = qs.Operation(speed=speed, axial_load=axial, radial_load_y=radial, moment_z=0.0)
+    return qs.Scene(bearing, operation, scenes.BOTH, qs.RacewayControl.OUTER)
+
+
+def held(count: int) -> qs.Scene:
+    """Upright rings: prescribed displacements, whose reactions are part of the result."""
+    operation = scenes.random_points(count).operation
+    upright = {"tilt_y": 0.0, "tilt_z": 0.0}
+    loads = {name: getattr(operation, name) for name in ("speed", "axial_load", "radial_load_y")}
+    return scenes.at_speed(qs.Operation(**loads, **upright))
+
+
+@pytest.mark.parametrize(
+    ("make", "least"),
+    [(scenes.random_points, 0.99), (scenes.random_general_points, 0.99), (held, 0.99), (mixed, 0.75)],
+)
+def test_lanes_give_the_digits_of_the_scalar_kernel(make: Any, least: float) -> None:
+    """`least`: the part of the cases that lanes solve without it."""
+    maker, cases = made(make(300))
+    assert lanes.lanes_know(cases).all()
+    expected = solved_by(solve_cases, maker, cases)
+    assert_same(solved_by(lanes.solve_batch, maker, cases), expected)
+    alone = solved_by(in_lanes_alone, maker, cases)[0]["status"]
+    assert np.mean(alone == CONVERGED) >= least
+    assert set(alone) <= {CONVERGED, UNFINISHED}
+
+
+def test_a_lane_that_is_not_a_number_leaves_the_others_their_digits() -> None:
+    maker, cases = made(scenes.random_general_points(200))
+    expected = solved_by(solve_cases, maker, cases)
+    broken = np.arange(200) % 7 == 3
+    for name in ("tilt_lever", "inner_speed"):
+        spoilt = cases.copy()
+        spoilt[name][broken] = np.nan
+        found = solved_by(in_lanes_alone, maker, spoilt)
+        assert (found[0]["status"][broken] == UNFINISHED).all()
+        assert_same(found, expected, np.flatnonzero(~broken & (found[0]["status"] == CONVERGED)))
+        assert np.mean(found[0]["status"][~broken] == CONVERGED) > 0.95
+
+
+def test_only_batches_from_no_start_are_solved_in_lanes(monkeypatch: pytest.MonkeyPatch) -> None:
+    counts: list[int] = []
+
+    def watched(cases: NDArray, *rest: Any) -> int:
+        counts.append(cases.size)
+        return solve_cases(cases, *rest)
+
+    monkeypatch.setattr(lanes, "solve_batch", watched)
+    few, many = scenes.random_points(solver.LEAST_BATCH - 1), scenes.random_points(solver.LEAST_BATCH)
+    start = qs.solve(few)
+    qs.solve(few)
+    assert counts == []
+    batch = qs.solve(many)
+    assert counts == [solver.LEAST_BATCH]
+    qs.solve(many, start=batch)
+    assert counts == [solver.LEAST_BATCH]
+    assert start.converged.all()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"ball_effects": (qs.CentrifugalForce(),)},
+        {"ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.07))},
+        {"raceway_control": qs.RacewayControl.PER_BALL},
+        {"hertz_angle": qs.HertzAngle.ACTUAL},
+        {"orbit_radius": qs.OrbitRadius.DISPLACED},
+    ],
+)
+def test_lanes_know_what_they_do_not_know(change: dict[str, Any]) -> None:
+    scene = scenes.combined()
+    assert lanes.lanes_know(made(scene)[1]).all()
+    assert not lanes.lanes_know(made(replace(scene, **change))[1]).any()
+
+
+def test_lanes_are_left_out_where_they_know_no_case(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their kernel would be compiled for nothing."""
+    monkeypatch.setattr(lanes, "solve_in_lanes", None)
+    maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.PER_BALL))
+    assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
+
+
+PACKED = {
+    "x86_64": r"\bv?mulpd\b",
+    "aarch64": r"\bfmul\s+v\d+\.2d",
+}
+"""Multiplications of several numbers at once, by processor."""
+
+
+@pytest.mark.heavy
+@pytest.mark.skipif(platform.machine() not in PACKED, reason="no instruction known of this processor")
+def test_loops_over_lanes_are_packed() -> None:
+    """A compiler that packs none makes lanes slower than one case at a time."""
+    from qsbearing.model.compiler import numba_kernel
+
+    def evaluate(rings: NDArray, balls: NDArray) -> None:
+        evaluate_ball_lanes(rings[0], balls[0])
+
+    def step(rings: NDArray, balls: NDArray) -> None:
+        step_ball_lanes(rings[0], balls[0])
+
+    def propose(rings: NDArray, balls: NDArray) -> None:
+        propose_lanes(rings[0], balls, 1)
+
+    for function, least in ((evaluate, 200), (step, 50), (propose, 10)):
+        compiled = numba_kernel.filled(function, kinds)
+        compiled(np.ones(1, RING_LANES), np.ones(1, BALL_LANES))
+        (text,) = compiled.inspect_asm().values()
+        found = len(re.findall(PACKED[platform.machine()], text))
+        assert found >= least, f"{function.__name__}: {found} packed multiplications in lanes of {LANES}"
+
+
+@pytest.mark.heavy
+@pytest.mark.parametrize(("envelope", "chunks"), [("realistic", 40), ("wild", 200)])
+def test_lanes_give_the_digits_of_the_scalar_kernel_over_campaigns(envelope: str, chunks: int) -> None:
+    solved = 0
+    for chunk in range(chunks):
+        for group in chunk_groups(1, chunk, envelope=envelope):
+            maker, cases = made(group.scene())
+            if lanes.lanes_know(cases).all():
+                assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
+                solved += int((solved_by(in_lanes_alone, maker, cases)[0]["status"] == CONVERGED).sum())
+    assert solved > 500

@@ -1,0 +1,102 @@
+"""`qsbearing compare`: several bearings at the same job."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from tests.systems.sets.arrangements import PAIR_FILE
+
+JOB = (
+    '[bearing]\nname = "Turbopump25"\n[operation]\nspeed_rpm = 9000\naxial_load_N = 3000\n[readings.life]\n'
+    '[effects]\nball = ["centrifugal_force"]\nraceway_control = "outer"\n'
+)
+
+
+@pytest.fixture
+def job(tmp_path: Path) -> Path:
+    path = tmp_path / "job.toml"
+    path.write_text(JOB)
+    return path
+
+
+def run(*arguments: object) -> Result:
+    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
+    return result
+
+
+def test_each_bearing_does_the_same_job(job: Path) -> None:
+    found = qs.compare(["b218", "7210C", "7210C_hybrid"], job)
+    assert found.labels == ("B218", "7210C", "7210C_hybrid")
+    assert found.all_solved
+    lines = {line.name: line for line in found.results}
+    base = qs.load_scene(job)
+    for i, name in enumerate(("b218", "7210C", "7210C_hybrid")):
+        solution = qs.solve(dataclasses.replace(base, bearing=qs.load_scene(name).bearing))
+        assert lines["inner_load_max"].values[i] == pytest.approx(solution.inner.load.max(), rel=1e-12)
+        life = qs.readings.life(solution).basic_duration / 3600.0
+        assert lines["life_basic_duration"].values[i] == pytest.approx(life, rel=1e-12)
+    inputs = {line.name: line for line in found.inputs}
+    assert inputs["ball_diameter_mm"].values == (22.225, 12.7, 12.7)
+    assert inputs["ball_diameter_mm"].difference(1) == pytest.approx(12.7 / 22.225 - 1.0)
+    assert "ring_material.elastic_modulus_GPa" not in inputs, "they do not differ in it"
+
+
+def test_without_a_job_it_is_the_first_s() -> None:
+    found = qs.compare(["7210C", "7210C_hybrid"])
+    lines = {line.name: line for line in found.results}
+    assert lines["inner_load_max"].values[0] == pytest.approx(qs.solve(qs.load_scene("7210C")).inner.load.max())
+
+
+def test_a_bearing_with_itself_differs_in_nothing(job: Path) -> None:
+    found = qs.compare(["b218", "b218"], job)
+    assert found.labels == ("B218 (B218) #1", "B218 (B218) #2")
+    assert found.inputs == ()
+    assert all(line.difference(1) == 0.0 for line in found.results)
+
+
+def test_a_set_s_rows_take_each_bearing(tmp_path: Path) -> None:
+    (tmp_path / "pair.toml").write_text(PAIR_FILE)
+    found = qs.compare(["7210C", "7210C_hybrid"], tmp_path / "pair.toml")
+    assert found.all_solved
+    assert any(line.name == "row_1_axial_load" for line in found.results)
+
+
+def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path) -> None:
+    picture, table = tmp_path / "a.svg", tmp_path / "a.csv"
+    names = ("b218", "7210C", "7210C_hybrid", "turbopump25")
+    result = run("compare", *names, "--at", job, "--plot", picture, "--csv", table)
+    assert result.exit_code == 0, result.output
+    found = qs.compare(names, job)
+    lines = {line.name: line for line in found.results}
+    value, difference = lines["inner_load_max"].values[3], lines["inner_load_max"].difference(3)
+    assert f"{value:.5g} ({100 * difference:+.0f} %)" in result.stdout
+    rows = {row["quantity"]: row for row in csv.DictReader(table.read_text().splitlines())}
+    assert float(rows["inner_load_max"]["Turbopump25"]) == pytest.approx(value)
+    assert "7210C_hybrid" in picture.read_text()
+
+
+def test_a_bearing_without_equilibrium_stays_in_the_table(job: Path) -> None:
+    job.write_text(JOB.replace("3000", "-3000"))
+    result = run("compare", "b218", "iso16281_7ball", "--at", job)
+    assert result.exit_code == 1
+    assert "no_equilibrium" in result.stdout and "converged" in result.stdout
+
+
+def test_all_that_is_wrong_is_said_at_once(job: Path, tmp_path: Path) -> None:
+    bad = tmp_path / "bad.toml"
+    bad.write_text('[bearing]\nname = "B218"\nball_count = 40\n')
+    result = run("compare", "b218", "no_such", bad, tmp_path / "nix.toml", "--at", job, "--plot", "a.txt")
+    assert result.exit_code == 2
+    for words in ("no_such", "nix.toml", "a.txt"):
+        assert words in result.output
+    result = run("compare", "b218", bad, "--at", job)
+    assert result.exit_code == 2 and "bad.toml: bearing" in result.output
+    assert run("compare", "b218").exit_code == 2

@@ -1,0 +1,291 @@
+"""The tables of the guide, built from the records: `python -m tests.verification.benchmarks.tables` writes them into
+its pages."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import qsbearing as qs
+from fem_check import records_store
+from fem_check.cost import record as cost_record
+from fem_check.cost import table as cost_table
+from fem_check.report.figures import sector as sector_figures
+from tests.reports import evidence_numbers
+from tests.systems.rotor_dynamics import spindle
+from tests.verification.benchmarks import marked
+from tests.verification.benchmarks.record import RECORD
+
+GUIDE = Path(qs.__file__).parent / "guide"
+CAMPAIGNS = Path(__file__).parents[1] / "campaign" / "records"
+HARD_CASES = Path(__file__).parents[1] / "hard_cases" / "table.json"
+
+QUANTITIES = {
+    "approach": "approach",
+    "semi_major_axis": "$a$",
+    "semi_minor_axis": "$b$",
+    "max_pressure": "$p_0$",
+    "max_shear_stress": r"$\tau_{max}$",
+}
+HALF_SPACE_CHECKS = (
+    "sphere_on_plane",
+    "ball_in_inner_groove",
+    "ball_in_outer_groove",
+    "hybrid_contact",
+    "other_contacts",
+)
+
+
+def read(path: Path) -> Any:
+    """A record."""
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def markdown(headings: list[str], rows: list[list[str]]) -> str:
+    """A table."""
+    lines = ["| " + " | ".join(headings) + " |", "|" + "---|" * len(headings)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
+
+
+def between(times: dict[str, float], unit: str) -> str:
+    """Median and range."""
+    return f"{times['median']:g} {unit} ({times['min']:g} to {times['max']:g})"
+
+
+def timing() -> str:
+    """What things cost."""
+    record = read(RECORD)
+    start, single, batch, million = (record[name] for name in ("start_up", "single_calls", "batch", "million"))
+    machine = record["machine"]
+    rows = [
+        ["`qsbearing --help`", between(start["help_s"], "s")],
+        ["`qsbearing run b218`, from cold", between(start["run_s"], "s")],
+        ["the same, the first time, with compilation", f"{start['first_run_with_compilation_s']:g} s"],
+        ["one `solve(scene)`, thrust", between(single["thrust"], "µs")],
+        ["one `solve(scene)`, combined load, free tilt", between(single["combined"], "µs")],
+        [f"{batch['points']:,} random points, one thread", between(batch["one_thread"], "µs per point")],
+        [f"{batch['points']:,} random points, two threads", between(batch["two_threads"], "µs per point")],
+        [f"{million['points']:,} points: peak memory of the process", f"{million['peak_memory_MB']} MB"],
+    ]
+    return (
+        markdown(["what", "median (smallest to largest)"], rows)
+        + f"\n\n{batch['converged']:,} of the {batch['points']:,} points converged, the largest residual being "
+        f"{batch['largest_residual']:.0e}. Measured on {machine['cores']} shared cores ({machine['processor']}), "
+        f"Python {machine['python']}, numba {machine['numba']}, numpy {machine['numpy']}; the load average was "
+        f"{machine['load_average']:g} at the start."
+    )
+
+
+def alternatives() -> str:
+    """Beside a general solver, and what the initial guess saves."""
+    record = read(RECORD)
+    scipy, start = record["against_scipy"], record["starting_values"]
+    times = [
+        ["`scipy.optimize.root`, all 2Z + 3 unknowns", str(scipy["scipy_right"]), between(scipy["scipy_ms"], "ms")],
+        ["`qsbearing.solve` from the same start", str(scipy["solve_right"]), between(scipy["solve_ms"], "ms")],
+    ]
+    iterations = [
+        [name, *(f"{start[key][value]:g}" for value in ("mean", "median", "p99"))]
+        for key, name in (
+            ("plain", "from pure thrust at rest, all balls at the static angle"),
+            ("improved", "from the closed-form thrust equilibrium at speed (the default)"),
+        )
+    ]
+    headings = [f"Newton iterations, {start['points']:,} random points", "mean", "median", "99 % within"]
+    return (
+        markdown([f"{scipy['points']} random points, one at a time", "correct", "per point"], times)
+        + "\n\n"
+        + markdown(headings, iterations)
+    )
+
+
+def finite_elements() -> str:
+    """What each accuracy costs."""
+    record = cost_record.read()
+    if record is None:
+        raise ValueError("there is no record of `fem-check cost`")
+    choices = cost_table.mesh_choices(record)
+    return f"{choices.caption}:\n\n{markdown(choices.headings, choices.rows)}"
+
+
+def contacts() -> str:
+    """Largest deviation from Hertz of each check of half-spaces."""
+    entries = records_store.read_all()
+    rows = []
+    for name in HALF_SPACE_CHECKS:
+        entry = entries[name]
+        worst = {
+            quantity: max(abs(row["deviation_percent"]) for row in entry["rows"] if row["quantity"] == quantity)
+            for quantity in QUANTITIES
+        }
+        rows.append([name, entry["level"], entry["verdict"], *(f"{value:.2g}" for value in worst.values())])
+    gated = entries[HALF_SPACE_CHECKS[1]]
+    rows.append(["tolerance", gated["level"], "", *(f"{_tolerance(gated, name):g}" for name in QUANTITIES)])
+    return markdown(["check", "level", "verdict", *QUANTITIES.values()], rows)
+
+
+def _tolerance(entry: dict[str, Any], quantity: str) -> float:
+    (value,) = {row["tolerance_percent"] for row in entry["rows"] if row["quantity"] == quantity}
+    return float(value)
+
+
+def true_geometry() -> str:
+    """Deviation of B218's true bodies from Hertz."""
+    table: dict[str, dict[str, float]] = {}
+    for row in records_store.read_all()["true_geometry"]["rows"]:
+        case = row["case"].removesuffix(": true contact")
+        if case != row["case"]:
+            table.setdefault(case, {})[row["quantity"]] = row["deviation_percent"]
+    names = [name for name in QUANTITIES if name != "max_shear_stress"]
+    rows = [[case, *(f"{found[name]:+.2f}" for name in names)] for case, found in table.items()]
+    return markdown(["contact", *(QUANTITIES[name] for name in names)], rows)
+
+
+SECTOR = {
+    "inner load": r"$Q_i$, %",
+    "inner angle": r"$\alpha_i$, deg",
+    "outer angle": r"$\alpha_o$, deg",
+    "inner semi_major_axis": "$a$ inner, %",
+    "inner semi_minor_axis": "$b$ inner, %",
+    "inner max_pressure": "$p_0$ inner, %",
+}
+
+
+def sector() -> str:
+    """One ball between elastic rings: finite elements less model."""
+    rows = []
+    record = records_store.read_all()["bearing_sector"]
+    for support, states in record["pictures"]["bearing_sector"].items():
+        for state, curve in states.items():
+            for index, load in enumerate(curve["load_N"]):
+                found = [(curve[name]["deviation"][index], curve[name]["uncertainty"][index]) for name in SECTOR]
+                found.insert(0, sector_figures.micrometres(record, support, state, load))
+                cells = (f"{deviation:+.2f} ± {uncertainty:.2f}" for deviation, uncertainty in found)
+                rows.append([support, state, f"{load:,.0f}", *cells])
+    headings = ["outside diameter", "", "axial load, N", "axial displacement, µm", *SECTOR.values()]
+    return markdown(headings, rows)
+
+
+def gyroscopic_moment() -> str:
+    """Angles of B218 at rest, and at speed without and with the gyroscopic moment."""
+    scene = qs.load_scene("b218")
+    load = scene.operation.axial_load
+    at_rest = {"ball_effects": (), "raceway_control": None, "operation": qs.Operation(axial_load=load)}
+    scenes = {
+        "at rest": dataclasses.replace(scene, **at_rest),
+        "at speed, centrifugal force alone": dataclasses.replace(scene, ball_effects=(qs.CentrifugalForce(),)),
+        "at speed, and the gyroscopic moment": scene,
+    }
+    rows = []
+    for name, each in scenes.items():
+        solution = qs.solve(each)
+        rows.append([name, *(f"{angle[0] / qs.deg:.2f}" for angle in (solution.inner.angle, solution.outer.angle))])
+    return markdown(["", r"$\alpha_i$, deg", r"$\alpha_o$, deg"], rows)
+
+
+def campaigns() -> str:
+    """Every recorded campaign of random scenes."""
+    rows = []
+    for record in map(read, sorted(CAMPAIGNS.glob("*.json"))):
+        classes, refused = record["classes"], record["no_equilibrium"]
+        wrong = record["bar"]["failures"] if "bar" in record else record["failures_total"]
+        iterations = record["iterations_of_converged"]
+        rows.append(
+            [
+                record.get("envelope", "wild"),
+                str(record["seed"]),
+                *(f"{number:,}" for number in (record["count"], classes["converged"])),
+                f"{classes.get('no_equilibrium', 0):,} ({refused['proofs']:,} proofs)",
+                *(f"{number:,}" for number in (classes.get("not_converged", 0), wrong)),
+                " / ".join(f"{iterations[key]:,}" for key in ("median", "99 %", "most")),
+                f"{max(record['largest'].values()):.0e}",
+            ]
+        )
+    headings = ["envelope", "seed", "scenes", "converged", "no equilibrium", "not converged", "wrong"]
+    return markdown([*headings, "iterations: median / 99 % / most", "largest imbalance"], rows)
+
+
+SHOWN = {"error of the gives": "error of the ring deflections", "give over thickness": "deflection over thickness"}
+"""Names of the records as the guide prints them."""
+
+
+def recomputed() -> str:
+    """Every recorded campaign of cases recomputed from what their solutions say."""
+    rows = []
+    for record in map(read, sorted((CAMPAIGNS / "recomputed").glob("*.json"))):
+        ended = record["ended"]
+        refused = sum(number for how, number in ended.items() if how.startswith("no_equilibrium"))
+        counts = record["count"], ended["converged"], refused, ended.get("not_converged", 0), len(record["wrong"])
+        worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
+        rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *map("{:,}".format, counts), worst])
+    headings = ["cases", "seed", "number", "converged", "no equilibrium", "not converged", "wrong", "largest"]
+    return markdown(headings, rows)
+
+
+def hard_cases() -> str:
+    """How the named hard cases ended."""
+    cases = read(HARD_CASES)["cases"]
+    within = sum(case["verdict"] == "within 1e-9" for case in cases)
+    expected = sum(case["verdict"] == "as expected" for case in cases)
+    return markdown(
+        ["cases", "within 1e-9 of their 50-digit solution", "without one, as expected", "otherwise"],
+        [[str(number) for number in (len(cases), within, expected, len(cases) - within - expected)]],
+    )
+
+
+def critical_speeds() -> str:
+    """Of the guide's spindle, against preload."""
+    rows = [
+        [f"{int(preload):,}", *(f"{found[kind]:,.0f}" for kind in spindle.KINDS)]
+        for preload, found in spindle.read()["critical_speed_rpm"].items()
+    ]
+    headings = ["preload, N", *(f"stiffness {name}, rpm" for name in spindle.KINDS.values())]
+    return markdown(headings, rows)
+
+
+def tilts() -> str:
+    """The same, by what stands for tilts."""
+    found = spindle.read()["tilt_rpm"]
+    whole = next(iter(found.values()))
+    rows = [
+        [name, f"{rpm:,.0f}", f"{100.0 * (rpm / whole - 1.0):+.1f}" if rpm != whole else ""]
+        for name, rpm in found.items()
+    ]
+    return markdown(["`tilt`", "rpm", "difference, %"], rows)
+
+
+PAGES: dict[str, dict[str, Callable[[], str]]] = {
+    "model.md": {"gyroscopic moment": gyroscopic_moment},
+    "timing.md": {"timing": timing, "alternatives": alternatives},
+    "finite_elements.md": {
+        "contacts": contacts,
+        "true geometry": true_geometry,
+        "sector": sector,
+        "finite elements": finite_elements,
+    },
+    "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
+    "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},
+}
+"""Pages of the guide, and the tables of each."""
+
+
+def filled(page: str) -> str:
+    """A page of the guide with its tables made anew."""
+    text = (GUIDE / page).read_text(encoding="utf-8")
+    for name, make in PAGES[page].items():
+        text = marked.filled(text, name, "tables", make())
+    return text
+
+
+def main() -> None:
+    """Rewrite the tables of every page, and the numbers of the design report's evidence."""
+    evidence_numbers.main()
+    for page in PAGES:
+        (GUIDE / page).write_text(filled(page), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

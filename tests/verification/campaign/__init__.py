@@ -1,0 +1,2 @@
+"""Random scenes over the whole envelope, each solved, classified and checked: `python -m tests.verification.campaign
+--help`."""

@@ -1,0 +1,74 @@
+"""No operation inside ever overflows, divides by zero or makes what is not a number: plain Python, all traps set."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.model.compiler.compiled import COMPILED
+from tests.verification.hard_cases.cases import CASES
+from tests.verification.hard_cases.scenes import scene_of
+
+if not COMPILED:
+    pytest.skip("starts plain Python by itself", allow_module_level=True)
+
+LONG = {
+    "sixty_balls",
+    "inner_control_beyond_its_end",
+    "a_millionth_of_a_newton",
+    "thrust_reversed_at_speed",
+    "one_ball_free",
+}
+"""Many balls or many iterations: seconds to a minute each in plain Python."""
+NAMES = [case["name"] for case in CASES if case["name"] not in LONG]
+
+
+def run_watched(*names: str, limit: float) -> dict[str, dict[str, Any]]:
+    """How these cases end in a process without compilation."""
+    command = [sys.executable, "-W", "error", "-m", "tests.verification.hard_cases.watched", *names]
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=limit, check=False)
+    assert done.returncode == 0, done.stderr
+    found: dict[str, dict[str, Any]] = json.loads(done.stdout)
+    return found
+
+
+def assert_clean(found: dict[str, dict[str, Any]]) -> None:
+    """Nothing raised and nothing left behind."""
+    for name, ending in found.items():
+        assert "raised" not in ending, (name, ending)
+        assert ending["seen"] == [], (name, ending["seen"])
+
+
+def test_hard_cases_under_traps() -> None:
+    """All but the longest, and the traps themselves; and plain Python comes to the same as the compiled kernel."""
+    found = run_watched("trap", *NAMES, limit=300.0)
+    trap = found.pop("trap")
+    assert trap["raised"] == ["FloatingPointError"] * 3
+    assert any("squared" in words and "inf" in words for words in trap["seen"])
+    assert_clean(found)
+    for name in NAMES:
+        compiled = qs.solve(scene_of(name))
+        assert found[name]["status"] == str(compiled.status), name
+        if compiled.converged:
+            size = np.abs(compiled.displacement).max()
+            # The compiler may fuse a product and a sum into one operation: the last bits differ.
+            assert np.abs(np.array(found[name]["displacement"]) - compiled.displacement).max() <= 1e-9 * size, name
+
+
+@pytest.mark.heavy
+def test_the_longest_under_traps() -> None:
+    assert_clean(run_watched(*sorted(LONG), limit=900.0))
+
+
+@pytest.mark.heavy
+def test_random_scenes_under_traps() -> None:
+    """Light loads, balls with room between wide grooves, all controls."""
+    assert_clean(run_watched(*(f"random {seed}" for seed in range(60)), limit=1800.0))
