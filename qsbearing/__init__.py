@@ -11,9 +11,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.model.above import DONE_BY
 from qsbearing.model.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
+from qsbearing.model.version import __version__ as __version__
 
-__version__ = "0.1.0"
+# Methods of scenes and solutions that the model leaves to the rooms above it.
+DONE_BY.update(
+    html_of="qsbearing.app.notebook",
+    plot="qsbearing.app.notebook",
+    of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",
+)
 
 if TYPE_CHECKING:
     from qsbearing import readings

@@ -12,7 +12,6 @@ from typing import Any, NoReturn
 
 import click
 
-from qsbearing import __version__
 from qsbearing.cli.app import app
 from qsbearing.cli.catalogue import catalogue
 from qsbearing.cli.compare import compare
@@ -29,6 +28,7 @@ from qsbearing.cli.report import report
 from qsbearing.cli.run import run
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
+from qsbearing.model.version import __version__
 
 
 class _Commands(click.Group):

@@ -89,9 +89,9 @@ def _list(pages: dict[str, Page]) -> None:
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     what = "--html needs" if target is not None else "--open needs"
     check_installed(what, ("jinja2", "markdown_it", "mdit_py_plugins"), "report")
-    from qsbearing import __version__
     from qsbearing.documents.guide import document
     from qsbearing.documents.html import html
+    from qsbearing.model.version import __version__
 
     path = (folder(target) if target is not None else _own_folder()) / "guide.html"
     fill({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))

@@ -6,7 +6,6 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-from qsbearing import __version__
 from qsbearing.files.errors import refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_RESULT
@@ -14,6 +13,7 @@ from qsbearing.files.netcdf import attributes_of, json_of
 from qsbearing.files.raw import read_bytes
 from qsbearing.files.toml import check_tables
 from qsbearing.model.validation import printable
+from qsbearing.model.version import __version__
 
 ENDINGS = (".json", ".nc")
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__, messages
+from qsbearing import messages
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.result_keys import (
@@ -23,6 +23,7 @@ from qsbearing.model.solution.result_keys import (
 )
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, um, zero_celsius
+from qsbearing.model.version import __version__
 from qsbearing.results.readings_record import Readings, number, readings_record
 
 if TYPE_CHECKING:

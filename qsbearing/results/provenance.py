@@ -16,7 +16,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from qsbearing import __version__
+from qsbearing.model.version import __version__
 
 FOLDER = Path(__file__).parents[2]
 """The source tree, where this is one."""

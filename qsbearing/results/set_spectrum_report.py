@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing import __version__, messages
+from qsbearing import messages
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.messages.equal_warnings import together
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.units import mm, rpm
+from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.results.json_record import number, of_channels
 from qsbearing.results.readings_record import Readings

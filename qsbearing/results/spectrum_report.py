@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing import __version__, messages
+from qsbearing import messages
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.messages.equal_warnings import together
 from qsbearing.model.ranked_warning import RankedWarning, said_of
 from qsbearing.model.solution.result_keys import LOAD
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import rpm
+from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings, number

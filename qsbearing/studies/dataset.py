@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.status import Reason
+from qsbearing.model.version import __version__
 from qsbearing.results.provenance import commit
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan

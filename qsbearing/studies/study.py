@@ -12,15 +12,15 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from qsbearing import __version__
-from qsbearing.documents.in_notebooks import Plotted
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.toml import check_tables
+from qsbearing.model.above import Plotted
 from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.solution import quantities
 from qsbearing.model.validation import near
+from qsbearing.model.version import __version__
 from qsbearing.studies import keys
 from qsbearing.studies.results import reading_of
 from qsbearing.studies.variables import Axis, Distribution, Variable, VariableError, error_of, variable_of

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.in_notebooks import InNotebooks
+from qsbearing.model.above import InNotebooks
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import (
     BallDiameterDeviations,
@@ -46,9 +46,6 @@ from qsbearing.model.validation import (
     unit_mistake,
     within,
 )
-
-if TYPE_CHECKING:
-    from qsbearing.systems.heat.network import Thermal
 
 SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
@@ -91,8 +88,8 @@ class Scene(InNotebooks):
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
-    thermal: Thermal | None = None
-    """With it, `qs.solve` finds the temperatures at which the bearing runs."""
+    thermal: Any = None
+    """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
 
     def __post_init__(self) -> None:
         errors = []

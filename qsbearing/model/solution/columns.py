@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import __version__
 from qsbearing.model.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -23,6 +22,7 @@ from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.quantities import ALL, Quantity, Solution
 from qsbearing.model.units import deg
+from qsbearing.model.version import __version__
 
 if TYPE_CHECKING:
     import xarray

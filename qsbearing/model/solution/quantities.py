@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,15 +31,12 @@ from qsbearing.model.solution.result_keys import (
 )
 from qsbearing.model.units import deg, zero_celsius
 
-if TYPE_CHECKING:
-    from qsbearing.systems.heat.state import ThermalState
-
 
 class Solution(Solved, Protocol):
     """What is read here and in `columns` of a solution, which lies above: its methods call what is here."""
 
     scene: Scene
-    thermal: ThermalState | None
+    thermal: Any
 
     @property
     def stiffness(self) -> NDArray: ...

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.in_notebooks import Plotted
+from qsbearing.model.above import Plotted, above
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from qsbearing.systems.heat.state import ThermalState
 
 CALLED_FOR_BY = {
     "required_friction": "gyroscopic_moment",
@@ -103,8 +102,8 @@ class Solution(Plotted):
         """At most so many solved it, and read it off."""
         self.choice: Choice | None = None
         """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
-        self.thermal: ThermalState | None = None
-        """Temperatures and heats, where the scene asks for its steady state."""
+        self.thermal: Any = None
+        """Temperatures and heats (`systems/heat/state.py`), where the scene asks for its steady state."""
 
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
@@ -521,9 +520,7 @@ class Solution(Plotted):
             SceneError: every error of the arguments; cases that are not solved.
             ImportError: ROSS is not installed.
         """
-        from qsbearing.systems.rotor_dynamics import ross_bearing
-
-        return ross_bearing.of_solution(self, self.scene.operation.speed, n, index, **arguments)
+        return above("of_solution")(self, self.scene.operation.speed, n, index, **arguments)
 
 
 def stiffness(scene: Scene, solution: Solution) -> NDArray:

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing import __version__
+from qsbearing.model.version import __version__
 from qsbearing.results.provenance import PACKAGES, hardware, versions
 
 ROUND = 0.01

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.documents.in_notebooks import InNotebooks
+from qsbearing.model.above import InNotebooks
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.model.effects.hertz_angle import HertzAngle

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.documents.in_notebooks import Plotted
 from qsbearing.messages import bearing_set
+from qsbearing.model.above import Plotted
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.ranked_warning import RankedWarning
@@ -58,6 +58,7 @@ class SetSolution(Plotted):
         sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
+        solve: Callable[[BearingSet], SetSolution],
     ) -> None:
         self.set = of
         self.shape = shape
@@ -66,6 +67,7 @@ class SetSolution(Plotted):
         self._outcome = outcome
         self._sides = sides
         self._unloaded = unloaded
+        self._solve = solve
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.thermal: ThermalState | None = None
