@@ -107,9 +107,9 @@ PLANTED = {
     ),
     "solver noise 1e-5": (
         "fem_check/elastic_body.py",
-        "moved[self.free] = self._factor.solve(self._free_loads @ pressures - self._coupling @ moved[self._prescribed])",
-        "moved[self.free] = self._factor.solve(self._free_loads @ pressures - self._coupling @ moved[self._prescribed])\n"
-        "        moved[self.free] *= 1.0 + 1e-5 * np.random.default_rng(1).standard_normal(moved[self.free].shape)",
+        "        return moved\n\n    def reaction",
+        "        moved[self.free] *= 1.0 + 1e-5 * np.random.default_rng(1).standard_normal(moved[self.free].shape)\n"
+        "        return moved\n\n    def reaction",
         GROOVE,
     ),
     "free symmetry plane": (
