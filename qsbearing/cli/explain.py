@@ -109,17 +109,17 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     title = f"Effects and choices: change if left out (≈ usual parameters); needed above {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
-    numbers = (*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else []), *HEADINGS)
-    headings = ("", "in\nscene", *numbers, "verdict")
+    more = [*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else [])]
+    headings = ("", "in\nscene", *HEADINGS, "verdict", *more)
     cells, said = [], []
     for row in rows:
         ratio = two_digits(row.time_with_over_without)
         own = [two_digits(row.indicator)] if has_indicator else []
         own += ["-" if ratio == "-" else f"x{ratio}"] if is_timed else []
         changes, verdict = map(row.change, QUANTITIES), row.verdict.replace(", ", ",\n")
-        cells.append((row.effect, "yes" if row.in_scene else "no", *own, *changes, verdict))
+        cells.append((row.effect, "yes" if row.in_scene else "no", *changes, verdict, *own))
         if row.why or (row.add and row.verdict == "needed"):
             lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
             said.append(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}")
-    table = Table(headings, cells, f"ll{'r' * (len(headings) - 3)}l", title)
+    table = Table(headings, cells, f"ll{'r' * len(HEADINGS)}l{'r' * len(more)}", title)
     return [table, *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(said))]
