@@ -18,16 +18,18 @@ Of several balls or channels the worst counts. The same definitions hold for wha
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.operating_point import LIGHT, SMALLEST_ANGLE
 from qsbearing.model.solution.solution import Solution
-from qsbearing.systems.sets.set_solution import SetSolution
 
-T = TypeVar("T", Solution, SetSolution)
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+T = TypeVar("T", bound="Solution | SetSolution")
 
 RACEWAYS = ("inner", "outer")
 CONTACT = ("load", "angle", "semi_major_axis", "semi_minor_axis", "max_pressure")
@@ -50,7 +52,7 @@ Results = dict[str, NDArray]
 def read(solution: Solution | SetSolution) -> Results:
     """The results of a solution; NaN in cases that are not solved and for balls that are not there."""
     displacement, load = solution.displacement, solution.load
-    rows = solution.rows if isinstance(solution, SetSolution) else (solution,)
+    rows = (solution,) if isinstance(solution, Solution) else solution.rows
     pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
     lever = 0.5 * np.mean(pitch, axis=0)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
