@@ -22,14 +22,17 @@ def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """Serve a page on this computer that shows SCENE, a file or a bearing of the catalogue: its numbers as sliders and
     fields, its effects as switches, and the resulting contacts, stiffness and life.
 
+    The address that is printed has a token, without which nobody reads the scene.
+
     Exit codes: 0 ended, 2 bad input.
     """
     check_installed("app needs", ("starlette", "uvicorn", "jinja2", "matplotlib", "tomli_w"), "app")
-    from qsbearing.app.server import serve
+    from qsbearing.app.server import EVERYWHERE, serve
     from qsbearing.model.validation import SceneError
 
     def ready(address: str) -> None:
-        note(f"{address} shows {scene}; Ctrl+C ends")
+        elsewhere = "; elsewhere with this computer's name in it" if host in EVERYWHERE else ""
+        note(f"{address} shows {scene}{elsewhere}; Ctrl+C ends")
         if is_opened:
             import webbrowser
 

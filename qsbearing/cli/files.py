@@ -46,6 +46,16 @@ def ending_problems(option: str, target: str, known: tuple[str, ...]) -> list[st
     return [] if ending(target) in known else [f"{option} {target}: the name must end in one of {', '.join(known)}"]
 
 
+NOT_CSV = (".xlsx", ".xls", ".ods", ".parquet", ".json", ".nc", ".toml", ".html", *PICTURES)
+
+
+def csv_problems(target: str | None) -> list[str]:
+    """Of --csv: a name that says another form than what is written."""
+    form = ending(target or "")
+    said = f"--csv {target}: the file is CSV, which Excel opens; its name must not end in {form}"
+    return [said] if form in NOT_CSV else []
+
+
 def picture_problems(picture: str | None) -> list[str]:
     """Of --plot."""
     if picture is None:

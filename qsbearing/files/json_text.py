@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
+from math import isinf
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -19,21 +20,22 @@ _TEXT = re.compile(rb'"(?:[^"\\]|\\.)*+"?', re.DOTALL)
 """A text; one without an end too, or each of its quotation marks would be tried as a beginning."""
 
 
-def parsed(data: bytes, path: Path) -> Any:
+def parsed(data: bytes, path: Path, most: int = MOST_VALUES) -> Any:
     """What a text holds.
 
     Args:
         path: what to call it in errors.
+        most: values that it may have.
 
     Raises:
         SceneFileError: it is not JSON, names a key twice, holds NaN or half a character, or has too many values.
     """
-    if sum(map(data.count, (b",", b"[", b"{"))) > MOST_VALUES and _count(data) > MOST_VALUES:
-        raise refused(path, f"has more than {MOST_VALUES:,} values")
+    if sum(map(data.count, (b",", b"[", b"{"))) > most and _count(data) > most:
+        raise refused(path, f"has more than {most:,} values")
     if _depth(data) > DEEPEST_JSON and _depth(_TEXT.sub(b"", data)) > DEEPEST_JSON:
         raise refused(path, f"is nested deeper than {DEEPEST_JSON} lists and tables")
     try:
-        found = json.loads(decoded(data, path), parse_constant=_no_number, object_pairs_hook=_once)
+        found = json.loads(decoded(data, path), parse_float=_finite, parse_constant=_no_number, object_pairs_hook=_once)
         if b"\\ud" in data or b"\\uD" in data:
             json.dumps(found, ensure_ascii=False).encode()  # fails for half a character
     except (ValueError, RecursionError) as error:
@@ -61,6 +63,13 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(found) < len(pairs):
         twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
         raise ValueError(f"the key {json.dumps(twice)} stands twice in one table")
+    return found
+
+
+def _finite(text: str) -> float:
+    found = float(text)
+    if isinf(found):
+        raise ValueError(f"{text[:20]} is beyond any number")
     return found
 
 

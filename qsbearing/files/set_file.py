@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import AUTO, effects_of, find_unused_expansion, ring_effect
+from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -58,7 +58,6 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
     preload = preload_of(document, None, errors)
     effects = _effects(document, errors)
-    find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
     around = surroundings(document, errors)
     if thermal is not None:
@@ -147,8 +146,6 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)
-        named: dict[str, Any] = {name: {} for name in EFFECT_TABLES if name in table}
-        find_unused_expansion({"bearing": table["bearing"], "effects": named or document.get("effects")}, within)
     elif not has_common:
         cause = "Give [bearing], which all rows share, or a table [rows.bearing] below each [[rows]]"
         within.append(FileErrorDetail("bearing", "missing", cause=cause))

@@ -14,7 +14,7 @@ from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.model.effects import MomentShares
-from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.material import BY_NAME, Material, material_named
 from qsbearing.model.scene.bearing import BearingKind
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.model.scene.scene import CHOICES
@@ -155,9 +155,11 @@ def material(path: str, value: Any, errors: Errors) -> Material:
     if not isinstance(value, str):
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
         return unknown
-    if value.lower() not in BY_NAME:
+    found = material_named(value)
+    if found is None:
         near_one = near(value.lower(), BY_NAME, 0.5)
         others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
         cause = f"Did you mean {near_one}?" if near_one else others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
-    return BY_NAME.get(value.lower(), unknown)
+        return unknown
+    return found

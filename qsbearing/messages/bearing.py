@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.messages.expansion import expansion_warnings, give_warnings
-from qsbearing.messages.missing_effects import data_warnings, missing_warnings
+from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import preload_warnings
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
@@ -173,8 +173,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _ring_warnings(solution, part)
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
-    yield from missing_warnings(solution, part)
-    yield from data_warnings(solution, part)
+    yield from incomplete_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     yield from give_warnings(solution, part)

@@ -258,8 +258,5 @@ def _material_table(study: Study, side: str) -> dict[str, Any]:
     material = material_named(name) if isinstance(name, str) else None
     if material is None:
         return {}
-    effects = study.document.get("effects", {})
-    grows = isinstance(effects, dict) and any(isinstance(table, dict) for table in effects.values())
-    given = MATERIAL if grows else MATERIAL[:3]  # a thermal expansion that nothing uses is an error
-    found = {key: getattr(material, key.field) for key in given}
+    found = {key: getattr(material, key.field) for key in MATERIAL}
     return {key.name: key.in_file(value) for key, value in found.items() if value is not None}

@@ -104,6 +104,30 @@ def test_a_wrong_number_is_told_at_its_field(page: Browser) -> None:
     assert page.complaints == []
 
 
+def test_an_old_answer_is_grey_and_says_of_which_input_it_is(page: Browser) -> None:
+    """While the next one is worked out, and where there is none."""
+    before = page.value(f"{LOAD}.value")
+    page.value(
+        "(() => { const real = window.fetch; window.fetch = async (...asked) => {"
+        " if (asked[0] === '/solve') await new Promise(done => { window.go = done; }); return real(...asked); };"
+        " window.back = () => { window.fetch = real; window.go?.(); }; })()"
+    )
+    write(page, LOAD, "1234")
+    parts = ("section", "key", "warnings", "angles", "life", "effects", "tables")
+    grey = "[" + ", ".join(f"document.getElementById('{part}')" for part in parts) + "]"
+    of = "document.getElementById('of').textContent"
+    wait(page, f"{grey}.every(each => each.classList.contains('stale'))")
+    assert page.value(of) == f"Solving ... The results shown are those of operation.axial_load_N = {before}."
+    page.value("window.back()")
+    wait(page, f"{of} === '' && {grey}.every(each => !each.classList.contains('stale'))")
+    write(page, DIAMETER, "-3")
+    wait(page, f"{of}.startsWith('Not solved. The results shown are those of bearing.ball_diameter_mm = ')")
+    page.click(UNDO)
+    page.click(UNDO)
+    wait(page, f"{LOAD}.value === {before!r} && {of} === ''")
+    assert page.complaints == []
+
+
 def test_keys_move_a_slider_and_undo(page: Browser) -> None:
     before, load = page.value(KEY), page.value(f"{LOAD}.value")
     page.value(f"{SLIDER}.focus()")
@@ -159,7 +183,7 @@ def test_nothing_serious_bars_anybody(page: Browser) -> None:
         pytest.skip("axe-core-python is not installed")
     script = Path(package.submodule_search_locations[0]) / "axe.min.js"
     page.value(script.read_text(encoding="utf-8") + "; true")
-    wait(page, "document.querySelectorAll('#tables table').length > 0")
+    wait(page, "document.querySelectorAll('#tables table').length > 0 && !document.querySelector('.stale')")
     found = page.value(
         "axe.run().then(r => r.violations.map(v => [v.impact, v.id, v.nodes.slice(0, 3).map(n => n.html)]))"
     )

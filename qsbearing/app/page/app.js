@@ -1,13 +1,16 @@
 "use strict";
 // The scene is the page's own: the server is told it with each question and keeps nothing.
 const $ = id => document.getElementById(id);
+const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
 const PICTURES = ["angles", "loads", "stiffness", "life", "ellipses"];
+const MAIN = ["section", "key", "warnings"], SLOW = [...PICTURES, "effects", "tables"], PATIENCE = 150;
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
+let shown = null, waits = 0;  // the input that the results on the page are of; a timer
 
 async function ask(question, given) {
   try {
     const answer = await fetch("/" + question, {
-      method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(given)});
+      method: "POST", headers: {"Content-Type": "application/json", ...TOKEN}, body: JSON.stringify(given)});
     return await answer.json();
   } catch (error) {
     return {errors: [{key: "", text: "The program that makes this page no longer answers: start it again"}]};
@@ -122,7 +125,31 @@ function complain(errors) {
     document.getElementById(`${key} wrong`).textContent += text + "\n";
   }
   $("errors").replaceChildren(...elsewhere.map(text => make("li", {}, text)));
-  for (const id of ["section", "key", "pictures", "effects", "tables"]) $(id).classList.toggle("stale", errors.length > 0);
+  if (errors.length) grey("Not solved.");
+}
+
+// What is on the page is grey as long as it is of another input than the fields have, and is said to be of that.
+function grey(why) {
+  if (!shown || JSON.stringify(shown) === JSON.stringify(now)) return;
+  for (const id of [...MAIN, ...SLOW]) $(id).classList.add("stale");
+  const before = leaves(shown.document), after = leaves(now.document);
+  const other = [...new Set([...before.keys(), ...after.keys()])].filter(key => before.get(key) !== after.get(key));
+  const told = other.slice(0, 3).map(key => before.has(key) ? `${key} = ${before.get(key)}` : `without ${key}`);
+  if (other.length > 3) told.push("...");
+  $("of").textContent = `${why} The results shown are those of ${told.join(", ") || shown.label || "the scene before"}.`;
+}
+
+function leaves(table, before = "", found = new Map()) {
+  for (const [name, value] of Object.entries(table ?? {})) {
+    const path = before ? `${before}.${name}` : name;
+    if (value && typeof value === "object" && !Array.isArray(value)) leaves(value, path, found);
+    else found.set(path, Array.isArray(value) ? JSON.stringify(value) : value);
+  }
+  return found;
+}
+
+function fresh(ids) {
+  for (const id of ids) $(id).classList.remove("stale");
 }
 
 // One question at a time: while it is out the slider may move on, and only where it is then is asked next.
@@ -133,13 +160,24 @@ async function solve() {
   busy = true;
   while (again) {
     again = false;
+    const asked = JSON.stringify(now);
+    clearTimeout(waits);
+    waits = setTimeout(() => grey("Solving ..."), PATIENCE);
     const found = await ask("solve", now);
+    clearTimeout(waits);
     complain(found.errors ?? []);
     if (!found.errors) {
+      shown = JSON.parse(asked);
+      for (const id of SLOW) $(id).classList.add("stale");
+      fresh(MAIN);
+      $("of").textContent = "";
       $("name").textContent = now.document.bearing?.name ?? (now.label || "Bearing");
       $("section").innerHTML = found.picture;
       for (const id of ["key", "warnings"]) $(id).innerHTML = found[id];
-      if (!found.is_solved) for (const id of PICTURES) $(id).replaceChildren();
+      if (!found.is_solved) {
+        for (const id of PICTURES) $(id).replaceChildren();
+        fresh(PICTURES);
+      }
       rest(turn, found.is_solved);
     }
     await new Promise(done => requestAnimationFrame(done));
@@ -155,12 +193,14 @@ async function rest(mine, isSolved) {
     const found = await ask("picture", {...now, name});
     if (found.errors || mine !== turn) return;
     Object.assign($(name), {role: "img", ariaLabel: found.alt, innerHTML: found.picture});
+    fresh([name]);
   }
   if (mine !== turn) return;
   const found = await ask("rest", now);
   if (mine !== turn || found.errors) return;
   $("tables").innerHTML = found.tables;
   $("effects").tBodies[0].replaceChildren(...found.effects.map(effectOf));
+  fresh(["tables", "effects"]);
 }
 
 function effectOf({effect, what, is_in, can, changes, verdict, why}) {
@@ -208,7 +248,8 @@ $("open").onchange = async () => {
 };
 $("entry").onchange = () => take("check", {document: {...now.document, bearing: {name: $("entry").value}}, label: ""});
 $("inputs").onsubmit = event => event.preventDefault();
-fetch("/start").then(answer => answer.json()).then(found => {
+fetch("/start", {headers: TOKEN}).then(answer => answer.json()).then(found => {
+  if (found.errors) return complain(found.errors);
   $("entries").replaceChildren(...found.catalogue.map(name => make("option", {value: name})));
   $("effects").tHead.rows[0].append(...[...found.quantities, "verdict"].map(name => make("th", {scope: "col"}, name)));
   now = {document: found.document, label: found.label};

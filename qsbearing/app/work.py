@@ -1,0 +1,76 @@
+"""A question's answer, worked out beside the server: for so long at most, and for as long as somebody waits for it."""
+
+from __future__ import annotations
+
+import asyncio
+import ctypes
+from collections.abc import Callable
+from contextlib import suppress
+from threading import Thread
+from typing import Any
+
+from starlette.requests import Request
+
+LONGEST = 120.0
+"""Seconds of one answer; the longest of the guide's scenes takes ten, and to compile a reading a minute."""
+AT_ONCE = 8
+"""Answers that are worked out beside each other; further questions wait."""
+_places: dict[asyncio.AbstractEventLoop, asyncio.Semaphore] = {}
+
+
+class StoppedError(Exception):
+    """An answer took too long, or nobody waits for it any more."""
+
+
+class _EndError(BaseException):
+    """Raised within the work that is to end."""
+
+
+async def answered(question: Callable[..., Any], given: dict[str, Any], request: Request) -> Any:
+    """What a question returns or raises.
+
+    Raises:
+        StoppedError: it was stopped.
+    """
+    loop = asyncio.get_running_loop()
+    async with _places.setdefault(loop, asyncio.Semaphore(AT_ONCE)):
+        done: asyncio.Future[Any] = loop.create_future()
+
+        def settle(put: Callable[[Any], None], found: Any) -> None:
+            if not done.done():
+                put(found)
+
+        def work() -> None:
+            try:
+                put, found = done.set_result, question(**given)
+            except Exception as error:
+                put, found = done.set_exception, error
+            except _EndError:
+                return
+            with suppress(RuntimeError):  # the server has ended
+                loop.call_soon_threadsafe(settle, put, found)
+
+        thread = Thread(target=work, daemon=True)
+        thread.start()
+        left = asyncio.ensure_future(_left(request))
+        try:
+            await asyncio.wait({done, left}, timeout=LONGEST, return_when=asyncio.FIRST_COMPLETED)
+            if done.done():
+                return done.result()
+            _end(thread)
+            raise StoppedError(f"the answer took longer than {LONGEST:g} s and was stopped: ask for less at once")
+        finally:
+            left.cancel()
+            done.cancel()
+
+
+async def _left(request: Request) -> None:
+    """Returns when the client has gone."""
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+
+
+def _end(thread: Thread) -> None:
+    """End what a thread of Python is at; compiled code first ends what it is at."""
+    if thread.ident is not None:
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(_EndError))
