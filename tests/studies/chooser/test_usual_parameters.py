@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import tomllib
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,13 +22,17 @@ from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import explain_set
 from tests.qsbearing.scenes import solved
-from tests.systems.sets.arrangements import pair
+from tests.systems.sets.arrangements import PAIR_FILE, pair
 
 FACTOR = 1.5
 """As close as what rests on usual proportions has to be."""
 NOTICED = 0.01
 """Changes below one per cent carry no verdict."""
-SERIES = [name for name in sorted(spindle_bearings()) if name.startswith("7")]
+SERIES = [
+    name
+    for name, entry in sorted(spindle_bearings().items())
+    if name.startswith("7") and "outer_shoulder_diameter_mm" in entry.dimensions
+]
 LOADINGS: tuple[dict[str, Any], ...] = (
     {},
     {"radial_load_y": 0.8, "tilt_y": 0.0, "tilt_z": 0.0},
@@ -175,3 +180,19 @@ def test_a_pair_s_elastic_rings_are_solved_with_its_preload() -> None:
     in_housing, free = elastic(explain_set(of, 0.01)[1])
     assert 0.01 < in_housing["displacement"] < free["displacement"] < 0.5
     assert free["load"] < 0.5
+
+
+def test_the_temperature_of_a_shaft_changes_what_ring_expansion_would(tmp_path: Path) -> None:
+    """Inner rings are as warm as it, by whatever the file says of ring expansion: nothing."""
+    body = "[shaft]\ntemperature_C = {}\n[[shaft.sections]]\nlength_mm = 20\nouter_diameter_mm = 50\n"
+    found = []
+    for celsius in (20.0, 35.0, 60.0):
+        (tmp_path / "pair.toml").write_text(PAIR_FILE + body.format(celsius))
+        of = qs.load_set(tmp_path / "pair.toml")
+        (row,) = (row for row in explain_set(of, 0.01)[1] if row.effect == "ring_expansion")
+        stated = qs.RingExpansion(50e-3, 90e-3, inner_ring_temperature=celsius + qs.zero_celsius)
+        full = by_quantity(qs.solve_set(of), qs.solve_set(replace(of, ring_effects=(stated,))))
+        assert row.assumed[0]["actual"]["load"] == pytest.approx(float(full["load"]), rel=1e-6)
+        assert "as warm as the shaft" in row.why
+        found.append(row.assumed[0]["actual"]["load"])
+    assert found[0] < 0.5 * found[1] < 0.5 * found[2]
