@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from fem_check import half_space_contact, meshing, references
-from fem_check.agreement import Findings, Level, Progress, Row, covered
+from fem_check.agreement import Findings, Level, Progress, Row, collapsed, covered
 from fem_check.contact_problem import QUANTITIES, ContactProblem
 from fem_check.contacts.chosen import Chosen
 from fem_check.cost.measurement import JUDGED
@@ -98,7 +98,7 @@ def solve(contacts: Sequence[Chosen], sequence: tuple[int, ...], progress: Progr
 
 
 def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> Findings:
-    """The contacts against Hertz, those of a shape together, each shape with its self-checks.
+    """The contacts against Hertz, those of a shape together, and the self-checks, of several shapes the worst.
 
     Args:
         shapes: as solved.
@@ -106,14 +106,17 @@ def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> 
         accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
     rows: list[Row] = []
+    checks: list[Row] = []
     for shape in shapes:
         each = [row for contact in shape.alike for row in agreement(shape, contact, elements, accuracy)]
         judged = covered(shape.name, each)
         if not any(row.tolerance_percent for row in each):
             judged = replace(judged, tolerance_percent=None, why_tolerance=COARSE)
-        rows += [*each, judged]
-        rows += half_space_contact.soundness_rows(shape.name, [*shape.study.sequence, *shape.study.stretched])
-    return Findings(rows, mesh_entry(shapes, elements), shapes[0].study.bodies.race.solver)
+        rows += each
+        checks += [judged, *half_space_contact.soundness_rows(shape.name, shape.study.sequence + shape.study.stretched)]
+    if len(shapes) > 1:
+        checks = collapsed(checks, f"self-checks, worst of {len(shapes)} shapes of contact")
+    return Findings([*rows, *checks], mesh_entry(shapes, elements), shapes[0].study.bodies.race.solver)
 
 
 COARSE = "a finding: too coarse a mesh for a tolerance"

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from fem_check.contact_problem import ElasticConstants
+from fem_check.contact_problem import Array, ElasticConstants
 from fem_check.contacts import half_spaces, true_bodies
 from fem_check.contacts.chosen import ANGLES, Chosen
 from fem_check.contacts.half_spaces import Shape, ellipticity
 from fem_check.contacts.true_bodies import TrueBodies
 from fem_check.groove import RACES
-from fem_check.pictures import contact_pictures
-from fem_check.references import hertz
+from fem_check.pressure_basis import PressureBasis
+from fem_check.references import ellipse
 
 
 def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence: Sequence[int]) -> dict[str, Any]:
@@ -78,26 +78,38 @@ def pressures_of_half_spaces(shapes: Sequence[Shape]) -> list[dict[str, Any]]:
     """The numbers of a map of each shape's pressure, at its heaviest load."""
     found = []
     for shape in shapes:
+        solution = shape.study.solution
+        middle = len(solution.unit_lengths) // 2
+        length, pressure = float(solution.unit_lengths[middle]), solution.pressures[:, middle]
         heaviest = max(shape.alike, key=lambda each: each.load)
-        found.append(contact_pictures(shape.study.solution, shape.study.bodies, _title(heaviest)))
+        found.append(map_of(heaviest, solution.basis, length, pressure))
     return found
 
 
 def pressures_of_true_bodies(contacts: Sequence[TrueBodies]) -> list[dict[str, Any]]:
     """The numbers of a map of each contact's pressure."""
-    found: list[dict[str, Any]] = []
+    found = []
     for each in contacts:
-        finest, exact = each.solved.finest, hertz(each.chosen.problem)
+        finest = each.solved.finest
         assert finest is not None
-        a, b, p0 = exact.semi_major_axis, exact.semi_minor_axis, exact.max_pressure
-        x, y = finest.contact.frame.basis.points
-        pressure = finest.pressure(each.chosen.load)
-        contact = {"label": _title(each.chosen), "name": each.chosen.problem.name, "load_N": each.chosen.load}
-        contact |= {"a_mm": 1e3 * a, "b_mm": 1e3 * b, "p0_MPa": 1e-6 * p0}
-        contact["ellipse"] = {"x": (x / a).tolist(), "y": (y / b).tolist(), "p": (pressure / p0).tolist()}
-        found.append({"contact": contact})
+        found.append(map_of(each.chosen, finest.contact.frame.basis, 1.0, finest.pressure(each.chosen.load)))
     return found
 
 
-def _title(contact: Chosen) -> str:
-    return f"at {degrees(contact.groove.contact_angle):.2f}°"
+def map_of(contact: Chosen, basis: PressureBasis, length: float, pressure: Array) -> dict[str, Any]:
+    """A pressure within its cells, over Hertz's: between the nodes, of which a coarse mesh has few, it is linear."""
+    exact = ellipse(contact.problem)
+    a, b, p0 = exact.semi_major_axis, exact.semi_minor_axis, exact.max_pressure
+    (x, y), _ = basis.samples
+    numbers = {"x": length * x / a, "y": length * y / b, "p": basis.values(x, y) @ pressure / p0}
+    return {
+        "contact": {
+            "label": f"at {degrees(contact.groove.contact_angle):.2f}°",
+            "name": contact.problem.name,
+            "load_N": contact.load,
+            "a_mm": 1e3 * a,
+            "b_mm": 1e3 * b,
+            "p0_MPa": 1e-6 * p0,
+            "ellipse": {name: values.tolist() for name, values in numbers.items()},
+        }
+    }

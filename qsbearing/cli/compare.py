@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
 
@@ -46,7 +46,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
     from qsbearing.model.validation import SceneError
     from qsbearing.studies.design.compare import job_of, solved
 
-    problems = picture_problems(plot_target)
+    problems = csv_problems(csv_target) + picture_problems(plot_target)
     with ExitStack() as stack:
         try:
             with warnings_as_notes():
@@ -67,7 +67,8 @@ def _tables(found: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.model.solution.result_keys import printed_unit
 
-    parts: list[Block] = []
+    given = [(name, f"{value:.7g}", printed_unit(unit)) for name, value, unit in found.conditions]
+    parts: list[Block] = [Table(("key", "value", "unit"), given, "lrl", f"Operating point of {found.job}")]
     others = range(1, len(found.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
     at = f"Results at the operating point of {found.job}"
@@ -78,7 +79,7 @@ def _tables(found: Comparison) -> list[Block]:
             for line in lines:
                 rows.append((line.name, *(_cell(line, i) for i in block), printed_unit(line.unit)))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
-    note = "In brackets: the difference from the first bearing, where it is more than 1 %."
+    note = "In brackets: the difference from the first bearing, where it is more than 1 % and both have one sign."
     return [*parts, Paragraph(note, is_apart=True)]
 
 

@@ -40,9 +40,9 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
     The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
     displacement and stiffness, where the solver runs compiled the solve time with the effect over that without it, and
-    a verdict: needed; not needed;
-    likely needed, but input data are missing (the changes are then estimated and marked ≈); or not assessed, with the
-    reason. The indicator is a dimensionless number that governs the influence of the effect.
+    a verdict: needed; not needed; likely needed, but input data are missing (the changes are then those with usual
+    parameters, after ≈); or not assessed, with the reason. The indicator is a dimensionless number that governs the
+    influence of the effect.
 
     For a set of rows, sentences before the table say how speed and loads change its preload.
 
@@ -100,26 +100,26 @@ def _of_set(
 
 
 def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
-    """What leaving each out changes, found by solving; estimated, with ≈, where its parameters are not known. Below:
-    why a verdict cannot be given, and how to include what is needed."""
+    """What leaving each out changes, found by solving; with usual parameters, after ≈, where its own are not known.
+    Below: why a verdict cannot be given, and how to include what is needed."""
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.model.effects import QUANTITIES
     from qsbearing.studies.chooser.explain import two_digits
 
-    title = f"Effects and choices: change if left out (≈ estimated); needed above {100 * tolerance:g} %"
+    title = f"Effects and choices: change if left out (≈ usual parameters); needed above {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
-    numbers = (*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else []), *HEADINGS)
-    headings = ("", "in\nscene", *numbers, "verdict")
+    more = [*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else [])]
+    headings = ("", "in\nscene", *HEADINGS, "verdict", *more)
     cells, said = [], []
     for row in rows:
         ratio = two_digits(row.time_with_over_without)
         own = [two_digits(row.indicator)] if has_indicator else []
         own += ["-" if ratio == "-" else f"x{ratio}"] if is_timed else []
         changes, verdict = map(row.change, QUANTITIES), row.verdict.replace(", ", ",\n")
-        cells.append((row.effect, "yes" if row.in_scene else "no", *own, *changes, verdict))
+        cells.append((row.effect, "yes" if row.in_scene else "no", *changes, verdict, *own))
         if row.why or (row.add and row.verdict == "needed"):
             lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
             said.append(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}")
-    table = Table(headings, cells, f"ll{'r' * (len(headings) - 3)}l", title)
+    table = Table(headings, cells, f"ll{'r' * len(HEADINGS)}l{'r' * len(more)}", title)
     return [table, *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(said))]

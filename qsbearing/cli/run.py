@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
+from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
 from qsbearing.cli.run_points import run_points
 from qsbearing.cli.scene import load_scene_or_set, solve
@@ -89,7 +89,7 @@ def run(
         return
     targets = {"--csv": csv_target, "--plot": plot_target}
     with ExitStack() as stack:
-        writers = claimed(stack, targets, picture_problems(plot_target), scene)
+        writers = claimed(stack, targets, csv_problems(csv_target) + picture_problems(plot_target), scene)
         loaded = load_scene_or_set(scene)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)

@@ -10,7 +10,7 @@ import numpy as np
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, free_angle_from_clearance
+from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
 from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
@@ -18,6 +18,9 @@ from qsbearing.model.scene.keys import (
     IN_PLACE,
     MATERIALS,
     PRINTED,
+    RATINGS,
+    SHOULDERS,
+    Key,
 )
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.units import deg, mm
@@ -46,8 +49,8 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
-    for printed in PRINTED:  # which the model does not need: `with_printed` has handed them on
-        good.pop(printed.name, None)
+    # Which the model does not need: `with_printed` has handed them on.
+    printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
     of_radius = _coefficients(good, unusable, errors)
     entry = catalogue.find(good["name"]) if "name" in good else None
     diameter = good.get("ball_diameter_mm")
@@ -60,6 +63,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     from_entry: dict[str, Any] = {}
     if entry is not None:
         label = label_of(entry, good)
+        printed = kept(entry, changed_keys(entry, good)) | printed
         either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
         replaced = set(good) | unusable | (either if either & set(table) else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
@@ -77,6 +81,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
     fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | si(BEARING, good)
     fields |= materials
+    fields["outline"] = _outline(printed)
     fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
     bearing, wrong = _made(fields, good)
     for error in wrong:
@@ -118,6 +123,19 @@ def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
     """Which of the keys that a file gives beside an entry's name have another value than the entry."""
     numbers = {key: value for key, value in given.items() if key != "name"}
     return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
+
+
+def kept(entry: catalogue.Entry, changed: set[str]) -> dict[str, float]:
+    """What the catalogue prints of an entry besides the model's lengths, in spite of what was changed."""
+    lost: tuple[Key, ...] = RATINGS if changed else ()
+    lost += SHOULDERS if changed - set(MATERIALS) else ()
+    return {key.name: entry.dimensions[key.name] for key in PRINTED if key.name in entry.dimensions and key not in lost}
+
+
+def _outline(printed: dict[str, Any]) -> Outline | None:
+    found = {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}
+    known = {name: value for name, value in found.items() if name in vars(Outline())}
+    return Outline(**known) if known else None
 
 
 def _find_missing(present: set[str], errors: Errors) -> None:

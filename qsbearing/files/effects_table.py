@@ -23,12 +23,10 @@ from qsbearing.files.table_checks import (
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
-    BallExpansion,
     ElasticRings,
     GyroscopicMoment,
     MomentShares,
     RingEffect,
-    RingExpansion,
     types_in,
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
@@ -37,7 +35,6 @@ from qsbearing.model.scene.keys import (
     EFFECT_SECTIONS,
     EFFECT_TABLES,
     EFFECTS,
-    MATERIALS,
     RING_COMPLIANCES,
     SEAT_MATERIALS,
     SEATS,
@@ -174,15 +171,3 @@ def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None
     if given is None:
         return None
     return made(lambda: BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float))), errors)
-
-
-def find_unused_expansion(document: dict[str, Any], errors: Errors) -> None:
-    """Coefficients of thermal expansion in the file that no effect uses."""
-    bearing, effects = document.get("bearing"), document.get("effects")
-    for side, effect in zip(MATERIALS, (BallExpansion.name, RingExpansion.name), strict=True):
-        given = bearing.get(side) if isinstance(bearing, dict) else None
-        is_used = isinstance(effects, dict) and effect in effects
-        if isinstance(given, dict) and "thermal_expansion_per_K" in given and not is_used:
-            cause = f"Leave it out, or ask for the effect by a table [effects.{effect}]"
-            problem = f"is given, but without {effect.replace('_', ' ')} nothing uses it"
-            errors.append(FileErrorDetail(f"bearing.{side}.thermal_expansion_per_K", problem, cause=cause))

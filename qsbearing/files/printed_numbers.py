@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files import catalogue
-from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, entry_of
+from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, entry_of, kept
 from qsbearing.files.effects_table import flattened
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.model.effects import ElasticRings
@@ -25,9 +25,6 @@ from qsbearing.model.scene.keys import (
     EFFECT_TABLES,
     MATERIALS,
     PRINTED,
-    RATINGS,
-    SHOULDERS,
-    Key,
 )
 
 _OF_RINGS = {
@@ -105,19 +102,12 @@ def _printed(bearing: BallBearing) -> dict[str, float]:
     changed |= {each for each in words if getattr(bearing, each) != getattr(drawn, each)}
     if changed and not bearing.name.endswith(MODIFIED):
         return {}  # another bearing of this name, such as that of a file called so
-    return _kept(entry, changed)
+    return kept(entry, changed)
 
 
 @cache
 def _drawn(name: str) -> BallBearing | None:
     return bearing_of({"bearing": {"name": name}}, "", [])
-
-
-def _kept(entry: catalogue.Entry, changed: set[str]) -> dict[str, float]:
-    """An entry's numbers that hold in spite of what was changed."""
-    lost: tuple[Key, ...] = RATINGS if changed else ()
-    lost += SHOULDERS if changed - set(MATERIALS) else ()
-    return {key.name: entry.dimensions[key.name] for key in PRINTED if key.name in entry.dimensions and key not in lost}
 
 
 def _known(bearing: Any) -> dict[str, Any]:
@@ -128,7 +118,7 @@ def _known(bearing: Any) -> dict[str, Any]:
     entry = catalogue.find(bearing["name"]) if isinstance(bearing.get("name"), str) else None
     if entry is None:
         return own
-    return _kept(entry, changed_keys(entry, {key: each for key, each in bearing.items() if key not in own})) | own
+    return kept(entry, changed_keys(entry, {key: each for key, each in bearing.items() if key not in own})) | own
 
 
 _PLACES = ("effects", "readings")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import effects_of, find_unused_expansion
+from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.limits import LARGEST_FILE
@@ -127,7 +127,6 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors)
-    find_unused_expansion(document, errors)
     readings = asked_readings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))

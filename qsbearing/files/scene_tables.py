@@ -14,7 +14,7 @@ from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
 from qsbearing.files.effects_table import AUTO
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
-from qsbearing.model.effects import BallDiameterDeviations, BallExpansion, ElasticRings, GyroscopicMoment, RingExpansion
+from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.scene.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.model.scene.keys import (
@@ -54,11 +54,11 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     if isinstance(of, BearingSet):
         common = of.rows[0].bearing
         is_common = all(row.bearing is common and row.ring_effects is None for row in of.rows)
-        tables: Tables = {"bearing": _bearing(common, of.ring_effects)} if is_common else {}
-        tables["rows"] = [_row(row, None if is_common else of) for row in of.rows]
+        tables: Tables = {"bearing": _bearing(common)} if is_common else {}
+        tables["rows"] = [_row(row, not is_common) for row in of.rows]
         tables |= surroundings_tables(of, _numbers, _material)
     else:
-        tables = {"bearing": _bearing(of.bearing, of.ring_effects)}
+        tables = {"bearing": _bearing(of.bearing)}
     if "spectrum" in of.readings:
         tables["spectrum"] = [
             {"share": float(share), **_numbers(OPERATION, of.operation, point)}
@@ -79,24 +79,23 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     return thermal_tables(tables, of.thermal, _numbers)
 
 
-def _row(row: Row, with_bearing_of: BearingSet | None) -> Tables:
+def _row(row: Row, with_bearing: bool) -> Tables:
     table: Tables = _numbers(ROW, row) | {"carries": str(row.carries), "sprung": row.sprung}
     if row.housing_stiffness is not None:
         table["housing_stiffness"] = stiffness_table(row.housing_stiffness, _numbers)
-    if with_bearing_of is not None:
-        table["bearing"] = _bearing(row.bearing, with_bearing_of.effects_of(row))
+    if with_bearing:
+        table["bearing"] = _bearing(row.bearing)
     table |= _ring_effects(row.ring_effects or ())
     return table if row.readings is None else table | {"readings": _readings(row.readings)}
 
 
-def _bearing(bearing: BallBearing, effects: Iterable[Any]) -> Tables:
+def _bearing(bearing: BallBearing) -> Tables:
     if np.any(bearing.radial_interference):
         raise _without_key("bearing.radial_interference", "other effects than these have changed the bearing")
     entry = entry_of(bearing)
     table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
     table["ball_count"] = int(table["ball_count"])
-    for side, effect in zip(MATERIALS, (BallExpansion, RingExpansion), strict=True):
-        table[side] = _material(getattr(bearing, side), any(isinstance(each, effect) for each in effects))
+    table |= {side: _material(getattr(bearing, side)) for side in MATERIALS}
     is_named = entry is not None and label_of(entry, table) == bearing.name
     return {"name": entry.name, **table} if entry is not None and is_named else table
 
@@ -118,11 +117,9 @@ def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, flo
     return {forms[0].name: near[forms[0]]}
 
 
-def _material(material: Material, is_heated: bool = True) -> str | dict[str, float]:
-    """A material's name, or its numbers: the expansion only where something uses it."""
-    if material in BY_NAME.values():
-        return material.name
-    return _numbers(MATERIAL if is_heated else MATERIAL[:3], material)
+def _material(material: Material) -> str | dict[str, float]:
+    """A material's name, or its numbers."""
+    return material.name if material in BY_NAME.values() else _numbers(MATERIAL, material)
 
 
 def _effects(of: Scene | BearingSet) -> Tables:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
 from qsbearing.messages.expansion import expansion_warnings, give_warnings
-from qsbearing.messages.missing_effects import data_warnings, missing_warnings
+from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import preload_warnings
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
@@ -18,6 +18,7 @@ from qsbearing.model.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_EQUILIBRIUM,
+    NO_ORBIT,
     OPEN_SIDE,
     OVER_SHOULDER,
     UNLOADED_RING,
@@ -94,6 +95,11 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
         )
         if case["control"] == INNER:
             why += " Outer or per_ball control does not require this."
+    elif notes & NO_ORBIT:
+        why = (
+            " under this raceway control: the two contact angles of a ball differ by so much that rolling would leave "
+            "the ball standing, or carry it backwards. Outer control does not lead to this."
+        )
     elif notes & OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
@@ -173,8 +179,7 @@ def _all_warnings(solution: Solution, part: slice) -> Warnings:
     yield from _ring_warnings(solution, part)
     yield from ball_warnings(solution, part)
     yield from friction_warnings(solution, part)
-    yield from missing_warnings(solution, part)
-    yield from data_warnings(solution, part)
+    yield from incomplete_warnings(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_warnings(solution, part)
     yield from give_warnings(solution, part)

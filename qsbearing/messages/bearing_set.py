@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from qsbearing.messages import bearing
 from qsbearing.messages.equal_warnings import together
+from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import excessive, lost, reduced
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
-from qsbearing.model.ranked_warning import RankedWarning, capital, check_data, in_order, said_of, wrong_model
+from qsbearing.model.ranked_warning import RankedWarning, capital, check_data, in_order, ranked, said_of, wrong_model
 from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index
@@ -160,7 +161,8 @@ def warnings_by_rows(
         if solution.preload_loads is not None:
             of_rows[number + 1] += _preload(solution, solution.preload_loads, place, number)
         of_rows[number + 1] += [*bearing.warnings(row, place or None), *(readings[number] if readings else ())]
-    return in_order([*_without_stiffness(solution, place), *together("row", of_rows, names)])
+    of_set = [*_without_stiffness(solution, place), *_incomplete(solution, place)]
+    return in_order([*of_set, *together("row", of_rows, names)])
 
 
 def warnings_of_set(solution: SetSolution, place: tuple[int, ...] = ()) -> list[RankedWarning]:
@@ -168,7 +170,7 @@ def warnings_of_set(solution: SetSolution, place: tuple[int, ...] = ()) -> list[
     of, said = solution.preload_loads, list[RankedWarning]()
     if of is not None:
         said = [each for number in range(len(solution.rows)) for each in _preload(solution, of, place, number)]
-    return said + _without_stiffness(solution, place)
+    return said + _without_stiffness(solution, place) + _incomplete(solution, place)
 
 
 def _without_stiffness(solution: SetSolution, place: tuple[int, ...]) -> list[RankedWarning]:
@@ -176,6 +178,12 @@ def _without_stiffness(solution: SetSolution, place: tuple[int, ...]) -> list[Ra
         return []
     what = "No stiffness: in a row, no raceway control is consistent, and several solutions exist."
     return [wrong_model(what, "limits#hypotheses")]
+
+
+def _incomplete(solution: SetSolution, place: tuple[int, ...]) -> list[RankedWarning]:
+    """Effects that the set lacks, solved with all rows together: what one changes of a row moves the shaft."""
+    k = solution._flat_index(place or None)
+    return [ranked(sentence(0)) for matters, sentence in incomplete_warnings(solution, slice(k, k + 1)) if matters[0]]
 
 
 def _counted(solution: SetSolution, of: PreloadLoads) -> list[RankedWarning]:

@@ -22,7 +22,7 @@ def pip_install(extra: str) -> str:
     from importlib import metadata
     from pathlib import Path
 
-    source = Path(__file__).parents[1]
+    source = Path(__file__).parents[2]
     try:
         found = metadata.distribution(NAME)
     except metadata.PackageNotFoundError:  # run from a source tree

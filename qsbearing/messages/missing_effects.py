@@ -1,65 +1,116 @@
-"""Warnings of effects that a scene lacks, though they are predicted to change its results."""
+"""Remarks on effects that a scene or set lacks, though its results would change with them."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.messages.balls import Warnings
-from qsbearing.model.ranked_warning import wrong_model
-from qsbearing.model.solution.judgement import (
-    WORDS,
-    WORTH_A_WARNING,
-    Judgement,
-    estimated,
-    lacking_data,
-    lines_to_add,
-    missing,
-)
-from qsbearing.model.solution.solution import Solution
+from qsbearing.messages.equal_warnings import numbered
+from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.ranked_warning import capital, incomplete_model, said_of
+from qsbearing.model.solution.changes import Change, asked, changes, rows_of
+from qsbearing.model.solution.judgement import WORDS, WORTH_A_WARNING, changed, estimated, judge, lines_to_add
 
 EXPLAINED = "accuracy"
+MOST_CASES = 64
+"""More cases than these (chosen: more points than a load spectrum has) are not solved again: what indicators predict of
+them is said with ≈, and nothing of effects of which they predict nothing."""
+WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
+"""A predicted error above which an effect that needs nothing is tried (chosen: most predictions are within a factor
+of two)."""
 
 
-def missing_warnings(solution: Solution, part: slice) -> Warnings:
-    """Effects and choices that the scene could name as it is."""
-    if solution.choice is not None:  # what was left out there is said with its error
+def incomplete_warnings(solution: Any, part: slice) -> Warnings:
+    """Of a scene or set; a row of a set has nothing to say of itself."""
+    if solution._solve is None:
         return
-    judged = missing(solution)
-    if not judged:
+    are_few = int(np.prod(solution.shape)) <= MOST_CASES
+    yield from _of_known(solution, part, are_few)
+    yield from _of_assumed(solution, part, are_few)
+
+
+def _of_known(solution: Any, part: slice, are_few: bool) -> Warnings:
+    """Effects and choices that could be named as it is."""
+    if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
         return
-    matters = _matters(judged, part)
+    of = asked(solution)
+    found = []
+    for entry in EFFECTS:
+        if entry.hypothesis or not entry.can_be_added(of):
+            continue
+        predicted = _predicted(entry, solution)
+        if not are_few:
+            found.append((entry, predicted))
+        elif np.any(predicted.largest > WORTH_A_SOLVE):
+            found += [(entry, each) for each in changes(entry, solution)]
+    if not found:
+        return
+    matters = np.stack([_matters(change, part) for _, change in found])
 
     def sentence(i: int) -> str:
-        named = [each for each, which in zip(judged, matters[:, i], strict=True) if which]
-        said = []
-        for each in named:
-            quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)})")
-        lines = ", ".join(lines_to_add(solution.scene, [each.entry for each in named]))
-        return wrong_model(f"Not simulated: {' and '.join(said)}. Add under [effects]: {lines}", EXPLAINED)
+        k = part.start + i
+        here = [each for each, which in zip(found, matters[:, i], strict=True) if which]
+        said = [f"{entry.what} ({_by([change], k, are_few)})" for entry, change in here]
+        are = "is" if len(said) == 1 else "are"
+        lines = ", ".join(lines_to_add(of, [entry for entry, _ in here]))
+        return incomplete_model(f"{_listed(said)} {are} not included. Add under [effects]: {lines}", EXPLAINED)
 
     yield np.asarray(matters.any(axis=0)), sentence
 
 
-def data_warnings(solution: Solution, part: slice) -> Warnings:
+def _of_assumed(solution: Any, part: slice, are_few: bool) -> Warnings:
     """Effects that need numbers of the scene, which no choice of effects can add either."""
-    judged = lacking_data(solution)
-    if not judged:
-        return
-    matters = _matters(judged, part)
-
-    def sentence(i: int) -> str:
-        said = []
-        for each in (one for one, which in zip(judged, matters[:, i], strict=True) if which):
-            quantity, error = each.worst(part.start + i)
-            said.append(f"{each.entry.what} ({WORDS[quantity]} {estimated(error)}), which needs {each.entry.needs}")
-        return wrong_model(f"Not simulated, because input data are missing: {'; '.join(said)}", EXPLAINED)
-
-    yield np.asarray(matters.any(axis=0)), sentence
+    rows = rows_of(solution)
+    for entry in EFFECTS:
+        lacking = [n for n, row in enumerate(rows, 1) if not entry.is_in(row.scene)]
+        if not entry.needs or not lacking:
+            continue
+        predicted = [_predicted(entry, solution)] if entry.tells_without else []
+        found = changes(entry, solution) if are_few else predicted
+        if found:
+            of = "" if len(lacking) == len(rows) else capital(numbered("row", lacking))
+            matters = np.any([_matters(each, part) for each in found], axis=0)
+            yield matters, partial(_lacks, entry, of, found, are_few, part.start)
 
 
-def _matters(judged: list[Judgement], part: slice) -> NDArray:
-    """Which effects (first axis) change some answer noticeably in which cases of a stretch."""
-    errors = np.stack([each.largest.reshape(-1)[part] for each in judged])
-    return np.asarray(np.isfinite(errors) & (errors > WORTH_A_WARNING))
+def _lacks(entry: Entry, of: str, found: list[Change], is_solved: bool, start: int, i: int) -> str:
+    """That an effect is missing, in some rows or in all, what it would change, and what to give."""
+    begun = entry.without_it or f"{entry.what} is not included; it"
+    change = f"would change the {_by(found, start + i, is_solved, ' by about ')}"
+    said = incomplete_model(f"{begun} {change}. To include it, give {entry.needs}", EXPLAINED)
+    return said_of(of, said) if of else said
+
+
+def _by(found: list[Change], k: int, is_solved: bool, link: str = " ") -> str:
+    """Which quantity changes most in a case, counted along the flattened axes, and by how much."""
+    with_solution = [each for each in found if np.ravel(each.is_solved)[k]]
+    if not with_solution:
+        return "result: no solution is found with it"
+    errors = {name: np.ravel(error)[k] for name, error in with_solution[-1].errors.items()}
+    name = max(errors, key=lambda each: np.nan_to_num(errors[each], nan=0.0))
+    number = changed if is_solved else estimated
+    by = [f"{number(np.ravel(each.errors[name])[k])}{f' ({each.under})' * bool(each.under)}" for each in with_solution]
+    return f"{WORDS[name]}{link}{' to '.join(by)}"
+
+
+def _predicted(entry: Entry, solution: Any) -> Change:
+    """By the indicator, of a set in the row where it is most."""
+    found = [judge(entry, row).errors for row in rows_of(solution)]
+    nothing = np.zeros(solution.shape)
+    errors = {name: np.max([each.get(name, nothing) for each in found], axis=0) for name in QUANTITIES}
+    return Change("", "", errors, np.ones(solution.shape, bool))
+
+
+def _matters(change: Change, part: slice) -> NDArray:
+    """Where some answer changes noticeably, in which cases of a stretch."""
+    return np.asarray(change.largest.reshape(-1)[part] > WORTH_A_WARNING)
+
+
+def _listed(said: Iterable[str]) -> str:
+    *others, last = said
+    return f"{', '.join(others)} and {last}" if others else last

@@ -1,7 +1,7 @@
 """What a warning is: one short sentence, how much it matters, and where the guide says more.
 
 A warning is a `str`, so that lists of warnings and JSON hold sentences and nothing else. Each is made in one place, by
-`wrong_model`, `check_data` or `good_to_know`; a plain string among warnings counts as `DEFAULT`.
+`wrong_model`, `incomplete_model`, `check_data` or `good_to_know`; a plain string among warnings counts as `DEFAULT`.
 """
 
 from __future__ import annotations
@@ -19,16 +19,18 @@ class Rank(IntEnum):
     """How much a warning matters, what matters most first."""
 
     WRONG_MODEL = 1
-    """The numbers do not describe this case: an effect is missing, or an equation is used beyond its range."""
-    CHECK_DATA = 2
+    """The numbers do not describe this case: an equation is used beyond its range."""
+    INCOMPLETE_MODEL = 2
+    """The numbers would change with an effect that the model does not include."""
+    CHECK_DATA = 3
     """The numbers describe what is given, which is unusual: a slip of input, or a design that does not work."""
-    GOOD_TO_KNOW = 3
+    GOOD_TO_KNOW = 4
     """The numbers hold; they need a word."""
 
     @property
     def words(self) -> str:
         """As people read it."""
-        return {1: "Wrong model", 2: "Check your data", 3: "Good to know"}[self]
+        return {1: "Wrong model", 2: "Incomplete model", 3: "Check your data", 4: "Good to know"}[self]
 
     @property
     def status(self) -> str:
@@ -63,6 +65,11 @@ class RankedWarning(str):
 def wrong_model(text: str, see: str) -> RankedWarning:
     """That the model does not describe this case."""
     return RankedWarning(text, Rank.WRONG_MODEL, see)
+
+
+def incomplete_model(text: str, see: str) -> RankedWarning:
+    """That the model lacks an effect."""
+    return RankedWarning(text, Rank.INCOMPLETE_MODEL, see)
 
 
 def check_data(text: str, see: str) -> RankedWarning:

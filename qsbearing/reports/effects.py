@@ -96,8 +96,8 @@ def section_of_set(solution: SetSolution) -> Section:
 def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
     blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
-        "How much each effect and choice of the model changes the results: found by solving with and without it, or, "
-        f"with ≈, estimated where its parameters are not known. Above {100 * tolerance:g} % it is needed."
+        "How much each effect and choice of the model changes the results: found by solving with and without it; with "
+        f"≈ under usual parameters where its own are not known. Above {100 * tolerance:g} % it is needed."
     )
     headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
     lines = [_line(row) for row in rows]
@@ -108,4 +108,5 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], t
 
 def _line(row: Row) -> list[Cell]:
     status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
-    return [row.what, "yes" if row.in_scene else "no", *map(row.change, QUANTITIES), Badge(row.verdict, status)]
+    changes = (row.change(name).replace("\n", " ") for name in QUANTITIES)
+    return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, status)]

@@ -49,13 +49,15 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
         heat: [thermal] as given; the set has the temperatures that were found.
     """
     reference = "midway between the first and the last row" if of.reference_position is None else "as given"
-    shaft: Line = ("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)
+    shaft: list[Line] = [("reference_position_mm", f"{float(of.reference / mm):.9g}", "mm", reference)]
+    if of.spacers:
+        shaft.append(("axial_datum_row", str(of.axial_datum + 1), "", "spacers move the other rows"))
     # At temperatures that are found, each row has the ring effects below.
     rings = of.ring_effects if heat is None or any(row.ring_effects is None for row in of.rows) else ()
     alike = of.rows[0].bearing if all(row.bearing is of.rows[0].bearing for row in of.rows) else None
     named = [*effect_lines((*rings, *of.ball_effects), bearing=alike), *choice_lines(of)]
     rows = grouped(
-        ("Shaft", [shaft, *numbers(SHAFT, of.shaft)]),
+        ("Shaft", [*shaft, *numbers(SHAFT, of.shaft)]),
         *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import messages
+from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.result_keys import (
@@ -25,6 +26,11 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.results.readings_record import Readings, number, readings_record
+
+LOAD_NOISE = 1e-10
+"""What the solver leaves of loads and stiffnesses that are exactly zero, as a part of the largest of their kind."""
+DISPLACEMENT_NOISE = 1e-15
+"""Likewise, of displacements [m, rad]: a hundred-thousandth of an atom."""
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -58,7 +64,7 @@ def record(
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index, thermal_of),
         "thermal": thermal(solution, index),
-        **motion_and_stiffness(solution, index),
+        **motion_and_stiffness(solution, _load_noise(solution, index), index),
         "axial_from_middle_um": _from_middle(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
@@ -84,12 +90,26 @@ def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[st
     }
 
 
-def motion_and_stiffness(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
-    """Of the ring, or of a set's shaft."""
+CHANNEL_UNITS = {
+    "order": [channel.label.replace(" ", "_") for channel in CHANNELS],
+    "displacement_SI": ["rad" if channel.is_rotation else "m" for channel in CHANNELS],
+    "load_SI": ["N m" if channel.is_rotation else "N" for channel in CHANNELS],
+}
+"""Of `stiffness_SI`, a load (row) per displacement (column), and of `compliance_SI`, the other way round."""
+
+
+def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index: Place = ()) -> dict[str, Any]:
+    """Of the ring, or of a set's shaft; what is rounding is zero.
+
+    Args:
+        noise: loads of each channel up to which they are rounding [N, N m].
+    """
     solved = bool(np.asarray(solution.converged)[index])
+    moved, load = solution.displacement[index], solution.load[index]
     return {
-        "displacement": of_channels(DISPLACEMENT, solution.displacement[index]),
-        "load": of_channels(LOAD, solution.load[index]),
+        "displacement": of_channels(DISPLACEMENT, np.where(np.abs(moved) <= DISPLACEMENT_NOISE, 0.0, moved)),
+        "load": of_channels(LOAD, np.where(np.abs(load) <= noise, 0.0, load)),
+        "channels": CHANNEL_UNITS,
         "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
         "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
         "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
@@ -231,6 +251,18 @@ def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[s
     return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
 
 
+def _load_noise(solution: Solution, index: Place) -> NDArray:
+    """Of a bearing: of its largest load, those of its balls and a moment over its radius among them."""
+    lever = 0.5 * np.broadcast_to(np.asarray(solution.scene.bearing.pitch_diameter, float), solution.shape)[index]
+    levers = np.where([channel.is_rotation for channel in CHANNELS], lever, 1.0)
+    of_balls = [np.nan_to_num(side.load[index]) for side in (solution.inner, solution.outer)]
+    of_ring = np.nan_to_num(np.abs(solution.load[index]) / levers)
+    largest = max(np.max(each, initial=0.0) for each in (*of_balls, of_ring))
+    return np.asarray(LOAD_NOISE * largest * levers)
+
+
 def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
-    """A matrix as lists."""
-    return [[number(value) for value in row] for row in matrix]
+    """A matrix as lists; what is rounding beside its diagonal is zero."""
+    diagonal = np.sqrt(np.abs(np.nan_to_num(np.diag(matrix))))
+    kept = np.where(np.abs(matrix) <= LOAD_NOISE * np.outer(diagonal, diagonal), 0.0, matrix)
+    return [[number(value) for value in row] for row in kept]

@@ -26,9 +26,6 @@ SAME = 7
 """Balls whose loads over the largest and angles in degrees are equal to so many decimals share a row: a symmetric load
 makes them equal but for rounding."""
 
-RING_NOISE = 1e-10
-"""Ring loads below this part of the largest are rounding."""
-
 _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
@@ -70,11 +67,8 @@ def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> li
 
 
 def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    # What the solver leaves of an equilibrium that is exactly zero is shown as zero.
-    lever, loads = float(solution.scene.bearing.pitch_diameter) / 2.0, list(found["load"].values())  # type: ignore[arg-type]
-    noise = RING_NOISE * max(*map(abs, loads[:3]), *(abs(load) / lever for load in loads[3:]))
     tables = [
-        channels_table("Inner ring", solution, found, noise, noise * lever),
+        channels_table("Inner ring", solution, found),
         *_expansion(solution, found),
         stiffness_table(solution, found),
     ]
@@ -184,15 +178,13 @@ def duration(seconds: float) -> str:
 FROM_MIDDLE = "axial from middle"
 
 
-def channels_table(
-    title: str, solution: Solution | SetSolution, found: dict[str, Any], noise: float, of_moments: float
-) -> Table:
-    """Displacement and load of ring or shaft; loads and moments below their noise are rounding."""
+def channels_table(title: str, solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+    """Displacement and load of ring or shaft."""
     rows = []
     values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
-        shown = digits(load, of_moments if channel.is_rotation else noise)
+        shown = digits(load, 0.0)
         imposed = "load" if i in solution._free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
     middle, notes = found.get("axial_from_middle_um"), []
@@ -273,14 +265,13 @@ def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> 
 
 
 def stiffness_matrix_table(found: dict[str, Any]) -> Table:
-    """The whole tangent of a record; what is rounding beside the diagonal is shown as zero."""
+    """The whole tangent of a record."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
     heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
     matrix, rows = found["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
-        noise = [RING_NOISE * math.sqrt(abs(matrix[i][i] * matrix[j][j])) for j in range(5)]
-        cells = [digits(matrix[i][j] * sizes[j], noise[j] * sizes[j]) for j in range(5)]
+        cells = [digits(matrix[i][j] * sizes[j], 0.0) for j in range(5)]
         rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
     return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load (row) per displacement (column)")
 

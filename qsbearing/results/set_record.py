@@ -10,7 +10,15 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.model.units import mm, um
-from qsbearing.results.json_record import choices, how_it_ended, motion_and_stiffness, of_channels, record, thermal
+from qsbearing.results.json_record import (
+    LOAD_NOISE,
+    choices,
+    how_it_ended,
+    motion_and_stiffness,
+    of_channels,
+    record,
+    thermal,
+)
 from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -42,13 +50,19 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "choices": choices(scene),
         "warnings": solution.warnings(),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
-        **motion_and_stiffness(solution),
+        **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),
         "shaft": shaft_record(solution) if solved else None,
         "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
         "system_life_h": _system_life(rows, "duration_h") if solved else None,
         "thermal": thermal(solution),
         "rows": rows,
     }
+
+
+def _load_noise(solution: SetSolution, rows: list[dict[str, Any]]) -> float:
+    """Of the largest load of the shaft or of a row."""
+    largest = [abs(load) for row in rows for load in list(row["share"].values())[:3] if load is not None]
+    return LOAD_NOISE * max([*largest, *np.nan_to_num(np.abs(solution.load))], default=0.0)
 
 
 def _slide(solution: SetSolution) -> dict[str, float | None]:

@@ -13,9 +13,9 @@ from qsbearing.messages.bearing_set import row_name, warnings_by_rows
 from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import rpm
+from qsbearing.results.json_record import LOAD_NOISE
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.report import (
-    RING_NOISE,
     asked_for,
     channels_table,
     contacts_table,
@@ -60,9 +60,8 @@ def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
 
 
 def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    noise = RING_NOISE * max(1e-300, *(abs(row["axial_load_N"]) for row in found["rows"]), *map(abs, solution.load))
     tables = [
-        channels_table("Shaft", solution, found, noise, noise),
+        channels_table("Shaft", solution, found),
         *rows_tables(found),
         *shaft_tables(found["shaft"]),
         stiffness_table(solution, found),
@@ -111,7 +110,7 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
     """What each row of a record carries; and where rows press each other, what has become of the preload."""
     heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
     cells = []
-    noise = RING_NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
+    noise = LOAD_NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
     for number, row in enumerate(found["rows"], 1):
         loads = [row["axial_load_N"], row["share"]["radial_y_N"], row["share"]["radial_z_N"]]
         loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))

@@ -18,7 +18,7 @@ from qsbearing.messages.equal_warnings import both_raceways
 from qsbearing.model.ranked_warning import Rank, in_order
 from qsbearing.model.scene.keys import PRINTED
 
-COLOURS = {Rank.WRONG_MODEL: "red", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
+COLOURS = {Rank.WRONG_MODEL: "red", Rank.INCOMPLETE_MODEL: "yellow", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
 
 TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
 _PRINTED = {key.name for key in PRINTED}

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import scene_of
-from qsbearing.files.set_file import is_set, set_of
+from qsbearing.files.scene_or_set import is_set
+from qsbearing.files.set_file import set_of
 from qsbearing.model.material import material_named
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
 from qsbearing.model.scene.scene import Scene
@@ -257,8 +258,5 @@ def _material_table(study: Study, side: str) -> dict[str, Any]:
     material = material_named(name) if isinstance(name, str) else None
     if material is None:
         return {}
-    effects = study.document.get("effects", {})
-    grows = isinstance(effects, dict) and any(isinstance(table, dict) for table in effects.values())
-    given = MATERIAL if grows else MATERIAL[:3]  # a thermal expansion that nothing uses is an error
-    found = {key: getattr(material, key.field) for key in given}
+    found = {key: getattr(material, key.field) for key in MATERIAL}
     return {key.name: key.in_file(value) for key, value in found.items() if value is not None}

@@ -148,7 +148,9 @@ def test_json_has_the_agreed_keys_and_the_solutions_numbers(scene: Any) -> None:
     assert effective == pytest.approx(solution.effective_stiffness * sizes, rel=1e-9, nan_ok=True)
     compliance = np.array(found["compliance_SI"], float)  # null becomes NaN
     np.testing.assert_array_equal(np.isnan(compliance), np.isnan(solution.compliance))
-    np.testing.assert_allclose(compliance[:4, :4], solution.compliance[:4, :4], rtol=1e-9)
+    wanted = solution.compliance[:4, :4]
+    rounding = 1e-10 * np.sqrt(np.outer(np.diag(wanted), np.diag(wanted)))  # which is zero in JSON
+    assert (np.abs(compliance[:4, :4] - wanted) <= 1e-9 * np.abs(wanted) + rounding).all()
     for name, array, unit in (
         ("load_N", solution.outer.load, 1),
         ("angle_deg", solution.outer.angle, qs.deg),
@@ -337,6 +339,29 @@ def test_a_write_protected_file_is_left_alone(tmp_path: Path, monkeypatch: pytes
     assert result.exit_code == 2
     assert "write-protected" in result.stderr
     assert target.read_text() == "kept"
+
+
+@pytest.mark.usefixtures("unsolved")
+@pytest.mark.parametrize("name", ["x.xlsx", "x.XLSX", "x.parquet", "x.json", "x.png"])
+def test_csv_into_a_file_of_another_form_is_refused(name: str, tmp_path: Path) -> None:
+    for command in (("run", "b218"), ("compare", "b218", "7210C")):
+        result = call(*command, "--csv", tmp_path / name)
+        assert result.exit_code == 2
+        assert f"its name must not end in .{name.lower()[2:]}" in " ".join(result.stderr.split())
+        assert list(tmp_path.iterdir()) == []
+
+
+def test_zeros_are_zeros_and_a_stiffness_says_its_channels_and_units() -> None:
+    found = json.loads(call("run", "b218", "--json").stdout)
+    assert all(each == 0.0 for each in list(found["load"].values())[1:])
+    assert found["channels"] == {
+        "order": ["axial", "radial_y", "radial_z", "tilt_y", "tilt_z"],
+        "displacement_SI": ["m", "m", "m", "rad", "rad"],
+        "load_SI": ["N", "N", "N", "N m", "N m"],
+    }
+    kept = {(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (1, 4), (4, 1), (2, 3), (3, 2)}
+    for name in ("stiffness_SI", "compliance_SI"):
+        assert {tuple(map(int, each)) for each in np.argwhere(np.array(found[name]))} == kept, name
 
 
 @pytest.mark.usefixtures("unsolved")

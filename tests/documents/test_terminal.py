@@ -31,6 +31,25 @@ def test_a_terminal_shows_every_word_of_the_page(width: int) -> None:
     assert max(map(len, shown.splitlines())) <= width
 
 
+WIDE = Table(
+    ("effect", "angles\n%", "loads of\nballs %", "verdict", "time"),
+    [("hertz_angle", "0.00026", "≈ 0.5 to 20", "likely needed, data missing", "x0.55"),
+     ("a name of a user that is longer than others", "31", "> 100", "needed", "x1.3")],
+    "lrrlr", "Effects",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("width", range(34, 100, 6))
+def test_no_number_is_cut_and_no_word(width: int) -> None:
+    """What does not fit follows below, beside the first column."""
+    lines = text_of([WIDE], width).splitlines()
+    assert max(map(len, lines)) <= width
+    for cell in ("0.00026", "≈ 0.5 to 20", "> 100", "x0.55", "x1.3"):
+        assert any(cell in line for line in lines), cell
+    words = {word for line in lines for word in line.split()}
+    assert {"likely", "needed,", "missing", "verdict", "hertz_angle"} <= words
+
+
 def test_tables_and_what_is_apart_follow_an_empty_line() -> None:
     lines = text_of(BLOCKS, 100).splitlines()
     assert [lines[number + 1].split()[0] for number, line in enumerate(lines) if not line] == ["Loads", "*", "Below"]

@@ -16,9 +16,10 @@ from fem_check import half_space_contact
 from fem_check.agreement import Row
 from fem_check.checks import true_geometry
 from fem_check.cli import cli
-from fem_check.contacts import chosen, half_spaces, shown
+from fem_check.contacts import chosen, half_spaces, record, shown
 from fem_check.contacts.chosen import chosen as choose
 from fem_check.meshing import MeshError
+from fem_check.pressure_basis import PressureBasis
 from fem_check.references import hertz
 from fem_check.scenes import SceneProblemError, drawing_of, load_scene
 from fem_check.solids import true_contact
@@ -200,6 +201,21 @@ def test_contacts_of_nearly_one_shape_share_the_meshes(monkeypatch):
     asked.clear()
     half_spaces.solve(choose("b218", "both", [500.0], None), (3, 4, 5), lambda stage, part: None)
     assert len({id(proportions) for _, proportions in asked}) == 2  # 8.16 and 6.90
+
+
+def test_numbers_of_a_map_are_over_hertz():
+    (contact,) = choose("b218", "inner", [500.0], None)
+    exact = hertz(contact.problem)
+    a, b, p0 = exact.semi_major_axis, exact.semi_minor_axis, exact.max_pressure
+    basis = PressureBasis(np.linspace(-1.2, 1.2, 25), np.linspace(0.0, 1.2 * b / a, 13))  # in units of a
+    x, y = basis.points
+    pressure = p0 * np.sqrt(np.clip(1.0 - x**2 - (y * a / b) ** 2, 0.0, None))
+    numbers = record.map_of(contact, basis, a, pressure)["contact"]
+    assert (numbers["a_mm"], numbers["b_mm"], numbers["p0_MPa"]) == pytest.approx((1e3 * a, 1e3 * b, 1e-6 * p0))
+    x, y, p = (np.array(numbers["ellipse"][name]) for name in "xyp")
+    inside = np.hypot(x, y) < 0.8
+    np.testing.assert_allclose(p[inside], np.sqrt(1.0 - x[inside] ** 2 - y[inside] ** 2), atol=0.02)
+    assert p[np.hypot(x, y) > 1.2].max() == 0.0
 
 
 def row(deviation: float, uncertainty: float) -> Row:

@@ -22,7 +22,7 @@ from qsbearing.files import catalogue
 from qsbearing.messages import balls
 from qsbearing.model.contact.first_yield import first_yield_pressure
 from qsbearing.model.contact.hertz import subsurface_shear
-from qsbearing.model.ranked_warning import RankedWarning, good_to_know, in_order, said_of, wrong_model
+from qsbearing.model.ranked_warning import Rank, RankedWarning, good_to_know, in_order, said_of, wrong_model
 from qsbearing.readings.remarks import CHOICES
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
 
@@ -74,8 +74,8 @@ def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solut
     assert len(found) == 4
     for kind in (
         "requires a friction coefficient",
-        "Not simulated: ",
-        "input data are missing",
+        "the expansion of the rings is not included",
+        "rings and their seats are taken as rigid",
         "contact pressure reaches",
     ):
         (sentence,) = [sentence for sentence in found if kind in sentence]
@@ -222,7 +222,7 @@ def test_a_deep_groove_bearing_does_not_separate() -> None:
 
 def test_warnings_are_strings_with_a_rank_what_matters_most_first(many: qs.Solution) -> None:
     found = [qs.warnings(many), *(qs.warnings(many, place) for place in np.ndindex(many.shape))]
-    assert len({each.rank for each in found[0]}) == 2, "or there is no order to see"
+    assert len({each.rank for each in found[0]}) == 3, "or there is no order to see"
     for said in found:
         assert all(isinstance(each, RankedWarning) for each in said)
         assert [each.rank for each in said] == sorted(each.rank for each in said)
@@ -251,10 +251,10 @@ def test_where_the_guide_says_more_is_within_the_sentence() -> None:
 
 
 def test_sentences_are_short(many: qs.Solution) -> None:
-    """Two lines of a terminal; three where it says which effects to add."""
+    """Two lines of a terminal; three where it says what to add to the model."""
     for place in np.ndindex(many.shape):
         for each in qs.warnings(many, place):
-            assert len(each.line) <= (300 if "Not simulated" in each else 200), each.line
+            assert len(each.line) <= (300 if each.rank is Rank.INCOMPLETE_MODEL else 200), each.line
 
 
 def places() -> set[tuple[str, str]]:
@@ -277,7 +277,10 @@ def places() -> set[tuple[str, str]]:
     return found
 
 
-MADE_BY, MAKERS = "ranked_warning", ("wrong_model", "check_data", "good_to_know", "RankedWarning")
+MADE_BY, MAKERS = (
+    "ranked_warning",
+    ("wrong_model", "incomplete_model", "check_data", "good_to_know", "RankedWarning"),
+)
 
 
 def test_every_warning_says_where_the_guide_has_more() -> None:

@@ -20,7 +20,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
-from qsbearing.studies.chooser import comparison as results
+from qsbearing.model.solution import comparison as results
 from qsbearing.studies.cost import figures, levels, measuring, record, speeds, tables
 from tests.qsbearing.scenes import CENTRIFUGAL, PER_BALL, resting, solved, turning
 from tests.verification.benchmarks import cost as kept

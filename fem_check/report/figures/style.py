@@ -37,6 +37,7 @@ def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a
     smooth, *_ = np.linalg.lstsq(polyvander2d(u, v, [degree, degree]), square, rcond=None)
     u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 121), np.linspace(-1.12, 1.12, 81)))
     square = polyval2d(u, v, smooth.reshape(degree + 1, -1))
+    square[u**2 + v**2 > 1.25] = 0.0  # away from all that was fitted a polynomial says nothing
     shown = values.max() * np.sqrt(np.clip(square, 0.0, None))
     levels = np.linspace(0.02, 1.02, 51) * values.max()  # without pressure no colour
     filled = axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)

@@ -13,8 +13,8 @@ When not      a seat with clearance, which must close first; ribbed or split hou
               from finite elements); a section that rolls about its circumference, which a face that is held prevents
 Parameters    of each ring its width, its diameter away from the groove, its shoulders and what holds it: rigid (it does
               not deflect), free, a housing or shaft of some diameter; or compliances by harmonic in place of all that
-Indicator     the turn of the contact angle by the largest deflection, over the contact angle; without parameters that
-              of a free outer ring of usual section
+Indicator     the turn of the contact angle by the largest deflection under the loads of rigid rings, over the contact
+              angle: far too much under radial loads, which bent rings share anew; without parameters it is solved
 Example       ElasticRings(outside_diameter=160 * mm, outer_width=30 * mm, housing="free")
 """
 
@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -30,7 +30,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in
+from qsbearing.model.effects.entry import (
+    QUANTITIES,
+    Assumed,
+    Entry,
+    Errors,
+    bearings_of,
+    effect,
+    error_in,
+    with_ring_effect,
+)
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_compliance import (
     MOST_HARMONICS,
@@ -41,7 +50,9 @@ from qsbearing.model.effects.ring_compliance import (
     of_section,
     outer_ring_compliance,
 )
+from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_section import bending_height
+from qsbearing.model.material import STEEL, Material
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 if TYPE_CHECKING:
@@ -51,8 +62,8 @@ if TYPE_CHECKING:
 
 RIGID, FREE, SOLID = "rigid", "free", "solid"
 """What holds a ring, where that is no body of some diameter: it is rigid; nothing; a solid shaft."""
-USUAL_SECTION = (0.28, 1.35)
-"""Thickness below the groove and width of a ring over the ball diameter: B218's, and near those of its series."""
+USUAL_HOUSING = 1.4
+"""Outside diameter of a housing over that of the ring in it, where none is given (chosen)."""
 
 
 def grooves_of(bearing: BallBearing) -> Grooves:
@@ -302,23 +313,66 @@ def deflections_at_balls(
 
 
 def _largest_give(point: OperatingPoint) -> NDArray:
-    """Of the scene's rings, or of a free outer ring of usual section, under the loads as they are."""
-    bearing, solution = point.bearing, point.solution
-    found = [one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings)]
-    at = grooves_of(bearing)
-    if found:
-        rings = found[0].compliances(at)
-    else:
-        thickness, width = (part * np.asarray(bearing.ball_diameter, float) for part in USUAL_SECTION)
-        ring = Annulus(at.outer_bottom, at.outer_bottom + thickness, at.modulus, at.poisson_ratio)
-        rings = None, _given(outer_ring_compliance(ring, None), at.outer_bottom, width, at.modulus, None)
-    radial = [np.asarray(each.load * each.cosine) for each in (solution.inner, solution.outer)]
-    deflections = deflections_at_balls(rings, np.asarray(solution.azimuth), *radial)
+    """Under the loads as they are, without the rings' own relief: far too much where radial loads bend them."""
+    rings = next(one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings))
+    radial = [np.asarray(each.load * each.cosine) for each in (point.solution.inner, point.solution.outer)]
+    known = rings.compliances(grooves_of(point.bearing))
+    deflections = deflections_at_balls(known, np.asarray(point.solution.azimuth), *radial)
     return np.asarray(np.abs(deflections).max(axis=-1))
 
 
 def _errors(point: OperatingPoint) -> Errors:
+    if not any(isinstance(one, ElasticRings) for one in point.full_scene.ring_effects):
+        return {name: np.zeros(point.solution.shape) for name in QUANTITIES}
     return geometry_errors(point, GeometryChange(-_largest_give(point), 0.0))
+
+
+def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
+    """An outer ring in a steel housing, and free; in the housing that ring expansion gives, where it gives one. Inner
+    rings sit on shafts, which hold them more stiffly."""
+    origins = dict.fromkeys(ring_dimensions(*each).origin for each in bearings_of(of))
+    what = f"an elastic outer ring of {' and '.join(origins)}"
+    if all(_fitted(there) for _, there in bearings_of(of)):
+        return [
+            Assumed(
+                "",
+                f"{what} in the housing of ring_expansion",
+                with_ring_effect(of, ElasticRings, partial(_outer, STEEL)),
+            )
+        ]
+    both = f"{what}, in a steel housing {USUAL_HOUSING:g} times as large, then free"
+    return [
+        Assumed("steel housing", both, with_ring_effect(of, ElasticRings, partial(_outer, STEEL))),
+        Assumed("free", both, with_ring_effect(of, ElasticRings, partial(_outer, None))),
+    ]
+
+
+def _fitted(there: tuple[Any, ...]) -> Any:
+    """The ring expansion that fits the outer ring in a housing, where one does."""
+    return next((one for one in there if getattr(one, "housing_interference", None) is not None), None)
+
+
+def _outer(usual: Material | None, bearing: BallBearing, there: tuple[Any, ...]) -> ElasticRings:
+    """An outer ring of the bearing's dimensions, in the housing known of it, else in a usual one, or free."""
+    size, fitted = ring_dimensions(bearing, there), _fitted(there)
+    ring = {
+        "outside_diameter": size.outside,
+        "outer_width": size.width,
+        "outer_shoulder_diameter": size.shoulder,
+        "outer_open_diameter": size.open_shoulder,
+    }
+    if fitted is not None:
+        body, outside = fitted.housing_material or bearing.ring_material, fitted.housing_outside_diameter
+    elif usual is not None:
+        body, outside = usual, USUAL_HOUSING * size.outside
+    else:
+        return ElasticRings(**ring, housing=FREE)
+    return ElasticRings(
+        **ring,
+        housing_outside_diameter=outside,
+        housing_elastic_modulus=body.elastic_modulus,
+        housing_poisson_ratio=body.poisson_ratio,
+    )
 
 
 ENTRY = Entry(
@@ -328,6 +382,6 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.elastic_rings] with the rings' widths and diameters and how they are held",
-    without_parameters="for a free outer ring of usual section; in a stiff housing they are less than half of that",
-    is_bound=True,
+    without_it="rings and their seats are taken as rigid; their deflection",
+    assume=_usual,
 )

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from qsbearing.model.effects.operating_point import OperatingPoint
 
 QUANTITIES = ("contact_angle", "load", "pressure", "displacement", "stiffness")
-"""What people read; how the error of each is counted is said in `qsbearing.studies.chooser.comparison`."""
+"""What people read; how the error of each is counted is said in `qsbearing.model.solution.comparison`."""
 
 Errors = dict[str, NDArray]
 """Relative errors (*cases) by quantity; one that is not named does not change."""
@@ -44,6 +44,22 @@ class Switch(NamedTuple):
     """The effect's class; None for a choice."""
 
 
+class Assumed(NamedTuple):
+    """A scene or set with an effect whose parameters it does not give, under assumptions about them."""
+
+    under: str
+    """Which of several assumptions, in words that follow a number in brackets; empty for the only one."""
+    what: str
+    """What is assumed, in words that follow "solved with"."""
+    of: Any
+    """The scene or set with it; the very same object where it would change nothing."""
+
+
+def nothing_assumed(of: Any, points: Any) -> list[Assumed]:
+    """Of an effect of which nothing usual is known."""
+    return []
+
+
 @dataclass(frozen=True)
 class Entry:
     """One effect or choice of the list."""
@@ -58,13 +74,20 @@ class Entry:
     errors: Callable[[OperatingPoint], Errors]
     needs: str = ""
     """Parameters without which it cannot be added; empty for what needs none."""
-    without_parameters: str = ""
-    """From what indicator and errors are estimated where the scene lacks it, in words that follow "estimated"; empty
-    where nothing can be told without parameters."""
+    without_it: str = ""
+    """What the model assumes without it, as a sentence's beginning that "would change ..." follows; empty where that
+    goes without saying."""
+    assume: Callable[[Any, list[OperatingPoint]], list[Assumed]] = nothing_assumed
+    """Of a scene or set that lacks it, and of how its rows run: with usual parameters, those that change least first.
+
+    Raises:
+        SceneError: they make no such scene.
+    """
+    tells_without: bool = False
+    """Whether indicator and errors are estimates where the scene lacks its parameters: for batches too large to be
+    solved again."""
     hypothesis: str = ""
     """Set for a choice among hypotheses, of which the model cannot tell which is true: why not."""
-    is_bound: bool = False
-    """Whether what is estimated without parameters is the most that there can be: no warning to every scene then."""
     saves_time: bool = True
     """Whether a scene is solved faster without it; what saves nothing is never left out."""
 
@@ -117,6 +140,34 @@ def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
         if not effects:
             changes["orbit_radius"] = "pitch_circle"
     return replace(scene, **changes)
+
+
+def bearings_of(of: Any) -> list[tuple[Any, tuple[Any, ...]]]:
+    """The bearing of a scene, or of every row of a set, each with its ring effects."""
+    if not hasattr(of, "rows"):
+        return [(of.bearing, of.ring_effects)]
+    return [(row.bearing, of.effects_of(row)) for row in of.rows]
+
+
+def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, ...]], Any]) -> Any:
+    """The scene, or every row of a set, with a ring effect, where it lacks one of this type.
+
+    Args:
+        made: the effect, from the bearing and its other ring effects.
+    """
+    known: dict[tuple[int, ...], tuple[Any, ...]] = {}  # rows alike keep the very same, so that they are solved once
+
+    def effects(bearing: Any, there: tuple[Any, ...]) -> tuple[Any, ...]:
+        key = (id(bearing), *map(id, there))
+        if key not in known:
+            has_it = any(isinstance(one, effect_type) for one in there)
+            known[key] = there if has_it else (*there, made(bearing, there))
+        return known[key]
+
+    found = [effects(*each) for each in bearings_of(of)]
+    if not hasattr(of, "rows"):
+        return replace(of, ring_effects=found[0])
+    return replace(of, rows=tuple(replace(row, ring_effects=each) for row, each in zip(of.rows, found, strict=True)))
 
 
 def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_balls: bool = False) -> Switch:

@@ -11,10 +11,12 @@ Example       GyroscopicMoment(friction_coefficient=0.07)
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects.entry import Entry, largest, part_of_effect
+from qsbearing.model.effects.entry import Assumed, Entry, largest, part_of_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
 
@@ -33,6 +35,15 @@ def _excess(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy, np.maximum(np.max(needed, axis=0) - bound, 0.0), 0.0)
 
 
+def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
+    """That coefficient; no contact slips under it that needs less."""
+    found = part_of_effect("ball_effects", "friction_coefficient", None, TYPICAL).finer(of)
+    if found is of:
+        return []
+    slips = any(np.any(_excess(point) > 0.0) for point in points)
+    return [Assumed("", f"a coefficient of {TYPICAL:g}", found if slips else of)]
+
+
 ENTRY = Entry(
     "gyroscopic_slip",
     "the slip of contacts that cannot carry the gyroscopic moment",
@@ -40,6 +51,7 @@ ENTRY = Entry(
     indicator=largest(_excess),
     errors=by_friction(_excess),
     needs="friction_coefficient, together with the gyroscopic moment",
-    without_parameters="for a coefficient of 0.1",
+    assume=_usual,
+    tells_without=True,
     saves_time=False,
 )

@@ -18,7 +18,7 @@ Parameters    bore and outside diameter of the bearing; interference (diametral,
               without a seat grows freely
 Indicator     the turn of the free contact angle over the contact angle; without parameters that by rotation of an
               inner ring thin at the bottom of its groove, u = rho omega^2 r^3/E, more than which no other bore gives
-              (measured: displacement, angles and loads within a factor of two of what solving finds)
+              (measured: displacement, angles and loads within a factor of two), of batches too large to be solved
 Example       RingExpansion(90 * mm, 160 * mm, shaft_interference=20 * um, inner_ring_temperature=60 + zero_celsius)
 """
 
@@ -33,8 +33,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in
+from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
+from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_expansion_errors import expansion_errors, section_errors
 from qsbearing.model.units import MPa, zero_celsius
 from qsbearing.model.validation import LENGTH, ErrorDetail, first, raise_if_any
@@ -317,6 +318,25 @@ def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, _change(point))
 
 
+def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
+    """Rings of the bearing's dimensions without fits, which turn, and are as warm as a set's shaft and housing."""
+    found = {name: getattr(of, name, None) for name in RING_IN}
+    bodies = {name: body for name, body in found.items() if body is not None and body.temperature is not None}
+    warm: dict[str, Any] = {f"{RING_IN[name]}_temperature": body.temperature for name, body in bodies.items()}
+    if bodies:
+        warm["reference_temperature"] = next(iter(bodies.values())).reference_temperature
+
+    def made(bearing: BallBearing, there: tuple[Any, ...]) -> RingExpansion:
+        size = ring_dimensions(bearing, there)
+        return RingExpansion(size.bore, size.outside, **warm)
+
+    origins = dict.fromkeys(ring_dimensions(*each).origin for each in bearings_of(of))
+    heat = f"as warm as the {' and the '.join(bodies)}" if bodies else "without heat"
+    what = f"rings of {' and '.join(origins)} that turn, without fits and {heat}"
+    turns = any(np.any(speed != 0.0) for point in points for speed in point.ring_speeds)
+    return [Assumed("", what, with_ring_effect(of, RingExpansion, made) if turns or warm else of)]
+
+
 ENTRY = Entry(
     "ring_expansion",
     "the expansion of the rings",
@@ -324,5 +344,6 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
-    without_parameters="from the rotation of the inner ring alone, to within a factor of about two (stiffness: three)",
+    assume=_usual,
+    tells_without=True,
 )

@@ -54,12 +54,14 @@ def choose_modes(case: recarray, work: recarray, in_y: bool, in_z: bool) -> None
 @kernel
 def values_at(work: recarray, ball: recarray) -> None:
     """The modes' values at a ball, left in the workspace."""
+    wave, is_sine, value = work.wave, work.is_sine, work.value
+    cosine, sine = ball.cosine, ball.sine
     c, s, k = 1.0, 0.0, 0
     for m in range(work.mode_count):
-        while k < work.wave[m]:
-            c, s = c * ball.cosine - s * ball.sine, s * ball.cosine + c * ball.sine
+        while k < wave[m]:
+            c, s = c * cosine - s * sine, s * cosine + c * sine
             k += 1
-        work.value[m] = s if work.is_sine[m] else c
+        value[m] = s if is_sine[m] else c
 
 
 @kernel
@@ -76,7 +78,10 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
     Returns:
         (largest force that a give's error hides, sum of them).
     """
-    system = work.modes
+    # Arrays by names of their own: in plain Python a look at a record takes longer than a product.
+    system, value, wave, row = work.modes, work.value, work.wave, work.row
+    by_mode, right_side, matrix = work.by_mode, work.right_side, work.matrix
+    outer_compliance, inner_compliance = work.outer_compliance, work.inner_compliance
     columns = work.channel_count
     modes = work.mode_count
     free, found = modes + columns, modes + columns + 1  # z without a step of the ring; z of the loads as they are
@@ -85,47 +90,52 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
             system[m, column] = 0.0
         system[m, m] = 1.0
         for p in range(columns):
-            work.by_mode[p, m] = 0.0
+            by_mode[p, m] = 0.0
     for n in range(work.ball_count):
         ball = balls[n]
         values_at(work, ball)
-        h, g = (
-            ball.condensed[1] + ball.stiffness[1, 1] * ball.give,
-            ball.outer_condensed + ball.outer_stiffness_2 * ball.give,
+        stiffness, lever, factor, give = ball.stiffness, ball.lever, ball.factor, ball.give
+        axial, radial, outer_1, outer_2 = (
+            stiffness[1, 0],
+            stiffness[1, 1],
+            ball.outer_stiffness_1,
+            ball.outer_stiffness_2,
         )
+        h, g = ball.condensed[1] + radial * give, ball.outer_condensed + outer_2 * give
+        inner_force, outer_force, weight = ball.force[1], ball.outer_force, ball.weight
         for m in range(modes):
-            k = work.wave[m]
-            outer = ball.weight * work.value[m] * work.outer_compliance[k]
-            inner = ball.weight * work.value[m] * work.inner_compliance[k]
-            across = outer * ball.outer_stiffness_2 + inner * ball.stiffness[1, 1]
-            along = outer * ball.outer_stiffness_1 + inner * ball.stiffness[1, 0]
+            k = wave[m]
+            outer = weight * value[m] * outer_compliance[k]
+            inner = weight * value[m] * inner_compliance[k]
+            across = outer * outer_2 + inner * radial
+            along = outer * outer_1 + inner * axial
             for other in range(modes):
-                system[m, other] += across * work.value[other]
+                system[m, other] += across * value[other]
             for p in range(columns):
-                system[m, modes + p] += ball.lever[p] * (across if work.row[p] == 1 else along)
+                system[m, modes + p] += lever[p] * (across if row[p] == 1 else along)
             system[m, free] += outer * g + inner * h
-            system[m, found] += outer * ball.outer_force + inner * ball.force[1]
+            system[m, found] += outer * outer_force + inner * inner_force
         for p in range(columns):
-            by_give = ball.factor[p] * ball.stiffness[work.row[p], 1]
-            work.right_side[p] += by_give * ball.give
+            by_give = factor[p] * stiffness[row[p], 1]
+            right_side[p] += by_give * give
             for m in range(modes):
-                work.by_mode[p, m] += by_give * work.value[m]
+                by_mode[p, m] += by_give * value[m]
     worst, total = 0.0, 0.0
     for n in range(work.ball_count):
         ball = balls[n]
         values_at(work, ball)
         error = ball.give
         for m in range(modes):
-            error -= work.value[m] * system[m, found]
+            error -= value[m] * system[m, found]
         force = abs(error) * max(abs(ball.stiffness[0, 1]), abs(ball.stiffness[1, 1]))
         worst, total = max(worst, force), total + force
     if not eliminate(system, modes, free + 1):
         return inf, inf
     for p in range(columns):
         for m in range(modes):
-            work.right_side[p] -= work.by_mode[p, m] * system[m, free]
+            right_side[p] -= by_mode[p, m] * system[m, free]
             for q in range(columns):
-                work.matrix[p, q] -= work.by_mode[p, m] * system[m, modes + q]
+                matrix[p, q] -= by_mode[p, m] * system[m, modes + q]
     return worst, total
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import pi
 from typing import Any
@@ -23,6 +23,16 @@ class BearingKind(StrEnum):
     """Axial load in +x only: contact angles below zero would lie on the open side."""
     DEEP_GROOVE = "deep_groove"
     """Shoulders on both sides: contact angles of either sign."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What a catalogue prints of a bearing's rings [m]; None for what is not known."""
+
+    bore_diameter: Any = None
+    outside_diameter: Any = None
+    width: Any = None
+    outer_shoulder_diameter: Any = None
 
 
 @dataclass(frozen=True)
@@ -53,6 +63,8 @@ class BallBearing:
     """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings
     make it. 0 where there is a free contact angle. The pitch circle is then where balls would just touch the outer
     ring."""
+    outline: Outline | None = field(default=None, compare=False, repr=False)
+    """Its rings from outside. No solve looks at it: what elastic or expanding rings would change is told by it."""
 
     def __post_init__(self) -> None:
         kind, errors = choose("bearing.kind", self.kind, BearingKind)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.effects import Entry
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.solution import Solution
 
@@ -53,19 +53,6 @@ def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judge
         return Judgement(entry, entry.indicator(point), entry.errors(point))
 
 
-def missing(solution: Solution) -> list[Judgement]:
-    """The effects and finer choices that the solution's scene lacks, and that need nothing but to be named."""
-    scene = solution.scene
-    return [judge(entry, solution) for entry in EFFECTS if not entry.hypothesis and entry.can_be_added(scene)]
-
-
-def lacking_data(solution: Solution) -> list[Judgement]:
-    """The effects that the solution's scene lacks and that need numbers of it, where a rough estimate is possible, and
-    not a bound alone."""
-    lacking = [each for each in EFFECTS if each.without_parameters and not each.is_in(solution.scene)]
-    return [judge(each, solution) for each in lacking if not each.is_bound]
-
-
 def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:
     """What the file of a scene or set says under [effects] to ask for these besides."""
     finer = scene
@@ -85,10 +72,21 @@ def _toml(value: Any) -> str:
 
 def estimated(error: float, unit: str = " %") -> str:
     """A predicted relative error in per cent: with ≈, in as many digits as it is good for, which is one."""
+    if error > 1.0:
+        return f"{ANOTHER_RESULT}{unit}"
     return f"≈ {float(f'{100.0 * error:.1g}'):.0f}{unit}" if error > 0.0095 else f"≈ {100.0 * error:.1g}{unit}"
+
+
+ANOTHER_RESULT = "> 100"
+"""Per cent; by how much more does not matter."""
 
 
 def percent(error: float) -> str:
     """A relative error in as many digits as it is good for, which are two."""
     digits = f"{100.0 * error:.2g}"
     return f"{digits} %" if error < 0.99 else f"{float(digits):.0f} %"
+
+
+def changed(error: float) -> str:
+    """A relative change of a result."""
+    return f"{ANOTHER_RESULT} %" if error > 1.0 else percent(error)

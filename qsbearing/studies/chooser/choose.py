@@ -27,9 +27,9 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import solver
+from qsbearing.model.solution.comparison import largest
 from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.solution import Choice, LeftOut, Solution
-from qsbearing.studies.chooser.comparison import largest
 
 DEFAULT_TOLERANCE = 0.01
 FINEST, COARSEST = 1e-12, 1.0

@@ -12,18 +12,19 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.judgement import estimated, judge, lines_to_add
+from qsbearing.model.solution.changes import Change, changes
+from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.judgement import ANOTHER_RESULT, judge, lines_to_add
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.studies.chooser import choose
-from qsbearing.studies.chooser.comparison import by_quantity
 
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 DATA_MISSING = "likely needed, data missing"
 
 NOTHING = 1e-6
 """Changes below it are not worth showing."""
-FEWEST, REPEATS = 3, 9
+FEWEST, REPEATS = 3, 5
 """Solves, at least and at most, of which the median is the time."""
 ENOUGH = 0.1
 """Seconds, after which a scene that takes long is not solved more often than it must be."""
@@ -38,23 +39,30 @@ class Row:
     in_scene: bool
     indicator: float | None
     predicted: dict[str, float | None] | None
-    """Relative change of the reported results if it is left out, or was, as its indicator estimates it."""
+    """Relative change of the reported results if it is left out, or was, as its indicator estimates it; null where its
+    parameters are not known."""
     actual: dict[str, float | None] | None
-    """The same, found by solving with and without it; null where its parameters are not known."""
+    """The same, found by solving with and without it; likewise."""
     time_with_over_without: float | None
     """Where the kernel runs compiled."""
     verdict: str
     why: str
     add: list[str]
     """Lines for a scene file that lacks it, under [effects]."""
+    assumed: list[dict[str, Any]]
+    """What solving with usual parameters finds where its own are not known: `actual` under each assumption, with words
+    for it; empty else."""
 
     def change(self, quantity: str) -> str:
-        """What leaving it out changes of one of `QUANTITIES`, in per cent: with ≈ where it is estimated."""
-        found = self.predicted if self.actual is None else self.actual
-        value = None if found is None else found.get(quantity, 0.0)  # what is not named does not change
-        if self.actual is None and value is not None and value > NOTHING:
-            return estimated(value, "")
-        return two_digits(value, 100.0)
+        """What leaving it out changes of one of `QUANTITIES`, in per cent; after ≈ where its parameters are assumed,
+        from the first assumption to the last."""
+        if self.actual is not None or not self.assumed:
+            return two_digits(None if self.actual is None else self.actual[quantity], 100.0)
+        found = [each["actual"][quantity] for each in self.assumed if each["actual"] is not None]
+        shown = [ANOTHER_RESULT if value is not None and value > 1.0 else two_digits(value, 100.0) for value in found]
+        if not any(found):
+            return "0" if found else "-"
+        return "≈ " + "\nto ".join(dict.fromkeys(shown))
 
 
 def two_digits(value: float | None, size: float = 1.0) -> str:
@@ -67,7 +75,7 @@ def two_digits(value: float | None, size: float = 1.0) -> str:
 def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
     """The scene's solution, and a row for every effect and choice, named by the scene or not.
 
-    Each is solved with and without; estimated alone is what takes parameters that the scene does not give.
+    Each is solved with and without; with usual parameters where it takes some that the scene does not give.
 
     Args:
         scene: a single case, with its effects as it names them.
@@ -86,18 +94,33 @@ def _row(entry: Entry, solution: Solution, tolerance: float) -> Row:
     scene = solution.scene
     is_in = entry.is_in(scene)
     finer, coarser = entry.finer(scene), entry.coarser(scene)
-    judged, actual, ratio, error = None, None, None, None
-    if solution.converged and (finer is not coarser or entry.without_parameters):
+    judged, actual, ratio, error, assumed = None, None, None, None, list[Change]()
+    if solution.converged and finer is not coarser:
         judged = judge(entry, solution)
-        error = float(judged.largest)
-        if finer is not coarser:
-            actual, ratio = _solved(finer, coarser)
-            error = float(max(actual.values()))
+        actual, ratio = _solved(finer, coarser)
+        error = float(max(actual.values()))
+    elif solution.converged:
+        assumed = changes(entry, solution)
+        error = largest_of(assumed)
     (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
     predicted = as_floats(None if judged is None else judged.errors)
-    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance)
-    lines = lines_to_add(scene, [entry])
-    return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines)
+    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance, assumed)
+    lines, under = lines_to_add(scene, [entry]), under_assumptions(assumed)
+    return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines, under)
+
+
+def largest_of(found: list[Change]) -> float | None:
+    """The largest change under any assumption that has a solution; None where none has."""
+    solved = [float(each.largest) for each in found if each.is_solved]
+    return max(solved) if solved else None
+
+
+def under_assumptions(found: list[Change]) -> list[dict[str, Any]]:
+    """As a row has them."""
+    return [
+        {"under": each.under, "what": each.what, "actual": as_floats(each.errors) if each.is_solved else None}
+        for each in found
+    ]
 
 
 def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
@@ -106,22 +129,30 @@ def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
 
 
 def verdict(
-    entry: Entry, of: str, is_solved: bool, is_in: bool, error: float | None, tolerance: float
+    entry: Entry,
+    of: str,
+    is_solved: bool,
+    is_in: bool,
+    error: float | None,
+    tolerance: float,
+    assumed: list[Change],
 ) -> tuple[str, str]:
     """Whether it is needed, and why not so where that cannot be judged.
 
     Args:
         of: what has it or not, in a word.
         error: the largest change of all reported results; None where there is none.
+        assumed: from which it is, where the parameters are not known.
     """
     if not is_solved:
         return NOT_ASSESSED, f"the {of} has no solution to judge by"
     if entry.needs and not is_in:
+        whats = " and ".join(dict.fromkeys(each.what for each in assumed))
         if error is None:
-            return NOT_ASSESSED, f"needs {entry.needs}"
-        is_likely = np.isfinite(error) and error > tolerance
-        why = f"needs {entry.needs}; the numbers are estimated {entry.without_parameters}"
-        return (DATA_MISSING if is_likely else NOT_ASSESSED), why
+            unsolved = f"; solved with {whats}, the {of} has no solution" if assumed else ""
+            return NOT_ASSESSED, f"needs {entry.needs}{unsolved}"
+        why = f"needs {entry.needs}; the numbers are those of {whats}"
+        return (DATA_MISSING if error > tolerance else NOT_ASSESSED), why
     if error is None:
         return NOT_ASSESSED, f"the {of} has another choice, or nothing that this one acts on"
     if error > tolerance and entry.hypothesis:

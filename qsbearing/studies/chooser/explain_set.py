@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.solution.judgement import Judgement, judge, lines_to_add
-from qsbearing.studies.chooser.comparison import by_quantity
-from qsbearing.studies.chooser.explain import Row, as_floats, verdict
+from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.solution.changes import Change, changes
+from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.judgement import lines_to_add
+from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, under_assumptions, verdict
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
@@ -19,7 +20,7 @@ def explain_set(of: BearingSet, tolerance: float) -> tuple[SetSolution, list[Row
     """The set's solution, and a row for every effect and choice, named by the set or not.
 
     What counts is the largest change of any row's contacts, and of the shaft's displacement and stiffness; a preload
-    stays what it is at rest. Nothing is predicted but of effects whose parameters are not known, and nothing timed.
+    stays what it is at rest. Nothing is predicted and nothing timed.
 
     Args:
         of: a single case, with its effects as it names them.
@@ -53,18 +54,18 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
     of, is_solved = solution.set, bool(solution.converged)
     fine, coarse = finer(entry, of), coarser(entry, of)
     is_in = fine is of and coarse is not of
-    actual, predicted, beyond = None, None, ""
+    actual, error, beyond, assumed = None, None, "", list[Change]()
     if is_solved and fine is not coarse:
         without, full = solve_set(coarse), solve_set(fine)
         actual = by_quantity(without, full)
-        beyond = _beyond(without, full, actual)
-    elif is_solved and entry.without_parameters and _is_held(of):
-        predicted = _largest([judge(entry, row) for row in solution.rows])
-    changes = predicted if actual is None else actual
-    error = None if changes is None else float(max(changes.values()))
-    judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance)
-    found = as_floats(predicted), as_floats(actual)
-    return Row(entry.name, entry.what, is_in, None, *found, None, judged, why or beyond, lines_to_add(of, [entry]))
+        error, beyond = float(max(actual.values())), _beyond(without, full, actual)
+    elif is_solved:
+        assumed = changes(entry, solution)
+        error = largest_of(assumed)
+    judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance, assumed)
+    found, under = as_floats(actual), under_assumptions(assumed)
+    lines = lines_to_add(of, [entry])
+    return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under)
 
 
 def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray]) -> str:
@@ -72,15 +73,3 @@ def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray
     if bool(without.converged) != bool(full.converged):
         return f"{'with' if without.converged else 'without'} it the set has no solution"
     return "" if np.isfinite(list(found.values())).all() else "without it some contacts carry no load"
-
-
-def _is_held(of: BearingSet) -> bool:
-    """Whether the rings of every row keep their axial distance, whatever changes, as predictions of a row assume."""
-    is_sprung = any(row.sprung for row in of.rows)
-    return of.operation.axial_displacement is not None or (of.is_opposed and not is_sprung)
-
-
-def _largest(of_rows: list[Judgement]) -> dict[str, np.ndarray]:
-    named = [name for name in QUANTITIES if any(name in each.errors for each in of_rows)]
-    nothing = np.zeros(())
-    return {name: np.max([each.errors.get(name, nothing) for each in of_rows], axis=0) for name in named}

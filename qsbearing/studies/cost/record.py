@@ -26,10 +26,10 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.compiled import always_compiled
 from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution import comparison
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.version import __version__
-from qsbearing.studies.chooser import comparison
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import machine

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
-from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.files.set_file import is_set, set_of
+from qsbearing.files.scene_file import document_of
+from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.scene.bearing import BallBearing
-from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS
+from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, PRELOAD, SHAFT_LOAD, Key
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution
@@ -46,9 +46,9 @@ class Line:
     """NaN where there is none."""
 
     def difference(self, number: int) -> float:
-        """Of a bearing from the first, as a part of the first; 0 where either has none or the first is 0."""
+        """Of a bearing from the first, as a part of the first; 0 where either has none, or they have not one sign."""
         first, own = self.values[0], self.values[number]
-        return own / first - 1.0 if np.isfinite(first) and np.isfinite(own) and first != 0.0 else 0.0
+        return own / first - 1.0 if first * own > 0.0 and np.isfinite(first * own) else 0.0
 
 
 @dataclass(frozen=True)
@@ -62,6 +62,8 @@ class Comparison:
     results: tuple[Line, ...]
     job: str
     """Where the job stands."""
+    conditions: tuple[tuple[str, float, str], ...]
+    """Of all bearings: the keys of the operation, preload and loads on the shaft, with their values and units."""
 
     @property
     def all_solved(self) -> bool:
@@ -126,7 +128,20 @@ def solved(job: Job) -> Comparison:
     bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
     labels = _labels([bearing.name for bearing in bearings], job.files)
     statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
-    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), job.where)
+    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), job.where, _conditions(job.made[0]))
+
+
+def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:
+    holders: list[tuple[str, tuple[Key, ...], Any]] = [("", OPERATION, of.operation), ("preload.", PRELOAD, of.preload)]
+    shaft = of.shaft if isinstance(of, BearingSet) else None
+    for number, load in enumerate(() if shaft is None else shaft.loads, 1):
+        holders.append((f"shaft.loads.{number}.", SHAFT_LOAD, load))
+    return tuple(
+        (f"{before}{key.name}", key.in_file(float(np.asarray(value))), key.unit)
+        for before, keys, holder in holders
+        for key in keys
+        if (value := getattr(holder, key.field, None)) is not None and (value or key.field != "first_ball_azimuth")
+    )
 
 
 def _read(source: Source, errors: list[FileErrorDetail]) -> tuple[dict[str, Any], str, str]:
@@ -145,7 +160,7 @@ def _with_bearing(job: dict[str, Any], document: dict[str, Any], file: str, labe
     merged = copy.deepcopy({name: table for name, table in job.items() if name not in ("bearing", "vary", "study")})
     if "bearing" in document:
         merged["bearing"] = copy.deepcopy(document["bearing"])
-    return set_of(merged, file, label) if is_set(merged) else scene_of(merged, file, label)
+    return scene_or_set_of(merged, file, label)
 
 
 def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:

@@ -9,7 +9,9 @@ import numpy as np
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.version import __version__
+from qsbearing.results.tables import remarks
 from qsbearing.studies.design.find import Found
+from qsbearing.studies.design.found_remarks import found_remarks
 from qsbearing.studies.design.wanted import Variable
 
 if TYPE_CHECKING:
@@ -63,6 +65,7 @@ def tables(found: Found) -> list[Block]:
         Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
         Table(("result", "found", "asked for", "unit"), results, "lrll", "Results"),
         *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(lines)),
+        *remarks(found_remarks(found), is_apart=True),
     ]
 
 
@@ -78,6 +81,7 @@ def record(found: Found) -> dict[str, Any]:
         "units": found.units,
         "binding": list(found.binding),
         "failed": list(found.failed),
+        "warnings": found_remarks(found),
         "ranges": {key: list(ends) for key, ends in found.ranges.items()},
         "feasible_share": found.feasible_share,
         "sampled": found.sampled,

@@ -58,6 +58,7 @@ class SetSolution(Plotted):
         sides: dict[tuple[int, ...], SetSolution],
         unloaded: Callable[[AtRest | None], SetSolution],
         seconds: float,
+        solve: Callable[[BearingSet], SetSolution],
     ) -> None:
         self.set = of
         self.shape = shape
@@ -66,6 +67,7 @@ class SetSolution(Plotted):
         self._outcome = outcome
         self._sides = sides
         self._unloaded = unloaded
+        self._solve = solve
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.thermal: ThermalState | None = None

@@ -69,8 +69,9 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
 
     unloaded = partial(_unloaded, of, offsets, threads, tolerance)
     seconds = time.perf_counter() - began
+    again = partial(solve_at_given_temperatures, threads=threads, tolerance=tolerance)
     return SetSolution(
-        of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds
+        of, problem.shape, problem.row_solution, problem.structure, problem.outcome, sides, unloaded, seconds, again
     )
 
 

@@ -12,6 +12,8 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.files.scene_file import scene_of
+from qsbearing.files.scene_tables import input_tables
 from qsbearing.reports.inputs import effect_lines
 from tests.qsbearing.scenes import B218
 from tests.systems.sets.arrangements import PAIR_FILE
@@ -102,20 +104,20 @@ def test_a_fit_beyond_yield_is_refused_and_its_pressure_told(tmp_path: Path) -> 
     assert f"allowed: -{1500 / 208e3 * 90e3:.6g} to {1500 / 208e3 * 90e3:.6g} µm" in found
 
 
-def test_a_coefficient_that_nothing_uses_and_one_that_is_missing(tmp_path: Path) -> None:
+def test_a_coefficient_that_nothing_uses_is_read_and_one_that_is_missing_named(tmp_path: Path) -> None:
     material = "{elastic_modulus_GPa = 208, poisson_ratio = 0.3, density_kg_m3 = 7800%s}"
     with_it, without = material % ", thermal_expansion_per_K = 12e-6", material % ""
     unused = HEAD.replace('"B218"', f'"B218"\nball_material = {with_it}\nring_material = {with_it}')
-    assert set(refused(tmp_path, unused)) == {
-        "bearing.ball_material.thermal_expansion_per_K",
-        "bearing.ring_material.thermal_expansion_per_K",
-    }
+    file = tmp_path / "good.toml"
+    file.write_text(unused)
+    scene = qs.load_scene(file)
+    assert scene.bearing.ball_material.thermal_expansion == 12e-6
+    assert scene_of(input_tables(scene), "") == scene
     bare = HEAD.replace('"B218"', f'"B218"\nball_material = {without}\nring_material = {without}')
     assert set(refused(tmp_path, bare + GOOD)) == {
         "bearing.ball_material.thermal_expansion_per_K",
         "bearing.ring_material.thermal_expansion_per_K",
     }
-    file = tmp_path / "good.toml"
     file.write_text(unused + GOOD)
     assert qs.solve(qs.load_scene(file)).converged
 

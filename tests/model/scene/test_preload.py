@@ -212,7 +212,7 @@ def test_a_bearing_warns_of_a_preload_that_has_grown_or_fallen() -> None:
     assert f"fell from {before:.4g} N/µm mounted to {found.stiffness[0, 0] / 1e6:.4g} N/µm" in fallen
     several = solved(preloaded(qs.Preload(rigid=np.array([300.0, 5000.0])), fit))
     assert list(several.preload_state) == ["excessive", "maintained"]
-    assert qs.warnings(several)[0].startswith("1 of 2 cases, the first 0: Preload excessive")
+    assert any(each.startswith("1 of 2 cases, the first 0: Preload excessive") for each in qs.warnings(several))
 
 
 # Files and results ----------------------------------------------------------------------------------------------------

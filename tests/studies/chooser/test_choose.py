@@ -13,9 +13,9 @@ import pytest
 import qsbearing as qs
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution import solver
+from qsbearing.model.solution.comparison import largest
 from qsbearing.studies.chooser import choose
 from qsbearing.studies.chooser.choose import RESIDUALS, completed, without
-from qsbearing.studies.chooser.comparison import largest
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, PER_BALL, fewer, resting, solved, turning
 from tests.verification.benchmarks import auto_accuracy
 

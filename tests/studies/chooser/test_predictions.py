@@ -10,8 +10,8 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.effects import EFFECTS, OperatingPoint
+from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.solution.judgement import judge
-from qsbearing.studies.chooser.comparison import by_quantity
 from tests.qsbearing.scenes import B218, solved, turning, unequal_balls
 
 ENTRY = {entry.name: entry for entry in EFFECTS}

@@ -6,11 +6,13 @@ import csv
 import dataclasses
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.studies.design.compare import Line
 from tests.systems.sets.arrangements import PAIR_FILE
 
 JOB = (
@@ -41,7 +43,8 @@ def test_each_bearing_does_the_same_job(job: Path) -> None:
     for i, name in enumerate(("b218", "7210C", "7210C_hybrid")):
         solution = qs.solve(dataclasses.replace(base, bearing=qs.load_scene(name).bearing))
         assert lines["inner_load_max"].values[i] == pytest.approx(solution.inner.load.max(), rel=1e-12)
-        life = qs.readings.life(solution).basic_duration / 3600.0
+        printed = qs.catalogue_numbers(solution.scene.bearing).get("dynamic_load_rating")
+        life = qs.readings.life(solution, dynamic_load_rating=printed).basic_duration / 3600.0
         assert lines["life_basic_duration"].values[i] == pytest.approx(life, rel=1e-12)
     inputs = {line.name: line for line in found.inputs}
     assert inputs["ball_diameter_mm"].values == (22.225, 12.7, 12.7)
@@ -67,6 +70,15 @@ def test_a_set_s_rows_take_each_bearing(tmp_path: Path) -> None:
     found = qs.compare(["7210C", "7210C_hybrid"], tmp_path / "pair.toml")
     assert found.all_solved
     assert any(line.name == "row_1_axial_load" for line in found.results)
+
+
+def test_the_job_is_shown_and_what_changes_its_sign_has_no_percentage(job: Path) -> None:
+    found = qs.compare(["7210C", "71914C"], job)
+    assert found.conditions == (("speed_rpm", 9000.0, "rpm"), ("axial_load_N", 3000.0, "N"))
+    line = Line("x", "um", (-2.0, 4.18, -8.36, 0.0, np.nan))
+    assert [line.difference(number) for number in range(5)] == [0.0, 0.0, pytest.approx(3.18), 0.0, 0.0]
+    shown = CliRunner().invoke(cli, ["compare", "7210C", "71914C", "--at", str(job)]).stdout
+    assert "speed_rpm" in shown and "axial_load_N" in shown
 
 
 def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path) -> None:

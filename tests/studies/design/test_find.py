@@ -206,9 +206,8 @@ def test_what_is_shown_of_a_search_is_what_it_did() -> None:
     assert grey.get_x() == pytest.approx(stiff.values["rigid_N"], rel=1e-5)  # limits are met to 1e-6
     assert record(stiff)["sampled"] == 200 < record(stiff)["evaluations"]
     assert f"{100.0 * stiff.feasible_share:.3g} % of the sampled points meet" in record(stiff)["message"]
-    last = tables(stiff)[-1]
-    assert isinstance(last, Paragraph)
-    assert last.text.startswith(f"200 points over all ranges and {stiff.evaluations - 200:,} near the best ones")
+    said = [each.text for each in tables(stiff) if isinstance(each, Paragraph)]
+    assert said[-1].startswith(f"200 points over all ranges and {stiff.evaluations - 200:,} near the best ones")
 
 
 def test_a_logarithmic_range_is_spread_evenly_over_its_logarithm() -> None:
@@ -242,6 +241,24 @@ def test_its_json_is_a_scene_that_runs(file: Path, tmp_path: Path) -> None:
     found = json.loads(result.stdout)["results"]["ring_effective_stiffness_radial_y"]
     assert qs.solve(qs.load_scene(tmp_path / "found.json")).effective_stiffness[1] / 1e6 == pytest.approx(found)
     assert again["input"]["preload"]["rigid_N"] == json.loads(result.stdout)["values"]["rigid_N"]
+    assert json.loads(result.stdout)["warnings"] == again["warnings"] != []
+
+
+@pytest.mark.parametrize(
+    ("is_set", "goal"), [(False, "inner_max_pressure=1000"), (True, "effective_stiffness_axial=150")]
+)
+def test_it_prints_the_remarks_that_run_gives_of_what_is_found(tmp_path: Path, is_set: bool, goal: str) -> None:
+    """Without effects, whose lack changes the loads of a spindle; the last that both print."""
+    text = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 12000\n[preload]\nrigid_N = 300\n'
+    rows = ('[[rows]]\nposition_mm = 0\ncarries = "+x"\n', '[[rows]]\nposition_mm = 20\ncarries = "-x"\n')
+    (tmp_path / "any.toml").write_text(text + "".join(rows) * is_set)
+    asked = ("--vary", "rigid_N=100:2000", "--goal", goal, "--points", "64")
+    printed = run("find", tmp_path / "any.toml", *asked).stdout
+    (tmp_path / "found.json").write_text(run("find", tmp_path / "any.toml", *asked, "--json").stdout)
+    again = run("run", tmp_path / "found.json").stdout
+    (found, shown) = (" ".join(each.split()).partition("Incomplete model: ")[2] for each in (printed, again))
+    assert "centrifugal force" in found
+    assert found == shown
 
 
 @pytest.mark.parametrize(

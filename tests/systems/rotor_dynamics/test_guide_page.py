@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.guide.pages import run_page
+import qsbearing as qs
+from tests.guide.pages import blocks, run_page, run_program, write_file
 from tests.systems.rotor_dynamics import rotor_program, spindle
 
 TOLERANCE = 1e-4
@@ -56,3 +58,20 @@ def test_critical_speeds_move_with_preload_and_speed() -> None:
 def test_a_node_in_the_load_centre_loses_least_without_tilts() -> None:
     whole, centre, middle, free = spindle.read()["tilt_rpm"].values()
     assert abs(centre - whole) < 0.1 * abs(middle - whole) < 0.1 * abs(free - whole)
+
+
+def test_the_page_on_a_spindle_prints_the_critical_speed_that_it_names(tmp_path: Path) -> None:
+    """Its programs, which without ROSS end before that."""
+    rotor_program.load()
+    page = spindle.PAGE.with_name("spindle.md")
+    names: dict[str, object] = {"__name__": "page"}
+    for block in blocks(page):
+        if block.language == "toml":
+            write_file(block.text, tmp_path)
+        elif block.language == "python":
+            run_program(block.text, tmp_path, names)
+    (said,) = re.findall(r"first critical speed is ([\d,]+) rpm", " ".join(page.read_text(encoding="utf-8").split()))
+    found = float(names["critical"]) / qs.rpm  # type: ignore[arg-type]
+    whirl: Any = names["whirl"]
+    assert whirl(found * qs.rpm) / qs.rpm == pytest.approx(found, rel=1e-6)
+    assert found == pytest.approx(float(said.replace(",", "")), rel=INTERPOLATION)

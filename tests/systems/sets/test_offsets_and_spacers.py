@@ -10,6 +10,9 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.documents.model import Group, Paragraph, Table
+from qsbearing.reports import set_inputs
+from qsbearing.results.set_report import set_result
 from qsbearing.systems.sets.preload_limits import preload_summary
 from tests.systems.sets.arrangements import rows, solved
 from tests.systems.sets.test_axial_growth import HOUSING, REAR, STRAIN, UNLOADED, WARM, pressed
@@ -87,6 +90,18 @@ def test_the_zero_is_the_first_row_in_plus_x_that_does_not_float() -> None:
     turned = replace(of, rows=tuple(replace(row, carries="-x") for row in of.rows), preload=None)  # type: ignore[arg-type]
     assert datum(turned) == 0
     assert datum(replace(of, rows=of.rows[::-1], floating=(qs.FloatingGroup((1, 2)),))) == 3
+
+
+def test_outputs_name_the_row_that_spacers_leave_in_its_place() -> None:
+    of = replace(spindle(UNLOADED), floating=(qs.FloatingGroup((1, 2)),))
+    for each, said in ((of, False), (replace(of, spacers=(SPACER,)), True)):
+        solution = solved(each)
+        heading = set_result(solution, [{}, {}, {}, {}])[0]
+        assert isinstance(heading, Paragraph)
+        assert ("row 3 is the axial datum of spacers" in heading.text) is said
+        rows = [row for block in set_inputs.section(each, "").blocks if isinstance(block, Table) for row in block.rows]
+        lines = [row for row in rows if not isinstance(row, Group) and row[0] == "axial_datum_row"]
+        assert [line[1] for line in lines] == (["3"] if said else [])
 
 
 def test_growth_of_the_shaft_to_a_point_is_a_result_of_its_own(tmp_path: Any) -> None:

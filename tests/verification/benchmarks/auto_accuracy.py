@@ -18,9 +18,9 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.results import provenance
 from qsbearing.studies.chooser.choose import completed
-from qsbearing.studies.chooser.comparison import by_quantity
 from tests.verification.benchmarks import random_scenes
 
 RECORD = Path(__file__).with_suffix(".json")

@@ -18,16 +18,12 @@ Of several balls or channels the worst counts. The same definitions hold for wha
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.operating_point import LIGHT, SMALLEST_ANGLE
-from qsbearing.model.solution.solution import Solution
-from qsbearing.systems.sets.set_solution import SetSolution
-
-T = TypeVar("T", Solution, SetSolution)
 
 RACEWAYS = ("inner", "outer")
 CONTACT = ("load", "angle", "semi_major_axis", "semi_minor_axis", "max_pressure")
@@ -47,10 +43,12 @@ Results = dict[str, NDArray]
 """Arrays (*cases, balls or channels) by name, SI."""
 
 
-def read(solution: Solution | SetSolution) -> Results:
-    """The results of a solution; NaN in cases that are not solved and for balls that are not there."""
+def read(solution: Any) -> Results:
+    """The results of a scene's or set's solution; NaN in cases that are not solved and for balls that are not there."""
     displacement, load = solution.displacement, solution.load
-    rows = solution.rows if isinstance(solution, SetSolution) else (solution,)
+    rows = getattr(solution, "rows", (solution,))
+    for row in rows:
+        row.read_at_once((*CONTACT, "approach"))
     pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
     lever = 0.5 * np.mean(pitch, axis=0)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
@@ -101,7 +99,7 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
     return judged
 
 
-def by_quantity(solution: T, full: T) -> Results:
+def by_quantity(solution: Any, full: Any) -> Results:
     """Error of each quantity that people read, against another solution of the same cases; shape (*cases).
 
     Zero where neither is solved, infinite where one alone is.
@@ -115,7 +113,7 @@ def by_quantity(solution: T, full: T) -> Results:
     }
 
 
-def largest(solution: Solution, full: Solution) -> NDArray:
+def largest(solution: Any, full: Any) -> NDArray:
     """Largest error of all; shape (*cases)."""
     return np.asarray(np.max(list(by_quantity(solution, full).values()), axis=0))
 
