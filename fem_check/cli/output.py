@@ -12,7 +12,6 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from qsbearing.cli.output import BAD_INPUT, note
-from qsbearing.messages.installation import pip_install
 
 LEVELS = "release has finer meshes and takes much longer."
 
@@ -36,6 +35,8 @@ def require(extra: str, *packages: str, what: str = "this") -> None:
     """Refuse a command, or what of it is named, of which packages are missing, and say how to install them."""
     missing = [name for name in packages if importlib.util.find_spec(name) is None]
     if missing:
+        from qsbearing.messages.installation import pip_install  # not at the start of every command
+
         refuse(f"{what} needs {', '.join(missing)}: {pip_install(extra)}")
 
 

@@ -9,7 +9,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import refuse, refuse_all
-from qsbearing.messages.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -35,10 +34,17 @@ def missing(*modules: str) -> list[str]:
     return [name for name in modules if importlib.util.find_spec(name) is None]
 
 
+def how_to_install(extra: str) -> str:
+    """The command that does, for this copy."""
+    from qsbearing.messages.installation import pip_install  # not at the start of every command
+
+    return pip_install(extra)
+
+
 def check_installed(what: str, modules: tuple[str, ...], extra: str) -> None:
     """End with what to install, where something is missing."""
     if lacks := missing(*modules):
-        refuse(f"{what} {', '.join(lacks)}: {pip_install(extra)}")
+        refuse(f"{what} {', '.join(lacks)}: {how_to_install(extra)}")
 
 
 def ending_problems(option: str, target: str, known: tuple[str, ...]) -> list[str]:
@@ -60,7 +66,7 @@ def picture_problems(picture: str | None) -> list[str]:
     """Of --plot."""
     if picture is None:
         return []
-    needs = [f"--plot needs matplotlib: {pip_install('plot')}"] if missing("matplotlib") else []
+    needs = [f"--plot needs matplotlib: {how_to_install('plot')}"] if missing("matplotlib") else []
     return ending_problems("--plot", picture, PICTURES) + needs
 
 

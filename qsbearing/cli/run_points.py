@@ -7,7 +7,7 @@ import sys
 from collections import Counter
 from typing import Any
 
-from qsbearing.cli.files import ending, ending_problems, missing
+from qsbearing.cli.files import ending, ending_problems, how_to_install, missing
 from qsbearing.cli.output import (
     UNSOLVED,
     note,
@@ -18,7 +18,6 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
-from qsbearing.messages.installation import pip_install
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
@@ -86,5 +85,5 @@ def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str,
 def _problems(option: str, target: str) -> list[str]:
     form = ending(target)
     lacks = missing(*_NEEDS.get(form, ()))
-    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {pip_install('tables')}"] if lacks else []
+    needs = [f"{option} *{form} needs {' and '.join(lacks)}: {how_to_install('tables')}"] if lacks else []
     return ending_problems(option, target, tuple(_NEEDS)) + needs

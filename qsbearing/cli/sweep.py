@@ -16,13 +16,13 @@ from qsbearing.cli.files import (
     draw,
     ending,
     ending_problems,
+    how_to_install,
     missing,
     picture_problems,
     write_files,
 )
 from qsbearing.cli.output import UNSOLVED, note, print_table, progress_bar, refuse
 from qsbearing.cli.vary import study_of, vary_option
-from qsbearing.messages.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -128,7 +128,7 @@ def _place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]
     elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
         found.append(f"--out {out}: the file exists already; --overwrite replaces it")
     if form == ".parquet" and missing("pyarrow"):
-        found.append(f"--out *.parquet needs pyarrow: {pip_install('tables')}")
+        found.append(f"--out *.parquet needs pyarrow: {how_to_install('tables')}")
     if resume and form != ".nc":
         found.append("--resume needs --out FILE.nc: only then are the finished chunks kept")
     return found
