@@ -19,6 +19,10 @@ HYPOTHESES = "limits#hypotheses"
 FRICTION_IN_DOUBT = 0.06
 FRICTION_BEYOND = 0.1
 """Coefficients that lubricated steel contacts typically offer lie between these."""
+FRICTION_OF_LOAD = 1.0
+"""Above it friction is larger than the load that presses the contact."""
+NO_FORCE = 1e-12
+"""Of a case's largest contact load: less is what rounding leaves, and no load."""
 
 
 def rows(array: NDArray, part: slice) -> NDArray:
@@ -37,8 +41,9 @@ def ball_warnings(solution: Solution, part: slice) -> Warnings:
         ),
     )
     exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
-    off_inner = exists & (rows(solution.inner.load, part) == 0.0)
-    off_outer = rows(solution.outer.load, part) == 0.0
+    inner, outer = rows(solution.inner.load, part), rows(solution.outer.load, part)
+    least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
+    off_inner, off_outer = exists & (inner <= least), outer <= least
     yield (
         (off_inner & off_outer).any(axis=-1),
         lambda i: good_to_know(f"{_balls((off_inner & off_outer)[i], 'carries', 'carry')} no load.", "limits"),
@@ -85,10 +90,12 @@ def friction_warnings(solution: Solution, part: slice) -> Warnings:
         def slipping(i: int, name: str = name, friction: NDArray = friction) -> str:
             most, balls = friction[i].max(), _ball_list(friction[i] > FRICTION_IN_DOUBT)
             is_beyond = most > FRICTION_BEYOND
+            then = "expect slip" if is_beyond else "slip may begin"
+            if most > FRICTION_OF_LOAD:
+                then = "friction, not the contact, carries the load there, so that the ball slips"
             return RankedWarning(
                 f"The gyroscopic moment requires a friction coefficient of {most:.2f} at the {name} raceway of "
-                f"{balls}: {'expect slip' if is_beyond else 'slip may begin'} (typical: {FRICTION_IN_DOUBT:g} to "
-                f"{FRICTION_BEYOND:g}).",
+                f"{balls}: {then} (typical: {FRICTION_IN_DOUBT:g} to {FRICTION_BEYOND:g}).",
                 Rank.WRONG_MODEL if is_beyond else Rank.GOOD_TO_KNOW,
                 HYPOTHESES,
             )

@@ -18,6 +18,7 @@ from qsbearing.model.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_EQUILIBRIUM,
+    NO_ORBIT,
     OPEN_SIDE,
     OVER_SHOULDER,
     UNLOADED_RING,
@@ -94,6 +95,11 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
         )
         if case["control"] == INNER:
             why += " Outer or per_ball control does not require this."
+    elif notes & NO_ORBIT:
+        why = (
+            " under this raceway control: the two contact angles of a ball differ by so much that rolling would leave "
+            "the ball standing, or carry it backwards. Outer control does not lead to this."
+        )
     elif notes & OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "

@@ -8,7 +8,13 @@ from qsbearing.model.compiler.compiled import kernel
 from qsbearing.model.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.model.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.model.effects.raceway_control import INNER, OUTER, outer_controls
-from qsbearing.model.kernel.ball_inertia import POSITION_ROUNDING, friction_asked, is_moving, is_rolled
+from qsbearing.model.kernel.ball_inertia import (
+    POSITION_ROUNDING,
+    friction_asked,
+    is_carried_round,
+    is_moving,
+    is_rolled,
+)
 from qsbearing.model.kernel.newton import STALLED
 from qsbearing.model.kernel.raceway_stiffness import contact_loads, hertz_cosine, spin_constant
 
@@ -16,6 +22,7 @@ CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED = 0, 1, 2
 
 # What there is to say about a case; bits.
 OPEN_SIDE, NO_CONSISTENT_CONTROL, UNLOADED_RING, FRICTION_WITHOUT_LOAD, UNSUPPORTED, OVER_SHOULDER = 1, 2, 4, 8, 16, 32
+NO_ORBIT = 64
 
 # A ball's control may change so often: there and back. What is contradicted then is contradicted both ways.
 CONTROL_CHANGES = 2
@@ -128,17 +135,30 @@ def has_angles_apart(case: recarray, work: recarray, balls: ndarray) -> bool:
 
 
 @kernel
+def any_stands(case: recarray, work: recarray, balls: ndarray) -> bool:
+    """Whether rolling would leave some ball standing, or carry it backwards."""
+    if not is_moving(case) or work.speed_factor == 0.0:
+        return False
+    for n in range(work.ball_count):
+        if not is_carried_round(case, work, balls[n]):
+            return True
+    return False
+
+
+@kernel
 def inadmissibility(case: recarray, work: recarray, balls: ndarray) -> int:
     """What makes an equilibrium inadmissible, as bits; 0 where nothing does.
 
-    Beside a contact outside its groove: contact lines more than a right angle apart, and friction at a contact
-    without load, which does not exist. Friction below the solver's accuracy is none. Under a friction bound: friction
-    that would have to be above the load. Under the bound of a case that says what friction there is, what is asked
-    beyond makes a ball slip, and no equilibrium inadmissible.
+    Beside a contact outside its groove: contact lines more than a right angle apart, balls that stand, and friction at
+    a contact without load, which does not exist. Friction below the solver's accuracy is none. Under a friction bound:
+    friction that would have to be above the load. Under the bound of a case that says what friction there is, what is
+    asked beyond makes a ball slip, and no equilibrium inadmissible.
     """
     found = contacts_outside_groove(case, work, balls)
     if found == 0 and has_angles_apart(case, work, balls):
         found |= FRICTION_WITHOUT_LOAD
+    if found == 0 and any_stands(case, work, balls):
+        found |= NO_ORBIT
     if case.friction_coefficient != NO_BOUND and work.friction_bound != NO_BOUND:
         return found
     most, least = FAR_MORE_THAN_LOAD, STALLED

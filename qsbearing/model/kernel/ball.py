@@ -23,6 +23,7 @@ from qsbearing.model.effects.gyroscopic_moment import carried_friction
 from qsbearing.model.effects.raceway_control import MINIMUM_DISSIPATION
 from qsbearing.model.kernel.ball_inertia import (
     ball_axis,
+    control_of,
     control_weight,
     friction_shares,
     is_moving,
@@ -144,11 +145,11 @@ def evaluated(
     s_seen, c_seen, by_inner, by_outer, by_approach = seen
     radius = orbit_radius(case, ball)
     weight = control_weight(ball, radius, c_seen, co, qi, qo)
-    axis = ball_axis(ball, weight, radius, s_seen, c_seen, so, co)
+    axis = ball_axis(case, ball, weight, radius, s_seen, c_seen, so, co)
     fc, fc_s, fc_o, mg, mg_s, mg_o = motion_loads(case, work, axis, diameter, radius, s_seen, c_seen, so, co)
     fc_i, fc_o = fc_s * by_inner, fc_o + fc_s * by_outer
     mg_i, mg_o = mg_s * by_inner, mg_o + mg_s * by_outer
-    share_i, share_o = friction_shares(case, ball.control, weight)
+    share_i, share_o = friction_shares(case, control_of(case, ball), weight)
     share_w = inner_share_slope(case, ball)
     if not is_rolled(ball):
         share_i, share_o, share_w = 0.0, 0.0, 0.0
@@ -224,7 +225,7 @@ def evaluated(
         mx1, mx2 = mx1 + fi * ti_d * so, mx2 + fi * ti_d * co
         fc_x = fc_w * w_do
     if case.displaced_orbit:  # by the radius, which X2 changes
-        dq = -axis_by_g(ball, weight) * 0.5 * diameter / (radius * radius)
+        dq = -axis_by_g(control_of(case, ball), weight) * 0.5 * diameter / (radius * radius)
         fc_d, mg_d = directional(case, work, (s_seen, c_seen, so, co), axis, diameter, radius, 0.0, dq, 1.0)
         fc_d, mg_d = fc_d + fc_w * w_r, mg_d + mg_w * w_r
         ti_d, to_d = ti_m * mg_d + ti_w * w_r, to_m * mg_d + to_w * w_r

@@ -11,6 +11,7 @@ from qsbearing.model.effects.orbit_radius import displaced_radius
 from qsbearing.model.effects.raceway_control import (
     INNER,
     MINIMUM_DISSIPATION,
+    OUTER,
     inner_weight,
     rotation_axis,
     weighted_axis,
@@ -22,6 +23,11 @@ from qsbearing.model.kernel.raceway_stiffness import contact_loads
 
 # An approach, in ball diameters, that is none: the sum of the roundings of ring, grooves and both contact lines.
 POSITION_ROUNDING = 4.0 * 2.0**-52
+# Of S: u and v are clearly positive above this part. A choice: what stands has zero but for rounding.
+LEAST_PART = 1e-3
+# Where the outer ring stands, b u/S is the orbit over the inner ring's speed: a ball that is carried round has more. A
+# choice: of friction below the loads none is lost.
+LEAST_ORBIT = 0.02
 
 
 @inlined
@@ -86,6 +92,16 @@ def orbit_radius(case: recarray, ball: recarray) -> float:
 
 
 @inlined
+def control_of(case: recarray, ball: recarray) -> int:
+    """The control that the ball's motion follows: a raceway that does not press a ball has no friction to control it.
+
+    Without a gyroscopic moment no friction acts, and the orbit goes over within the gap of LOSING.
+    """
+    is_lost = ball.control == INNER and ball.inner_approach <= 0.0 and case.gyroscopic
+    return OUTER if is_lost else ball.control
+
+
+@inlined
 def control_weight(ball: recarray, radius: float, ci: float, co: float, inner_load: float, outer_load: float) -> float:
     """The inner raceway's weight in the ball's axis under minimum dissipation; 0 under any other control."""
     if ball.control != MINIMUM_DISSIPATION:
@@ -95,13 +111,13 @@ def control_weight(ball: recarray, radius: float, ci: float, co: float, inner_lo
 
 @inlined
 def ball_axis(
-    ball: recarray, weight: float, radius: float, si: float, ci: float, so: float, co: float
+    case: recarray, ball: recarray, weight: float, radius: float, si: float, ci: float, so: float, co: float
 ) -> tuple[float, ...]:
     """The ball's axis and its derivatives by ai and ao, weight and radius fixed."""
     g = 0.5 * ball.diameter / radius
     if ball.control == MINIMUM_DISSIPATION:
         return weighted_axis(weight, g, si, ci, so, co)
-    return rotation_axis(ball.control, g, si, ci, so, co)
+    return rotation_axis(control_of(case, ball), g, si, ci, so, co)
 
 
 @kernel
@@ -115,7 +131,24 @@ def axis_where_it_is(
     if ball.control == MINIMUM_DISSIPATION:
         qi, qo = contact_loads(case, ball)
         weight = control_weight(ball, radius, c, co, qi, qo)
-    return radius, weight, s, c, ball_axis(ball, weight, radius, s, c, so, co)
+    return radius, weight, s, c, ball_axis(case, ball, weight, radius, s, c, so, co)
+
+
+@kernel
+def is_carried_round(case: recarray, work: recarray, ball: recarray) -> bool:
+    """Whether rolling carries a ball round: at a speed between those of both rings, as it does where u and v are
+    positive.
+
+    Under outer control they are. Under inner control u = cos(ai - ao) - g cos ao vanishes where the contact lines are
+    nearly a right angle apart: a ball without orbit has no inertia either, and any such place is an equilibrium.
+    """
+    if control_of(case, ball) == OUTER:
+        return True
+    radius, _, s, c, axis = axis_where_it_is(case, work, ball)
+    terms = rolling_terms(0.5 * ball.diameter / radius, s, c, ball.outer_sine, ball.outer_cosine, axis)
+    by_outer, by_inner, total = terms[0], terms[3], terms[0] + terms[3]
+    least = LEAST_ORBIT if case.outer_speed == 0.0 else LEAST_PART
+    return bool(by_inner > least * total and by_outer > LEAST_PART * total)
 
 
 @kernel
@@ -123,7 +156,7 @@ def friction_asked(case: recarray, work: recarray, ball: recarray) -> tuple[floa
     """|lambda Mg|/D at the inner and at the outer contact, whatever they can carry."""
     radius, weight, s, c, axis = axis_where_it_is(case, work, ball)
     _, _, _, mg, _, _ = motion_loads(case, work, axis, ball.diameter, radius, s, c, ball.outer_sine, ball.outer_cosine)
-    share_i, share_o = friction_shares(case, ball.control, weight)
+    share_i, share_o = friction_shares(case, control_of(case, ball), weight)
     return abs(share_i * mg), abs(share_o * mg)
 
 

@@ -11,7 +11,8 @@ Newton's method then finds an equilibrium, it stands. A case with a friction coe
 one in place of none, and under the tighter ones of the two.
 
 The first sound equilibrium is taken. Where there is none, the first inadmissible one refuses the case: a contact where
-no groove is, or friction above its load. That another exists somewhere is not excluded.
+no groove is, friction above its load, or balls that stand, as the direct stage may have found them. That another exists
+somewhere is not excluded.
 """
 
 from __future__ import annotations
@@ -203,7 +204,11 @@ def solve_unfinished(
     for k in which:
         case, result = cases[k], results[k]
         prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
-        result.status, result.notes = solve_by_fallback(case, work, balls, tolerance)
+        status, notes = solve_by_fallback(case, work, balls, tolerance)
         result.iterations += work.iterations
+        if status == NOT_CONVERGED and result.notes != 0:
+            result.status, result.reached = NO_EQUILIBRIUM, 1.0
+            continue
+        result.status, result.notes = status, notes
         result.residual, result.reached = work.residual, work.speed_factor
         deliver(case, work, balls, result, positions[k], controls[k])

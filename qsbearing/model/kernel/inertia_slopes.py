@@ -89,11 +89,11 @@ def weight_changes(
 
 
 @kernel
-def axis_by_g(ball: recarray, weight: float) -> float:
+def axis_by_g(control: int, weight: float) -> float:
     """dq/dg of the ball's axis, p being free of g."""
-    if ball.control == MINIMUM_DISSIPATION:
+    if control == MINIMUM_DISSIPATION:
         return 1.0 - 2.0 * weight
-    return -1.0 if ball.control == INNER else 1.0
+    return -1.0 if control == INNER else 1.0
 
 
 @inlined

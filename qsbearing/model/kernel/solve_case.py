@@ -16,6 +16,7 @@ from qsbearing.model.kernel.admissibility import (
     CONVERGED,
     NO_CONSISTENT_CONTROL,
     NO_FORCE,
+    NO_ORBIT,
     UNLOADED_RING,
     any_demands_friction,
     contradicted_controls,
@@ -24,7 +25,7 @@ from qsbearing.model.kernel.admissibility import (
 )
 from qsbearing.model.kernel.assembly import REGULARISATION, any_displacement_given, close_loops
 from qsbearing.model.kernel.ball import evaluate_ball
-from qsbearing.model.kernel.ball_inertia import is_moving
+from qsbearing.model.kernel.ball_inertia import control_of, is_carried_round, is_moving
 from qsbearing.model.kernel.ball_size import set_diameters
 from qsbearing.model.kernel.initial_guess import (
     guess_closed_form,
@@ -36,10 +37,15 @@ from qsbearing.model.kernel.initial_guess import (
 )
 from qsbearing.model.kernel.loop_closure import load_position, set_inner_line, set_outer_line, store_position
 from qsbearing.model.kernel.newton import newton, newton_at_rest
+from qsbearing.model.kernel.newton_step import has_room
 from qsbearing.model.kernel.raceway_stiffness import set_spin_constants
 from qsbearing.model.kernel.ring import add_force, find_distinct_balls, inner_groove_centre, set_azimuths
 from qsbearing.model.kernel.ring_bending import set_compliances
-from qsbearing.model.kernel.snapshots import ADMISSIBLE, CONTROLS, restore_all, save
+from qsbearing.model.kernel.snapshots import ADMISSIBLE, CONTROLS, INADMISSIBLE, restore_all, save
+from qsbearing.model.kernel.unloaded_ball import place_unloaded
+
+# So often standing balls are put elsewhere, and the equilibrium is sought again.
+MOST_REPLACEMENTS = 3
 
 UNFINISHED = 3
 """A case's code until the fallback has solved it."""
@@ -98,20 +104,41 @@ def prepare(
 
 
 @kernel
+def replace_standing_balls(case: recarray, work: recarray, balls: ndarray) -> bool:
+    """Put balls that rolling does not carry round where inertia presses them, if their grooves leave room; whether
+    there are any."""
+    is_any = False
+    for n in range(work.ball_count):
+        ball = balls[n]
+        if not is_carried_round(case, work, ball):
+            a1, a2 = inner_groove_centre(case, work.displacement, ball)
+            if has_room(case, ball, a1, a2):
+                place_unloaded(case, work, ball, a1, a2)
+                is_any = True
+    return is_any
+
+
+@kernel
 def solve_with_controls(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> int:
     """Newton's method from where ring and balls are: what it finds.
 
-    With per-ball control, controls that Jones's criterion contradicts are changed, and the equilibrium is sought again
-    from where it was. Where that leads to no admissible one, the last admissible one stands, and contradicts them.
+    Where an equilibrium leaves balls standing, they are put elsewhere; with per-ball control, controls that Jones's
+    criterion contradicts are changed; and the equilibrium is sought again from where it was. Where that leads to no
+    admissible one, the last admissible one stands, and contradicts its controls; else the last inadmissible one.
     """
-    found = NOTHING
+    found, replacements = NOTHING, 0
     while newton(case, work, balls, tolerance):
         is_admissible = inadmissibility(case, work, balls) == 0
-        if case.control != PER_BALL:
-            return SOUND if is_admissible else REFUSED
+        if is_admissible and case.control != PER_BALL:
+            return SOUND
         if is_admissible or found != CONTRADICTED:
             save(work, balls, CONTROLS)
             found = CONTRADICTED if is_admissible else REFUSED
+        if not is_admissible and replacements < MOST_REPLACEMENTS and replace_standing_balls(case, work, balls):
+            replacements += 1
+            continue
+        if case.control != PER_BALL:
+            return REFUSED
         wrong, changed = contradicted_controls(case, work, balls)
         if wrong == 0 and is_admissible:
             return SOUND
@@ -178,7 +205,7 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
         found = solve_with_controls(case, work, balls, tolerance)
         if found >= CONTRADICTED:
             return found
-    is_contradicted = False
+    is_contradicted, is_refused = False, False
     is_rest_first = not is_thrust_like(case) and is_load_ahead(case, work)
     for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
         for start in range(2):
@@ -193,9 +220,15 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
             if found == CONTRADICTED and not is_contradicted:
                 save(work, balls, ADMISSIBLE)
                 is_contradicted = True
+            if found == REFUSED and not is_refused:
+                save(work, balls, INADMISSIBLE)
+                is_refused = True
     if is_contradicted:
         restore_all(work, balls, ADMISSIBLE)
         return CONTRADICTED
+    if is_refused:
+        restore_all(work, balls, INADMISSIBLE)
+        return REFUSED
     return NOTHING
 
 
@@ -247,7 +280,7 @@ def deliver_positions(
             position[j, i] = position[ball.number, i] if is_image else 0.0
         if is_there and not is_image:
             store_position(case, ball, position[j])
-        control[j] = ball.control if is_there else 0
+        control[j] = control_of(case, ball) if is_there else OUTER
 
 
 @kernel
@@ -277,8 +310,8 @@ def solve_cases(
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
     case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
-    there are none. A case that has taken `budget` iterations is not taken further. An unfinished case keeps its start.
-    Returns how many are unfinished.
+    there are none. A case that has taken `budget` iterations is not taken further. An unfinished case keeps its start
+    or, noted as NO_ORBIT, holds an equilibrium in which balls stand. Returns how many are unfinished.
     """
     work = workspaces[0]
     work.budget = budget
@@ -293,6 +326,9 @@ def solve_cases(
         if found >= CONTRADICTED:
             deliver_solved(case, work, balls, found, result, positions[k], controls[k])
         else:
-            result.status, result.iterations = UNFINISHED, work.iterations
             unfinished += 1
+            result.notes = inadmissibility(case, work, balls) & NO_ORBIT if found == REFUSED else 0
+            if result.notes != 0:
+                deliver(case, work, balls, result, positions[k], controls[k])
+            result.status, result.iterations, result.residual = UNFINISHED, work.iterations, work.residual
     return unfinished

@@ -7,6 +7,7 @@ from math import sqrt
 from numpy import recarray
 
 from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.effects.raceway_control import OUTER
 from qsbearing.model.kernel.ball_inertia import friction_shares, inertia, is_moving
 from qsbearing.model.kernel.contact_line import direction
 from qsbearing.model.kernel.kinematics import inner_line
@@ -74,7 +75,7 @@ def place_by_inertia(case: recarray, work: recarray, ball: recarray, a1: float, 
     if p1 * p1 + (p2 - lo) * (p2 - lo) < li * li:
         size = max(sqrt(p1 * p1 + (p2 - lo) * (p2 - lo)), SHORTEST)
         s_seen, c_seen, _, _, _ = inner_line(p1 / size, (p2 - lo) / size, 0.0, 1.0, size - li, li)
-        fc, _, _, _, _, _ = inertia(case, work, ball.control, s_seen, c_seen, 0.0, 1.0)
+        fc, _, _, _, _, _ = inertia(case, work, OUTER, s_seen, c_seen, 0.0, 1.0)
         set_outer_line(ball, 0.0, 1.0, (fc / case.outer_stiffness) ** (2.0 / 3.0))
         close_loop(case, ball, False, a1, a2)
         return

@@ -11,6 +11,7 @@ from qsbearing.model.kernel.admissibility import (
     CONVERGED,
     FRICTION_WITHOUT_LOAD,
     NO_EQUILIBRIUM,
+    NO_ORBIT,
     NOT_CONVERGED,
     OPEN_SIDE,
     OVER_SHOULDER,
@@ -40,11 +41,14 @@ class Reason(StrEnum):
     """Balls would have to press beyond 90 degrees, where no groove is."""
     FRICTION_WITHOUT_LOAD = "friction_without_load"
     """The raceway-control hypothesis puts friction where too little load or none carries it."""
+    NO_ORBIT = "no_orbit"
+    """Rolling under the raceway-control hypothesis would leave balls standing, or carry them backwards."""
 
 
 _REASONS = {
     UNSUPPORTED: Reason.UNSUPPORTED,
     FRICTION_WITHOUT_LOAD: Reason.FRICTION_WITHOUT_LOAD,
+    NO_ORBIT: Reason.NO_ORBIT,
     OPEN_SIDE: Reason.OPEN_SIDE,
     OVER_SHOULDER: Reason.OVER_SHOULDER,
 }

@@ -26,12 +26,15 @@ from tests.qsbearing.scenes import (
     BOTH_HARRIS,
     CENTRIFUGAL,
     INNER,
+    MINIMUM_DISSIPATION,
     OUTER,
     PER_BALL,
     UPRIGHT,
     resting,
     turning,
 )
+from tests.verification.campaign.checks import findings
+from tests.verification.campaign.envelope import chunk_groups
 
 STEEP = replace(B218, free_contact_angle=65 * qs.deg, ball_count=14)
 """A bearing for thrust: at speed its balls leave the inner ring almost over the shoulder."""
@@ -51,30 +54,31 @@ EACH = {"effects": BOTH, "control": PER_BALL}
 
 SCENES: dict[str, dict[str, qs.Scene]] = {
     "continuation from heavier loads": {
-        "loads a millionth of inertia": turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.01, 0.004)),
-        "a radial load of a millionth of inertia": turning(
-            20e3, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.03, 0.012)
+        "loads a millionth of inertia": turning(
+            20e3, effects=CENTRIFUGAL, control=OUTER, **free_to_tilt(0.025, 0.032, 0.0128)
+        ),
+        "light balls between upright rings": turning(
+            10e3, effects=BOTH_HARRIS, control=INNER, **upright(0.56, 0.071), radial_load_z=0.0284
+        ),
+    },
+    "continuation in speed": {
+        "every raceway a little": turning(
+            15e3, effects=CENTRIFUGAL, control=MINIMUM_DISSIPATION, **free_to_tilt(6.4, 17.0, 6.8)
         ),
     },
     "friction no more than load": {
-        "light balls spin": turning(10e3, **BOTH_INNER, **free_to_tilt(0.01, 0.01, 0.004)),
-    },
-    "friction no more than a tenth of the load": {
-        "light balls, a radial load three times the axial": turning(
-            10e3, **BOTH_INNER, **free_to_tilt(37.0, 111.0, 0.0)
-        ),
-        "light balls, faster": turning(20e3, **BOTH_INNER, **free_to_tilt(12.7, 12.7, 0.0)),
+        "light balls": turning(5e3, **BOTH_INNER, **upright(12.0, 1.6), radial_load_z=0.64),
     },
     "pseudo-time steps at speed": {
-        "light balls between upright rings": turning(
-            3e3, effects=BOTH_HARRIS, control=INNER, **upright(51.0, 51.0), radial_load_z=20.0
-        ),
+        "balls far below inertia": turning(30e3, **BOTH_INNER, **upright(550.0, 210.0), radial_load_z=84.0),
     },
     "release of the bound": {
-        "few loaded balls, fast": turning(20e3, **BOTH_INNER, **free_to_tilt(100.0, 300.0, 120.0)),
+        "few loaded balls": turning(10e3, effects=BOTH_HARRIS, control=INNER, **free_to_tilt(900.0, 5900.0, 0.0)),
     },
     "the inner raceway in control first": {
-        "loads far below inertia": turning(40e3, effects=CENTRIFUGAL, control=PER_BALL, **free_to_tilt(1.0, 3.0, 0.4)),
+        "few loaded balls, fast": turning(
+            20e3, effects=BOTH_HARRIS, control=PER_BALL, **free_to_tilt(3100.0, 9500.0, 0.0)
+        ),
     },
 }
 
@@ -85,7 +89,8 @@ SCENES: dict[str, dict[str, qs.Scene]] = {
     ids=[f"{layer}: {scene}" for layer, scenes in SCENES.items() for scene in scenes],
 )
 def test_each_layer_finds_an_equilibrium(layer: str, scene: str) -> None:
-    """Newton's method from two starts does not, and the equilibrium found is one by the loads read from it."""
+    """Newton's method from two starts does not; the equilibrium found is one by the loads read from it, and its balls
+    go round."""
     asked = SCENES[layer][scene]
     assert direct_code(asked) == UNFINISHED
     solution = qs.solve(asked)
@@ -95,6 +100,17 @@ def test_each_layer_finds_an_equilibrium(layer: str, scene: str) -> None:
     wanted = np.array([operation.axial_load, operation.radial_load_y, operation.radial_load_z or 0.0], float)
     largest = max(np.abs(wanted).max(), solution.centrifugal_force.max())
     assert ring_load(solution)[:3] == pytest.approx(wanted, abs=1e-9 * largest)
+    assert solution.orbital_speed.min() > 0.02 * operation.speed
+
+
+@pytest.mark.skipif(not COMPILED, reason="thousands of iterations of plain Python")
+def test_friction_no_more_than_a_tenth_of_the_load_finds_an_equilibrium() -> None:
+    """The only one of 22,000 random scenes that is lost without this bound: campaign scene wild/1/11/39."""
+    scene = chunk_groups(1, 11, envelope="wild")[1].part([14]).scene()
+    assert direct_code(scene) == UNFINISHED
+    solution = qs.solve(scene)
+    assert solution.converged.all()
+    assert not any(bad.any() for bad in findings(scene, solution).failed().values())
 
 
 def direct_code(scene: qs.Scene) -> int:
@@ -222,9 +238,9 @@ def test_what_does_not_converge_says_so() -> None:
 
 def test_one_case_sees_nothing_of_another() -> None:
     """Hard cases in one batch, in either order: what each comes to is what it comes to alone."""
-    loads = np.array([0.01, 100.0])
-    one, other = (turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(load, load, 0.4 * load)) for load in loads)
-    both = turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(loads, loads, 0.4 * loads))
+    axial, aside, across = np.array([[0.26, 0.57], [0.028, 0.13], [0.0, 0.052]])
+    one, other = (turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(axial[k], aside[k], across[k])) for k in range(2))
+    both = turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(axial, aside, across))
     batch = qs.solve(both)
     for k, scene in enumerate((one, other)):
         assert batch.converged[k]

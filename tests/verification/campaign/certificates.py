@@ -16,10 +16,10 @@ open side, unique equilibrium (proof)
     The equations as they stand, with shoulders on both sides, have an equilibrium, checked as any other, and in it a
     loaded inner contact has a negative angle. At rest with constant Hertz stiffness the energy is convex, so the loads
     of its least are unique and no other equilibrium keeps to the supported side.
-open side, over the shoulder, lines apart, friction without load: an equilibrium (evidence)
+open side, over the shoulder, lines apart, no orbit, friction without load: an equilibrium (evidence)
     The equations as the solver passes through them, which know no open side and no shoulders, see lines at most a right
-    angle apart and let any contact carry its share of the gyroscopic moment, have an equilibrium, checked as any other,
-    that breaks one of these restrictions. That there is no other is not proved.
+    angle apart, let balls stand and any contact carry its share of the gyroscopic moment, have an equilibrium, checked
+    as any other, that breaks one of these restrictions. That there is no other is not proved.
 friction above the load, an equilibrium (evidence)
     With friction that is never more than the contact's load, or than a tenth of it, there is an equilibrium, checked as
     any other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
@@ -63,6 +63,7 @@ RESTRICTIONS = {
     "open_side": "open side",
     "over_shoulder": "over the shoulder",
     "lines_apart": "lines apart",
+    "no_orbit": "no orbit",
     "friction_without_load": "friction without load",
     "friction_above_load": "friction above the load",
 }

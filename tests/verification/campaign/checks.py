@@ -3,6 +3,7 @@
 Nothing of the kernel is used. From angles, approaches and loads as the user reads them follow
 
 * the motion and the inertia loads of every ball, by the kinematics of Jones and Harris in vectors (cos beta, sin beta);
+* that every ball is carried round, and that one which the inner raceway does not press lies on the outer one;
 * every ball's two equations (19.9), (19.10) and the ring's five channels (19.13)-(19.15), held ones included;
 * that the two contacts' lengths close between the groove centres where the ring's displacement puts them;
 * Hertz: each ellipse satisfies the ellipticity equation in Carlson's integrals, and each load is K delta^1.5.
@@ -41,6 +42,14 @@ GAP = 4e-15
 CLOSURE = 64 * EPS
 """Of lengths that must add up, over the largest of them: a few roundings each of a sine, a product and a sum."""
 
+LEAST_WEIGHT, LEAST_ORBIT = 1e-3, 0.02
+"""A ball's orbit is a mean of both rings' speeds, and either's weight more than this: below is no rolling. Where the
+outer ring stands, the inner one's is the orbit over its speed, and more than that."""
+
+LOSING = 0.02
+"""Of the inner line's free length: the gap within which a ball that has lost the inner raceway goes over to the orbit
+of equal angles."""
+
 HERTZ = 1e-9
 """Of the ellipticity equation and of loads: K is known to 1e-13, and Newton's stop on k leaves its square."""
 
@@ -66,6 +75,12 @@ class Findings:
     """Largest relative error of any ellipse's shape and of any load."""
     tension: NDArray
     """Whether some load is negative, or not exactly where the approach is positive."""
+    no_orbit: NDArray
+    """Whether some ball's orbit, by its angles and the raceway that controls it, is not clearly between the speeds of
+    both rings: it stands, or goes backwards."""
+    unpressed: NDArray
+    """Whether a ball that the inner raceway does not press does not lie at the outer one's bottom with its centrifugal
+    force, or is said to be controlled by the inner one, which has no friction on it."""
     friction_without_load: NDArray
     """Whether a contact without load is asked for friction, and for more than rounding makes."""
     open_side: NDArray
@@ -173,7 +188,8 @@ def findings(
     there = np.isfinite(solution.azimuth)
     psi = np.where(there, solution.azimuth, 0.0)
     with np.errstate(all="ignore"):
-        centrifugal, moment, sensitivity, axis_sine = inertia_loads(scene, solution, inner, outer, passing)
+        centrifugal, moment, sensitivity, axis_sine, no_orbit = inertia_loads(scene, solution, inner, outer, passing)
+        signed = moment
         # What touches neither raceway does not roll, nor does what only the rounding of its position, a sum of four
         # numbers, presses.
         moment = np.where(np.maximum(inner.approach, outer.approach) > 4.0 * EPS * diameter, moment, 0.0)
@@ -197,6 +213,7 @@ def findings(
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
+        unpressed = _unpressed(solution, inner, outer, centrifugal, signed, small)
         no_friction = [np.maximum(small, most) for most in by_rounding]
     return Findings(
         imbalance=imbalance,
@@ -205,6 +222,8 @@ def findings(
         closure=closure,
         hertz=hertz,
         tension=_tension(solution),
+        no_orbit=_any([no_orbit], there),
+        unpressed=_any([unpressed], there),
         friction_without_load=_any(
             (
                 ~side.loaded & (side.asked > least) & there & (own is None)
@@ -292,10 +311,38 @@ def is_still(scene: qs.Scene) -> NDArray:
     return (inner == 0.0) & (outer == 0.0)
 
 
+def standing_balls(scene: qs.Scene, solution: qs.Solution) -> dict[str, NDArray]:
+    """`no_orbit` and `unpressed` of a solution whose equilibrium is checked elsewhere; shape (case,)."""
+    inner, outer = (Contacts(scene, solution, race) for race in ("inner", "outer"))
+    there = np.isfinite(solution.azimuth)
+    with np.errstate(all="ignore"):
+        centrifugal, moment, _, _, no_orbit = inertia_loads(scene, solution, inner, outer, False)
+        small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
+        unpressed = _unpressed(solution, inner, outer, centrifugal, moment, small)
+    return {"no_orbit": _any([no_orbit], there), "unpressed": _any([unpressed], there)}
+
+
+def _unpressed(
+    solution: qs.Solution, inner: Contacts, outer: Contacts, centrifugal: NDArray, moment: NDArray, small: NDArray
+) -> NDArray:
+    """Balls (case, ball) that the inner raceway does not press and that are not where they then must be.
+
+    Qo (sin ao, cos ao) = (0, Fc), to what an equilibrium resolves. Where the outer ring turns the faster, Mg has the
+    sign that lifts a ball, and a slow one may be held up by it: within the gap in which its orbit still goes over.
+    """
+    away = np.maximum(np.abs(outer.load * outer.sine), np.abs(outer.load * outer.cosine - centrifugal)) > small
+    lifted = (moment * outer.sine > 0.0) & (inner.approach > -LOSING * inner.length)
+    misplaced = (centrifugal > small) & away & ~lifted
+    if solution.gyroscopic_moment is not None:
+        misplaced |= solution.raceway_control == "inner"
+    return ~inner.loaded & misplaced
+
+
 def inertia_loads(
     scene: qs.Scene, solution: qs.Solution, inner: Contacts, outer: Contacts, passing: bool
-) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    """(Fc, Mg, sensitivity, p), of the effects that the scene names; fills in shares of the moment.
+) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
+    """(Fc, Mg, sensitivity, p, whether rolling carries it not round) of balls, of the effects that the scene names;
+    fills in shares of the moment.
 
     The gyroscopic moment is proportional to p, the radial part of the ball's axis: the sine of the controlling line, or
     under minimum dissipation the weighted sum of both.
@@ -305,7 +352,7 @@ def inertia_loads(
     """
     zero = np.zeros_like(inner.load)
     if solution.raceway_control is None:
-        return zero, zero, zero, zero
+        return zero, zero, zero, zero, zero.astype(bool)
     pitch, diameter = _column(scene.operating_bearing.pitch_diameter), ball_diameters(scene, solution)
     radius = 0.5 * pitch
     if scene.orbit_radius is qs.OrbitRadius.DISPLACED:  # by as much as the ball's centre from where it would just touch
@@ -315,7 +362,7 @@ def inertia_loads(
     g = 0.5 * diameter / radius
     # A pressed contact's line is its own. A ball that has lost the inner raceway goes over to the orbit of equal angles
     # within 2 % of the inner line's free length; there lines count as a right angle apart at most.
-    lost = np.clip(-inner.approach / (0.02 * inner.length), 0.0, 1.0)
+    lost = np.clip(-inner.approach / (LOSING * inner.length), 0.0, 1.0)
     weight = 1.0 - lost**2 * (3.0 - 2.0 * lost)
     seen = outer.angle + weight * _mirrored(inner.angle - outer.angle)
     rolled = np.where(is_pressed(inner, outer) & (not passing), inner.angle, seen)
@@ -347,7 +394,11 @@ def inertia_loads(
     turns = inner.placed & outer.placed & ~is_still(scene)
     # An orbit wholly at rest has no moment that could be rounding's.
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
-    return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity, p
+    # Without centrifugal force a ball that touches neither raceway lies anywhere.
+    rolls = turns & (inner.loaded | outer.loaded | (scene.centrifugal_force is not None))
+    least = np.where(wo == 0.0, LEAST_ORBIT, LEAST_WEIGHT)
+    no_orbit = rolls & ~((u > least * (u + v)) & (v > LEAST_WEIGHT * (u + v)))
+    return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity, p, no_orbit
 
 
 def is_pressed(inner: Contacts, outer: Contacts) -> NDArray:

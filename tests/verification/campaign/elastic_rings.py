@@ -10,6 +10,7 @@ sections with shoulders in closed form in place of Gauss points.
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,9 +18,18 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.verification.campaign.batches import Batch, run
+from tests.verification.campaign.checks import findings
+from tests.verification.campaign.group import one_of
 
 HARMONICS = 24
 BATCH = 500
+MOTIONS = (
+    (qs.CentrifugalForce(), qs.GyroscopicMoment()),
+    (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS, friction_coefficient=0.07)),
+    (qs.CentrifugalForce(),),
+    (qs.GyroscopicMoment(),),
+)
+"""Ball effects of bearings that turn."""
 TOLERANCE = 1e-6
 """Of the largest give or load: far above the solver's 1e-12 times a thin ring's flexibility, far below an error."""
 
@@ -204,12 +214,13 @@ def batch(rng: np.random.Generator, count: int = BATCH) -> Batch:
     imbalance, error = np.max(errors, axis=0), max_of(apart) / size
     wrong = good & ((imbalance > TOLERANCE) | (error > TOLERANCE))
     bearing_is = f"Z {z}, D {ball:.4g}, thickness"
+    told = {
+        int(k): f"{bearing_is} {thickness[:, k]}, load {heavy[k]:.4g}: {imbalance[k]:.1e}, {error[k]:.1e}"
+        for k in np.flatnonzero(wrong)
+    }
     return Batch(
         ended,
-        {
-            int(k): f"{bearing_is} {thickness[:, k]}, load {heavy[k]:.4g}: {imbalance[k]:.1e}, {error[k]:.1e}"
-            for k in np.flatnonzero(wrong)
-        },
+        told | (wrong_in_motion(rng, scene) if turns else {}),
         [int(k) for k in np.flatnonzero(np.asarray(s.status) == "not_converged")],
         {
             "imbalance": float(np.max(imbalance, where=good, initial=0.0)),
@@ -217,6 +228,18 @@ def batch(rng: np.random.Generator, count: int = BATCH) -> Batch:
             "give over thickness": float(np.max(max_of(total) / thickness.min(axis=0), where=good, initial=0.0)),
         },
     )
+
+
+def wrong_in_motion(rng: np.random.Generator, scene: qs.Scene) -> dict[int, str]:
+    """Of the same bearings under any raceway control and ball effects: the cases that break a promise which knows
+    nothing of rings, by number. Closure does."""
+    effects = one_of(rng, MOTIONS)
+    control = one_of(rng, list(qs.RacewayControl))
+    scene = replace(scene, ball_effects=effects, raceway_control=control)
+    solution = qs.solve(scene)
+    failed = {name: bad & solution.converged for name, bad in findings(scene, solution).failed().items()}
+    said = f"{control}, {', '.join(effect.name for effect in effects)}"
+    return {int(k): f"{said}: {name}" for name, bad in failed.items() if name != "closure" for k in np.flatnonzero(bad)}
 
 
 def max_of(values: NDArray) -> NDArray:

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from tests.systems.sets import timoshenko
 from tests.verification.campaign.batches import Batch, run
+from tests.verification.campaign.checks import standing_balls
 from tests.verification.campaign.group import GROUP
 from tests.verification.campaign.sets import draw_sets
 
@@ -82,6 +83,9 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
     shaft = of.shaft
     assert shaft is not None
     failed = {name: np.zeros(solution.shape, bool) for name in ("line bent by its forces", "rings in place", "sleeve")}
+    for row in solution.rows:
+        for name, bad in standing_balls(row.scene, row).items():
+            failed[name] = failed.get(name, False) | (bad & solution.converged)
     grown = 1.0 + np.asarray(shaft.strains)[:, 0]
     for k in np.flatnonzero(solution.converged):
         scale = max(np.abs(row.load[k, :3]).max() for row in solution.rows)

@@ -43,6 +43,13 @@ def lose_inner_contact(solution: qs.Solution) -> None:
     change(solution.inner.approach, -1e-6)
 
 
+def stand(solution: qs.Solution, ball: int = 3) -> None:
+    """Turn a ball's inner line to where inner control has u = cos(ai - ao) - g cos ao = 0: no orbit and no inertia."""
+    bearing, outer_angle = solution.scene.bearing, float(solution.outer.angle[0, ball])
+    ratio = float(np.asarray(bearing.ball_diameter)) / float(np.asarray(bearing.pitch_diameter))
+    change(solution.inner.angle, outer_angle + np.arccos(ratio * np.cos(outer_angle)), at=ball)
+
+
 SPOILT = {
     "load": (lambda s: change(s.inner.load, factor=1.0 + 1e-8), {"imbalance", "hertz"}),
     "pull": (lambda s: change(s.inner.load, factor=-1.0), {"imbalance", "tension"}),
@@ -55,7 +62,8 @@ SPOILT = {
     "residual": (lambda s: s._results["residual"].__setitem__(0, np.nan), {"misreported"}),
     "ellipse": (lambda s: change(s.inner.semi_major_axis, 1e-3), {"hertz"}),
     "infinite": (lambda s: change(s.displacement, np.inf, at=0), {"closure", "not_finite"}),
-    "friction without load": (lose_inner_contact, {"friction_without_load", "imbalance"}),
+    "friction without load": (lose_inner_contact, {"friction_without_load", "imbalance", "unpressed"}),
+    "standing ball": (stand, {"no_orbit"}),
     "over the shoulder": (lambda s: change(s.inner.angle, 1.6), {"over_shoulder", "closure"}),
     "open side": (lambda s: change(s.inner.angle, -0.1), {"open_side", "closure"}),
     "control": (lambda s: s._controls.__ixor__(1), {"control_unsaid"}),
@@ -67,7 +75,8 @@ def test_each_check_turns_red(name: str) -> None:
     """A number changed by a hundred-millionth, or by a picometre, is found out."""
     spoil, red = SPOILT[name]
     held = {"axial_load": None, "axial_displacement": 20e-6}
-    control = INNER if name == "friction without load" else PER_BALL if name == "control" else OUTER
+    inner = name in ("friction without load", "standing ball")
+    control = INNER if inner else PER_BALL if name == "control" else OUTER
     solution = sample(control, **(held if name == "held displacement" else {}))
     for side in (solution.inner, solution.outer):
         assert side.load.size
@@ -102,6 +111,28 @@ def test_friction_above_the_load(rpm: float, is_above: bool) -> None:
     limited = findings(scene, solution, friction_limit=1.0)
     assert limited.friction_above_load == [is_above]
     assert limited.failed()["imbalance"] == [is_above]
+
+
+def test_a_planted_standing_ball_is_found_out_by_its_motion_alone() -> None:
+    """Neither orbit nor inertia nor load: its balance, Hertz and friction are in order, wherever it lies."""
+    bearing = qs.BallBearing(13, 7.21 * qs.mm, 38.3 * qs.mm, 3.7492 * qs.mm, 3.7492 * qs.mm, 35 * qs.deg)
+    loads = {"axial_load": 120.0, "radial_load_y": 550.0, "radial_load_z": 21.0}
+    solution = solved(turning(np.array([33e3]), bearing, control=INNER, **loads, tilt_y=0.0, tilt_z=0.0))
+    assert failing(solution) == set()
+    assert (solution.inner.load[0, 6], solution.raceway_control[0, 6]) == (0.0, "outer")
+    for array, value in ((solution.outer.load, 0.0), (solution.inner.approach, 0.0), (solution.outer.approach, 0.0)):
+        change(array, value, at=6)
+    change(solution.raceway_control, "inner", at=6)
+    stand(solution, 6)
+    assert failing(solution) == {"no_orbit", "unpressed", "closure"}
+
+
+def test_a_ball_that_has_left_the_inner_raceway_lies_at_the_bottom_of_the_outer_one() -> None:
+    solution = solved(turning(np.array([8000.0]), axial_load=2e3, radial_load_y=4e3, tilt_y=0.0, tilt_z=0.0))
+    assert solution.inner.load[0, 8] == 0.0
+    assert failing(solution) == set()
+    change(solution.outer.angle, more=1e-6, at=8)
+    assert "unpressed" in failing(solution)
 
 
 def test_only_an_open_side_is_an_open_side() -> None:
