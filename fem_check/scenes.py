@@ -21,7 +21,7 @@ from fem_check.ring_growth import Annulus, elastic_growth
 from fem_check.ring_sections import DIMENSIONS, RingSections, SectionError
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import MODIFIED
-from qsbearing.files.set_file import load_scene_or_set
+from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 
 AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)

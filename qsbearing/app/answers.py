@@ -19,8 +19,8 @@ from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.files.set_file import is_set
 from qsbearing.files.toml import tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.scene.scene import Scene

@@ -12,7 +12,6 @@ import click
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import load, solve
-from qsbearing.results import provenance
 
 if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
@@ -41,6 +40,8 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
         sys.exit(UNSOLVED)
 
     def measured() -> dict[str, Any]:
+        from qsbearing.results import provenance
+
         found = _measure(solution.scene, quick)
         command = ["qsbearing", "cost", scene, *(["--quick"] if quick else [])]
         found["provenance"] = provenance.of_run(shlex.join(command))

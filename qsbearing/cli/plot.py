@@ -45,7 +45,11 @@ def plot(
             refuse(str(error))
         places = _places(at)
         writers = claimed(stack, {"--out": target}, ending_problems("--out", target, PICTURES))
-        write_files(writers, {"--out": lambda: draw(dataset, target, x=x, y=y, kind=kind, at=places)})
+        make = {"--out": lambda: draw(dataset, target, x=x, y=y, kind=kind, at=places)}
+        try:
+            write_files(writers, make)
+        except (OSError, RuntimeError) as error:  # of HDF5, which reads what is drawn only now
+            refuse(f"{results}: is damaged: {error}")
     if out is None:
         note(f"drawn to {target}")
 

@@ -32,7 +32,7 @@ def load(source: str) -> Scene:
 
 def load_scene_or_set(source: str) -> Scene | BearingSet:
     """Likewise, but a file with rows is a set; of several operating points, if it says so."""
-    from qsbearing.files.set_file import load_scene_or_set
+    from qsbearing.files.scene_or_set import load_scene_or_set
 
     return _loaded(load_scene_or_set, source)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -52,4 +54,16 @@ def damage_told(path: Path) -> Iterator[None]:
         raise
     except Exception as error:
         told = str(error).partition("\n")[0][:200] or type(error).__name__
+        _let_go(error)
         raise refused(path, "is not a netCDF file, or is damaged", told) from None
+
+
+def _let_go(error: BaseException | None) -> None:
+    """Drop a file that was half opened now, in silence: h5netcdf cannot close it, and Python would show that later."""
+    hook, sys.unraisablehook = sys.unraisablehook, lambda *_: None
+    try:
+        while error is not None:
+            traceback.clear_frames(error.__traceback__)
+            error = error.__context__
+    finally:
+        sys.unraisablehook = hook

@@ -12,12 +12,11 @@ from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
-from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of, scene_of
+from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
-from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import ErrorDetail, SceneError, near
 from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
 
@@ -35,21 +34,6 @@ def load_set(source: str | os.PathLike[str]) -> BearingSet:
         SceneFileError: everything that is wrong with the file, at once.
     """
     return set_of(*document_of(source))
-
-
-def load_scene_or_set(source: str | os.PathLike[str]) -> Scene | BearingSet:
-    """What a file describes: a set where it has [[rows]], else a scene.
-
-    Raises:
-        SceneFileError: everything that is wrong with it, at once.
-    """
-    document, file, label = document_of(source)
-    return set_of(document, file, label) if is_set(document) else scene_of(document, file, label)
-
-
-def is_set(document: dict[str, Any]) -> bool:
-    """Whether these tables are those of a set."""
-    return bool(set(document) & set(SET_SECTIONS))
 
 
 def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -13,7 +13,9 @@ from qsbearing.files.table_checks import Errors, checked, table_model
 from qsbearing.model.scene.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
 from qsbearing.model.scene.operation import Operation
 from qsbearing.model.scene.scene import Scene
-from qsbearing.systems.sets.bearing_set import BearingSet
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.bearing_set import BearingSet
 
 _POINT = table_model("spectrum", SPECTRUM, {})
 SceneOrSet = TypeVar("SceneOrSet", bound="Scene | BearingSet")
@@ -60,7 +62,7 @@ def over_spectrum(
     }
     spectrum = {"spectrum": {"time_share": np.array(shares)}}
     changes: dict[str, Any] = {"operation": Operation(**stacked), "readings": {**scenes[0].readings, **spectrum}}
-    if isinstance(scenes[0], BearingSet):
+    if not isinstance(scenes[0], Scene):
         changes["rows"] = tuple(
             row if row.readings is None else replace(row, readings={**row.readings, **spectrum})
             for row in scenes[0].rows

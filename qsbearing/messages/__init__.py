@@ -7,11 +7,15 @@ before what the row's own bearing has to say. Each other file makes the warnings
 
 from __future__ import annotations
 
-from qsbearing.messages import bearing, bearing_set
-from qsbearing.messages.bearing_set import SetSolution
+from typing import TYPE_CHECKING
+
+from qsbearing.messages import bearing
 from qsbearing.model.ranked_warning import RankedWarning
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.solution import Solution
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.set_solution import SetSolution
 
 
 def message(solution: Solution | SetSolution, index: Index = None) -> str:
@@ -25,6 +29,8 @@ def message(solution: Solution | SetSolution, index: Index = None) -> str:
     """
     if isinstance(solution, Solution):
         return bearing.message(solution, index)
+    from qsbearing.messages import bearing_set
+
     return bearing_set.message(solution, index)
 
 
@@ -45,4 +51,6 @@ def warnings(solution: Solution | SetSolution, index: Index = None) -> list[Rank
     """
     if isinstance(solution, Solution):
         return bearing.warnings(solution, index)
+    from qsbearing.messages import bearing_set
+
     return bearing_set.warnings(solution, index)

@@ -34,7 +34,7 @@ def over_speed(found: dict[str, Any], own: float, title: str = "", whole: dict[s
             each.axvline(fold["speed_rpm"], color=RED, linewidth=0.9, linestyle="--", label="runaway begins")
         if at_whole is not None:
             each.axvline(
-                at_whole["speed_rpm"], color=RED, linewidth=0.9, linestyle="-.", label="with Palmgren's friction"
+                at_whole["speed_rpm"], color=RED, linewidth=0.9, linestyle="-.", label="runaway, Palmgren's friction"
             )
         each.set_xlim(left=0.0)
     _named(axes)

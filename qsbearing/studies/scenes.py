@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import scene_of
-from qsbearing.files.set_file import is_set, set_of
+from qsbearing.files.scene_or_set import is_set
+from qsbearing.files.set_file import set_of
 from qsbearing.model.material import material_named
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
 from qsbearing.model.scene.scene import Scene

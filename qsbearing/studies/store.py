@@ -12,8 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.errors import SceneFileError, refused
+from qsbearing.files.json_text import parsed
+from qsbearing.files.limits import LARGEST_RESULT
+from qsbearing.files.netcdf import damage_told, json_of
 from qsbearing.files.output_file import is_locked, place_of, put_in_place
+from qsbearing.files.raw import check_regular, read_bytes
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
 from qsbearing.studies.netcdf import write_netcdf
@@ -227,25 +231,27 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
     import xarray
 
     place = Path(file)
-    if not place.is_file():
-        raise refused(place, "no such file")
-    try:
+    check_regular(place, "a results file")
+    with damage_told(place):
         found = xarray.open_dataset(place, engine="h5netcdf", cache=False)
-    except (OSError, ValueError, KeyError) as error:
-        raise refused(place, f"is not a results file, or damaged: {error}") from None
     version = found.attrs.get("qsbearing_format")
     if version != dataset.FORMAT:
         found.close()
         made = found.attrs.get("qsbearing_version", "another program")
         raise refused(place, f"is not a results file of this version (made by {made})", "Run the sweep again")
+    try:
+        json_of(found.attrs.get("study"), place)
+    except SceneFileError:
+        found.close()
+        raise
     return found
 
 
 def _json_of(place: Path) -> Any:
     """What a file holds; None where that cannot be read."""
     try:
-        return json.loads(place.read_text("utf-8"))
-    except (OSError, ValueError):
+        return parsed(read_bytes(place, LARGEST_RESULT, "a plan"), place)
+    except SceneFileError:
         return None
 
 

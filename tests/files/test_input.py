@@ -19,8 +19,9 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.scene_file import load_scene, scene_of
+from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.files.set_file import is_set, set_of
+from qsbearing.files.set_file import set_of
 from qsbearing.model.scene.scene import Scene
 from qsbearing.readings.asked import with_defaults
 from tests.files.test_fuzzed_files import scene_text

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from qsbearing.model.compiler import compiled
@@ -62,6 +61,8 @@ def in_threads(work: Callable[[slice], Any], count: int, threads: int) -> None:
         for stretch in stretches[1:]:
             do(stretch)
         return
+    from concurrent.futures import ThreadPoolExecutor
+
     with ThreadPoolExecutor(threads) as pool:
         for each in [pool.submit(do, stretch) for stretch in stretches[1:]]:
             each.result()

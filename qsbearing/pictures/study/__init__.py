@@ -69,7 +69,7 @@ def _title(chosen: Selection) -> str:
         label = f"{label}: {len(rows)} rows {' and '.join(filter(None, bearings))}".rstrip()
     parts = [label]
     for name, value in {**scene.get("operation", {}), **scene.get("preload", {})}.items():
-        if name not in chosen.results.coords and value and not isinstance(value, str):
+        if name not in chosen.results.coords and value and isinstance(value, int | float):
             parts.append(f"{words(_without_unit(name))} {value:.6g} {name.rpartition('_')[2]}")
     for values in chosen.results.coords.values():
         if values.ndim == 0 and float(values) != 0.0:

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
-from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.files.set_file import is_set, set_of
+from qsbearing.files.scene_file import document_of
+from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, PRELOAD, SHAFT_LOAD, Key
 from qsbearing.model.scene.scene import Scene
@@ -160,7 +160,7 @@ def _with_bearing(job: dict[str, Any], document: dict[str, Any], file: str, labe
     merged = copy.deepcopy({name: table for name, table in job.items() if name not in ("bearing", "vary", "study")})
     if "bearing" in document:
         merged["bearing"] = copy.deepcopy(document["bearing"])
-    return set_of(merged, file, label) if is_set(merged) else scene_of(merged, file, label)
+    return scene_or_set_of(merged, file, label)
 
 
 def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.catalogue import find
-from qsbearing.files.set_file import load_scene_or_set
+from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.template import set_template
 from tests.guide.pages import GUIDE
 
