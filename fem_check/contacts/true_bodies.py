@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from fem_check import row_text
 from fem_check.agreement import Findings, Progress, Row
 from fem_check.checks import true_geometry
 from fem_check.checks.true_geometry import Solved
@@ -43,7 +44,9 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
         own, undecided, solved = true_geometry.single(
             each.bearing, each.groove.name, each.groove, each.load, elements, progress
         )
-        found.append(TrueBodies(each, solved, tuple(f"{row.case}, {row.quantity}" for row in undecided)))
+        found.append(
+            TrueBodies(each, solved, tuple(f"{row.case}, {row_text.in_words(row.quantity)}" for row in undecided))
+        )
         rows += own
     last = found[-1].solved
     mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}

@@ -75,6 +75,8 @@ def _tables(table: Table, width: int) -> list[RichTable]:
     lines = [_lines(table, number) for number in range(len(table.headings))]
     least = [_least(each, side) for each, side in zip(lines, table.alignment, strict=True)]
     most = [max(map(len, each)) for each in lines]
+    # A group's text stands in the first column, which it widens as far as the others leave room.
+    most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, Across))])
     parts, used = [[0]], least[0]
     for number, need in enumerate(least[1:], 1):
         if used + BETWEEN + need > width and len(parts[-1]) > 1:

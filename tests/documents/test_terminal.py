@@ -8,7 +8,7 @@ import re
 import pytest
 
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Badge, Block, Bullets, Paragraph, Remark, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Group, Paragraph, Remark, Table
 from qsbearing.documents.terminal import text_of
 
 BLOCKS: list[Block] = [
@@ -48,6 +48,16 @@ def test_no_number_is_cut_and_no_word(width: int) -> None:
         assert any(cell in line for line in lines), cell
     words = {word for line in lines for word in line.split()}
     assert {"likely", "needed,", "missing", "verdict", "hertz_angle"} <= words
+
+
+@pytest.mark.parametrize("width", range(40, 100, 6))
+def test_a_group_s_long_text_cuts_no_number(width: int) -> None:
+    text = "outer, Q = 800 N at 20.18°: exact gap over parabola, true bodies of both rings"
+    rows = [Group(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
+    lines = text_of([Table(("", "found", "deviation", ""), rows, "lrrl")], width).splitlines()
+    assert max(map(len, lines)) <= width
+    assert lines[-1].split() == ["approach", "1.00482", "-0.004", "±", "0.030", "pass"]
+    assert " ".join(line.strip() for line in lines[2:-1]) == text
 
 
 def test_tables_and_what_is_apart_follow_an_empty_line() -> None:
