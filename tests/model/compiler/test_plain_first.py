@@ -75,7 +75,9 @@ def test_a_thrust_loaded_bearing_needs_no_compiler(tmp_path: Path) -> None:
 def test_without_numba_cases_and_sets_are_solved(tmp_path: Path) -> None:
     """A batch too, and it says what would make it faster."""
     assert "14.7578" in printed(NO_NUMBA + command("run b218"), tmp_path)
-    code = "import numpy as np; from qsbearing.model.compiler import compiled, threads; from qsbearing.model.contact import hertz\n"
+    code = (
+        "import numpy as np; from qsbearing.model.compiler import threads; from qsbearing.model.contact import hertz\n"
+    )
     code += "work = lambda part: hertz._ellipse(0, 1.0, 2.0, 1.0)\nthreads.in_threads(work, 2000, 1)\nprint('done')"
     done = run(NO_NUMBA + code, tmp_path)
     assert done.stdout == "done\n"
