@@ -168,6 +168,15 @@ def test_no_process_is_started_where_that_is_forbidden(probe: Path) -> None:
     assert printed(code, probe, QSBEARING_COMPILE_AHEAD="0") == "None\n"
 
 
+@pytest.mark.parametrize("begin", ["repr", "app"])
+def test_notebooks_and_the_app_compile_beside_themselves(tmp_path: Path, begin: str) -> None:
+    """Whoever else imports the package does not."""
+    code = "import qsbearing as qs; from qsbearing.model.compiler.compiled import _process as p; b = p.compiles_ahead\n"
+    shown = "qs.load_scene('b218')._repr_html_()"
+    code += shown if begin == "repr" else "from qsbearing.app.server import application; application('b218')"
+    assert printed(f"{code}\nprint(b, p.compiles_ahead)", tmp_path) == "False True\n"
+
+
 FORKED = """
 import os, multiprocessing as m, probe_module as p
 from qsbearing.model.compiler import compiled
