@@ -24,7 +24,7 @@ from qsbearing.model.contact.first_yield import first_yield_pressure
 from qsbearing.model.contact.hertz import subsurface_shear
 from qsbearing.model.ranked_warning import Rank, RankedWarning, good_to_know, in_order, said_of, wrong_model
 from qsbearing.readings.remarks import CHOICES
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, OUTER, SPINDLE
+from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
 
 SEPARATED = "No axial load keeps the raceways together"
 
@@ -304,3 +304,31 @@ def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:
     places = [words.index(" ".join(each.line.split())) for each in qs.warnings(solution)]
     assert len({each.rank for each in qs.warnings(solution)}) > 1
     assert places == sorted(places)
+
+
+def test_friction_above_the_load_is_said_to_carry_it() -> None:
+    """A required coefficient above 1 is an answer of the hypothesis, and said as what it is."""
+    loads = {"effects": (qs.GyroscopicMoment(),), "control": INNER, "axial_load": 200.0}
+    beyond, slipping = ([str(each) for each in qs.warnings(solved(turning(rpm, **loads)))] for rpm in (6000, 3000))
+    said = "friction, not the contact, carries the load there"
+    assert any(said in each and "1.22 at the inner raceway" in each for each in beyond)
+    assert not any(said in each for each in slipping)
+    assert any("expect slip" in each for each in slipping)
+
+
+def test_only_a_loaded_outer_raceway_carries_load() -> None:
+    """A load that rounding leaves is none."""
+    solution = solved(turning(8000, axial_load=2e3, radial_load_y=4e3, tilt_y=0.0, tilt_z=0.0))
+    assert (solution.inner.load[7:9] == 0.0).all()
+    solution.outer.load[7] = 1e-13 * solution.outer.load.max()
+    said = " ".join(qs.warnings(solution))
+    assert "1 ball (no. 7) carries no load." in said
+    assert "8 balls (no. 4 to 6, 8 to 12) have left the inner raceway" in said
+
+
+def test_a_ball_without_orbit_refuses_the_case_in_words() -> None:
+    """Loads a millionth of inertia, centrifugal force alone, inner control."""
+    loads = {"axial_load": 0.01, "radial_load_y": 0.03, "radial_load_z": 0.012, "moment_y": 0.0, "moment_z": 0.0}
+    solution = qs.solve(turning(20e3, effects=CENTRIFUGAL, control=INNER, **loads))
+    assert (solution.status, solution.reason) == (qs.Status.NO_EQUILIBRIUM, qs.Reason.NO_ORBIT)
+    assert "would leave the ball standing" in qs.message(solution)
