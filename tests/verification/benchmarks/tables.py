@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing as qs
-from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
 from fem_check.report.figures import sector as sector_figures
+from fem_check.running import records_store
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks import marked
