@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import BaseModel
 
-from fem_check.agreement import Row
+from fem_check.rows.agreement import Row
 
 
 class Evidence(StrEnum):

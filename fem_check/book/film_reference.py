@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.special import elliprf
 
-from fem_check import references
+from fem_check.independent import references
 
 Z, D, DM, R, CLEARANCE = 9, 12.7e-3, 64.9985e-3, 6.604e-3, 15e-6
 LOAD, SPEED = 8900.0, 400.0

@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from fem_check import records_store
 from fem_check.book.case import EVIDENCE, Case, Result, plain
+from fem_check.running import records_store
 
 Record = dict[str, Any]
 

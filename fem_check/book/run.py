@@ -6,10 +6,10 @@ import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from fem_check import memory
 from fem_check.book import records
 from fem_check.book.case import Case
 from fem_check.book.cases import ALL
+from fem_check.running import memory
 from qsbearing.results import provenance
 
 

@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from fem_check.agreement import Check, Kind
 from fem_check.checks import groove_contacts
+from fem_check.rows.agreement import Check, Kind
 
 CHECK = Check(
     name="ball_in_inner_groove",

@@ -16,19 +16,20 @@ from typing import Any
 import numpy as np
 
 import qsbearing
-from fem_check import convergence, half_space_contact, problems, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts, solution_contacts
-from fem_check.contact import ContactError
-from fem_check.contact_problem import QUANTITIES, ContactProblem
-from fem_check.drawing import Drawing
-from fem_check.equilibrium import own_angle
-from fem_check.groove import RACES
-from fem_check.half_space_contact import TOLERANCES, WHY, MeshStudy
+from fem_check.independent import references
+from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
+from fem_check.independent.drawing import Drawing
+from fem_check.independent.equilibrium import own_angle
+from fem_check.independent.groove import RACES
+from fem_check.independent.quasi_static import NoReferenceError
+from fem_check.independent.ring_sections import RingProfile
+from fem_check.mechanics import half_space_contact
+from fem_check.mechanics.contact import ContactError
+from fem_check.mechanics.half_space_contact import TOLERANCES, WHY, MeshStudy
 from fem_check.meshing import MeshError
-from fem_check.quasi_static import NoReferenceError
-from fem_check.ring_sections import RingProfile
-from fem_check.scenes import (
+from fem_check.product import problems
+from fem_check.product.scenes import (
     Solved,
     beyond_thrust,
     drawing_at_rest,
@@ -38,6 +39,8 @@ from fem_check.scenes import (
     solve_set,
     solved,
 )
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
 
 ELEMENTS = {Level.QUICK: (3, 4, 5), Level.RELEASE: (4, 6, 8)}

@@ -10,21 +10,14 @@ from types import MappingProxyType
 from typing import Any
 
 import qsbearing
-from fem_check import (
-    convergence,
-    meshing,
-    row_text,
-    sector_comparison,
-    sector_judgement,
-    sector_pictures,
-    sector_statics,
-)
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from fem_check.contact import ContactError
-from fem_check.scenes import beyond_thrust, solved
-from fem_check.sector_comparison import QUANTITIES, Compared, OperatingPoint, Values, own_point
-from fem_check.solids import contact_block
+from fem_check import meshing
+from fem_check.mechanics.contact import ContactError
+from fem_check.product.scenes import beyond_thrust, solved
+from fem_check.rows import convergence, row_text
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.solids import contact_block, sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
+from fem_check.solids.sector_comparison import QUANTITIES, Compared, OperatingPoint, Values, own_point
 from fem_check.solids.sector_geometry import SectorGeometry
 
 ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 6)}

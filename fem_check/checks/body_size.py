@@ -7,12 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from fem_check import contact, elastic_body, meshing, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from fem_check.elastic_body import CondensedBody, Support
-from fem_check.half_space_contact import stretched
-from fem_check.references import axis_ratio, hertz
-from fem_check.scenes import groove_contact, operating_loads
+from fem_check import meshing
+from fem_check.elements import elastic_body
+from fem_check.elements.elastic_body import CondensedBody, Support
+from fem_check.independent import references
+from fem_check.independent.references import axis_ratio, hertz
+from fem_check.mechanics import contact
+from fem_check.mechanics.half_space_contact import stretched
+from fem_check.product.scenes import groove_contact, operating_loads
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 
 SIZES = (8.0, 16.0, 32.0)
 """Half-length of the boxes in semi-major axes; half-width and depth are SHAPE times as many semi-minor axes."""

@@ -6,11 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from fem_check import boundary_element, contact, convergence, half_space_contact, measuring, meshing
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
-from fem_check.groove import BallInGroove
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact
+from fem_check import meshing
+from fem_check.independent.groove import BallInGroove
+from fem_check.independent.references import hertz
+from fem_check.mechanics import boundary_element, contact, half_space_contact, measuring
+from fem_check.product.scenes import groove_contact
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
 
 COEFFICIENTS = {Level.QUICK: (0.56, 0.51), Level.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
 """f = r/D, open to close. The closest is for finer meshes: its ellipse is 3 % off Hertz's."""

@@ -5,14 +5,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check import convergence, half_space_contact, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import QUANTITIES, ContactQuantities
-from fem_check.half_space_contact import ORDERS, STRETCHES
-from fem_check.measuring import Measured
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact, operating_loads
+from fem_check.independent import references
+from fem_check.independent.contact_problem import QUANTITIES, ContactQuantities
+from fem_check.independent.references import hertz
+from fem_check.mechanics import half_space_contact
+from fem_check.mechanics.half_space_contact import ORDERS, STRETCHES
+from fem_check.mechanics.measuring import Measured
+from fem_check.product.scenes import groove_contact, operating_loads
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 
 PARTS = 4
 COUNTS = {Level.QUICK: (3, 4, 6), Level.RELEASE: (4, 6, 8, 12)}

@@ -12,12 +12,14 @@ from math import radians
 import numpy as np
 
 import qsbearing
-from fem_check import convergence, problems, scenes, sector_comparison
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
-from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.plane_ring import Body, Ring, harmonics
-from fem_check.quasi_static import Problem, at_rest
-from fem_check.ring_sections import RingSections
+from fem_check.elements.plane_ring import Body, Ring, harmonics
+from fem_check.independent.contact_problem import Array, ElasticConstants
+from fem_check.independent.quasi_static import Problem, at_rest
+from fem_check.independent.ring_sections import RingSections
+from fem_check.product import problems, scenes
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
+from fem_check.solids import sector_comparison
 from fem_check.solids.ring_pitch import RingPitch
 from fem_check.solids.sector_geometry import SectorBearing
 from qsbearing.model.effects import ring_compliance

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from fem_check import half_space_contact, meshing, references
-from fem_check.agreement import EXAMPLE, Findings, Level, Progress, Row
-from fem_check.contact_problem import ContactProblem
-from fem_check.half_space_contact import MeshStudy
-from fem_check.pictures import contact_pictures
-from fem_check.scenes import SceneProblemError, groove_contact, operating_loads
+from fem_check import meshing
+from fem_check.independent import references
+from fem_check.independent.contact_problem import ContactProblem
+from fem_check.mechanics import half_space_contact
+from fem_check.mechanics.half_space_contact import MeshStudy
+from fem_check.mechanics.pictures import contact_pictures
+from fem_check.product.scenes import SceneProblemError, groove_contact, operating_loads
+from fem_check.rows.agreement import EXAMPLE, Findings, Level, Progress, Row
 
 
 def run(race: str, level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import qsbearing
-from fem_check import references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.checks.other_contacts import slender_problem
-from fem_check.contact_problem import QUANTITIES, ContactProblem
+from fem_check.independent import references
+from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from qsbearing.model.contact.hertz import effective_modulus
 
 # Both derivations claim full precision; each loses a few digits of 16 in its root finding.

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 import qsbearing
-from fem_check import references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import ElasticConstants
-from fem_check.scenes import groove_contact, operating_loads
+from fem_check.independent import references
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.product.scenes import groove_contact, operating_loads
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress
 
 
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:

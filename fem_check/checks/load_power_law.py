@@ -10,15 +10,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from fem_check import contact, convergence, elastic_body, measuring, meshing, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
+from fem_check import meshing
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import QUANTITIES, ContactProblem
-from fem_check.elastic_body import Support
-from fem_check.half_space_contact import ORDERS, soundness_rows, stretched
-from fem_check.measuring import Measured
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact, operating_loads
+from fem_check.elements import elastic_body
+from fem_check.elements.elastic_body import Support
+from fem_check.independent import references
+from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
+from fem_check.independent.references import hertz
+from fem_check.mechanics import contact, measuring
+from fem_check.mechanics.half_space_contact import ORDERS, soundness_rows, stretched
+from fem_check.mechanics.measuring import Measured
+from fem_check.product.scenes import groove_contact, operating_loads
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
 
 DECADES = {Level.QUICK: 1, Level.RELEASE: 2}
 """Of load. Two take 2.2 GB on six elements per semi-axis, and fewer elements are too coarse for an uncertainty that

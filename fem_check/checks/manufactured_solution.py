@@ -10,11 +10,11 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from fem_check import elastic_body
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.elastic_body import DisplacementSpace, lame
-from fem_check.linear_solver import Factor, factorise
+from fem_check.elements import elastic_body
+from fem_check.elements.elastic_body import DisplacementSpace, lame
+from fem_check.elements.linear_solver import Factor, factorise
+from fem_check.independent.contact_problem import Array, ElasticConstants
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from fem_check import references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import ContactProblem, ElasticConstants
-from fem_check.scenes import groove_contact
+from fem_check.independent import references
+from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
+from fem_check.product.scenes import groove_contact
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 
 STEEL = ElasticConstants(elastic_modulus=208e9, poisson_ratio=0.3)
 SLENDER = 20.0

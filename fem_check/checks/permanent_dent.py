@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check import convergence, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from fem_check.elastic_plastic import Indentation
-from fem_check.scenes import SceneProblemError, groove_contact
+from fem_check.independent import references
+from fem_check.mechanics.elastic_plastic import Indentation
+from fem_check.product.scenes import SceneProblemError, groove_contact
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 
 ELEMENTS = {Level.QUICK: (8, 12), Level.RELEASE: (12, 16)}

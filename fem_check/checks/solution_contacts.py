@@ -17,16 +17,17 @@ from typing import Any
 import numpy as np
 
 import qsbearing
-from fem_check import catalogue_sources, half_space_contact, problems, quasi_static, references
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.checks import groove_contacts, product_scenes
-from fem_check.contact_problem import QUANTITIES, Array, ContactProblem
-from fem_check.drawing import Drawing
-from fem_check.equilibrium import BallRow, State, own_angle
-from fem_check.groove import RACES
-from fem_check.half_space_contact import TOLERANCES, WHY, MeshStudy
-from fem_check.quasi_static import Equilibrium, NoReferenceError, Problem
-from fem_check.scenes import (
+from fem_check.independent import catalogue_sources, quasi_static, references
+from fem_check.independent.contact_problem import QUANTITIES, Array, ContactProblem
+from fem_check.independent.drawing import Drawing
+from fem_check.independent.equilibrium import BallRow, State, own_angle
+from fem_check.independent.groove import RACES
+from fem_check.independent.quasi_static import Equilibrium, NoReferenceError, Problem
+from fem_check.mechanics import half_space_contact
+from fem_check.mechanics.half_space_contact import TOLERANCES, WHY, MeshStudy
+from fem_check.product import problems
+from fem_check.product.scenes import (
     ROW,
     Solved,
     drawing_at_rest,
@@ -38,6 +39,7 @@ from fem_check.scenes import (
     solve_set,
     solved,
 )
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 
 TOLERANCE = 1e-8
 """Of closed forms: both sides work at full precision, and lose some digits in root finding and in differences."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import pi
 
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.checks import groove_contacts
-from fem_check.contact_problem import QUANTITIES, ContactProblem, ElasticConstants
-from fem_check.half_space_contact import TOLERANCES, WHY
+from fem_check.independent.contact_problem import QUANTITIES, ContactProblem, ElasticConstants
+from fem_check.mechanics.half_space_contact import TOLERANCES, WHY
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 
 STEEL = ElasticConstants(elastic_modulus=208e9, poisson_ratio=0.3)
 RADIUS = 10e-3

@@ -11,14 +11,16 @@ from typing import Any
 import numpy as np
 
 import qsbearing
-from fem_check import boundary_element, convergence, meshing
-from fem_check.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
-from fem_check.contact import ContactError
-from fem_check.contact_problem import QUANTITIES
-from fem_check.groove import RACES, BallInGroove
+from fem_check import meshing
+from fem_check.independent.contact_problem import QUANTITIES
+from fem_check.independent.groove import RACES, BallInGroove
+from fem_check.independent.references import HERTZ_SOURCE, hertz
+from fem_check.mechanics import boundary_element
+from fem_check.mechanics.contact import ContactError
 from fem_check.meshing import MeshError
-from fem_check.references import HERTZ_SOURCE, hertz
-from fem_check.scenes import drawing_at_rest, groove_contact, load_scene, operating_loads, ring_sections
+from fem_check.product.scenes import drawing_at_rest, groove_contact, load_scene, operating_loads, ring_sections
+from fem_check.rows import convergence
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle, room, with_room
 
 FINEST = {Level.QUICK: 6, Level.RELEASE: 8}

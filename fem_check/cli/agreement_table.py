@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from fem_check import row_text
+from fem_check.rows import row_text
 from qsbearing.documents.model import Badge, Block, Paragraph, Remark, Table
 from qsbearing.documents.terminal import STYLES
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import click
 
-from fem_check import row_text
 from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
+from fem_check.rows import row_text
 from qsbearing.cli.output import print_table, print_wrote
 from qsbearing.documents.model import Badge, Table
 

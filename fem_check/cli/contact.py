@@ -67,13 +67,15 @@ def contact(
     Exit codes: 0 within tolerance, 1 out of tolerance, 2 bad input or a missing dependency.
     """
     require(*FEM, *([] if out is None else ["jinja2"]))
-    from fem_check import memory, meshing, records_store, row_text, runner
-    from fem_check.contact import ContactError
+    from fem_check import meshing
     from fem_check.contacts import chosen, files, half_spaces, run, shown, true_bodies
     from fem_check.cost import mesh_choice
     from fem_check.cost import record as cost_record
+    from fem_check.mechanics.contact import ContactError
     from fem_check.meshing import MeshError
-    from fem_check.scenes import SceneProblemError
+    from fem_check.product.scenes import SceneProblemError
+    from fem_check.rows import row_text
+    from fem_check.running import memory, records_store, runner
 
     faults: list[str] = []
     loads, angle = _loads(load_texts, faults), _angle(angle_text, faults)

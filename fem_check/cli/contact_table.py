@@ -9,7 +9,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from fem_check import row_text
+from fem_check.rows import row_text
 from qsbearing.documents.terminal import STYLES
 
 Row = dict[str, Any]

@@ -30,9 +30,10 @@ def cost(level: str, out: Path, as_json: bool) -> None:
     require(*FEM)
     from concurrent.futures.process import BrokenProcessPool
 
-    from fem_check import meshing, records_store, runner
-    from fem_check.agreement import Level
+    from fem_check import meshing
     from fem_check.cost import measurement, picture, record, table
+    from fem_check.rows.agreement import Level
+    from fem_check.running import records_store, runner
 
     path = record.path_of(level, out)
     try:

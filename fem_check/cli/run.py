@@ -12,7 +12,7 @@ import click
 from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.contact_table import contact_tables
 from fem_check.cli.output import FEM, LEVELS, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
-from fem_check.ring_sections import DIMENSIONS
+from fem_check.independent.ring_sections import DIMENSIONS
 from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.model.validation import printable
@@ -51,10 +51,10 @@ def run_checks(
     Exit codes: 0 all within tolerance, 1 a row is out of tolerance, 2 bad input or a missing dependency.
     """
     require(*FEM)
-    from fem_check import runner
-    from fem_check.agreement import EXAMPLE, Level
     from fem_check.checks import OF_BEARING
-    from fem_check.scenes import RING_OPTIONS
+    from fem_check.product.scenes import RING_OPTIONS
+    from fem_check.rows.agreement import EXAMPLE, Level
+    from fem_check.running import runner
 
     if scene is None and any(value is not None for value in rings.values()):
         refuse("options for dimensions of the rings need --scene: they belong to that bearing")

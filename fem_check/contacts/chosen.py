@@ -11,11 +11,11 @@ import numpy as np
 
 import qsbearing
 from fem_check.checks.bearing_contacts import operated
-from fem_check.contact_problem import ContactProblem
-from fem_check.drawing import Drawing
-from fem_check.groove import RACES, BallInGroove
-from fem_check.problems import row_of
-from fem_check.scenes import SceneProblemError, drawing_of, load_scene
+from fem_check.independent.contact_problem import ContactProblem
+from fem_check.independent.drawing import Drawing
+from fem_check.independent.groove import RACES, BallInGroove
+from fem_check.product.problems import row_of
+from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
 from fem_check.solids.true_contact import loaded_angle
 
 FREE, LOADED, GIVEN = "free", "loaded", "given"

@@ -8,13 +8,14 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-from fem_check import half_space_contact, records_store
 from fem_check.contacts import shown
 from fem_check.contacts.chosen import Chosen
 from fem_check.contacts.half_spaces import Shape
 from fem_check.contacts.true_bodies import TrueBodies
-from fem_check.fields import Field
-from fem_check.references import hertz
+from fem_check.elements.fields import Field
+from fem_check.independent.references import hertz
+from fem_check.mechanics import half_space_contact
+from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Block, Document, Facts, Picture, Section, Trace
 

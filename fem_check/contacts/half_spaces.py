@@ -11,14 +11,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from fem_check import half_space_contact, meshing, references
-from fem_check.agreement import Findings, Level, Progress, Row, collapsed, covered
-from fem_check.contact_problem import QUANTITIES, ContactProblem
+from fem_check import meshing
 from fem_check.contacts.chosen import Chosen
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import SEQUENCES
-from fem_check.half_space_contact import MeshStudy
-from fem_check.references import hertz
+from fem_check.independent import references
+from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
+from fem_check.independent.references import hertz
+from fem_check.mechanics import half_space_contact
+from fem_check.mechanics.half_space_contact import MeshStudy
+from fem_check.rows.agreement import Findings, Level, Progress, Row, collapsed, covered
 
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5

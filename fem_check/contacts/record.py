@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from fem_check.contact_problem import Array, ElasticConstants
 from fem_check.contacts import half_spaces, true_bodies
 from fem_check.contacts.chosen import ANGLES, Chosen
 from fem_check.contacts.half_spaces import Shape, ellipticity
 from fem_check.contacts.true_bodies import TrueBodies
-from fem_check.groove import RACES
-from fem_check.pressure_basis import PressureBasis
-from fem_check.references import ellipse
+from fem_check.elements.pressure_basis import PressureBasis
+from fem_check.independent.contact_problem import Array, ElasticConstants
+from fem_check.independent.groove import RACES
+from fem_check.independent.references import ellipse
 
 
 def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence: Sequence[int]) -> dict[str, Any]:

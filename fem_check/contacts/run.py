@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from fem_check.agreement import Findings, Progress
 from fem_check.checks import true_geometry
 from fem_check.contacts import files, half_spaces, record, true_bodies
 from fem_check.contacts.chosen import Chosen
-from fem_check.fields import Field
+from fem_check.elements.fields import Field
+from fem_check.rows.agreement import Findings, Progress
 
 
 @dataclass(frozen=True)

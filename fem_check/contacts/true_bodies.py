@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from fem_check import row_text
-from fem_check.agreement import Findings, Progress, Row
 from fem_check.checks import true_geometry
 from fem_check.checks.true_geometry import Solved
 from fem_check.contacts.chosen import Chosen
+from fem_check.rows import row_text
+from fem_check.rows.agreement import Findings, Progress, Row
 
 LEAST_ELEMENTS = 6
 """Of the finest mesh; those of true bodies lie farther apart than those of half-spaces."""

@@ -15,13 +15,15 @@ from functools import partial
 from typing import Any
 
 import qsbearing
-from fem_check import half_space_contact, memory, meshing, records_store
-from fem_check.agreement import Level
-from fem_check.contact_problem import ContactProblem
-from fem_check.elastic_body import Progress
-from fem_check.element_family import FAMILIES, SERENDIPITY
-from fem_check.references import axis_ratio, hertz
-from fem_check.scenes import groove_contact
+from fem_check import meshing
+from fem_check.elements.elastic_body import Progress
+from fem_check.elements.element_family import FAMILIES, SERENDIPITY
+from fem_check.independent.contact_problem import ContactProblem
+from fem_check.independent.references import axis_ratio, hertz
+from fem_check.mechanics import half_space_contact
+from fem_check.product.scenes import groove_contact
+from fem_check.rows.agreement import Level
+from fem_check.running import memory, records_store
 from qsbearing.model.contact.hertz import HertzForm, effective_modulus
 from qsbearing.results import provenance
 from qsbearing.studies.cost.measuring import in_fresh_process

@@ -10,11 +10,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from fem_check import convergence
-from fem_check.agreement import Row
 from fem_check.cost.measurement import JUDGED
-from fem_check.element_family import SERENDIPITY
-from fem_check.half_space_contact import ORDERS
+from fem_check.elements.element_family import SERENDIPITY
+from fem_check.mechanics.half_space_contact import ORDERS
+from fem_check.rows import convergence
+from fem_check.rows.agreement import Row
 
 SEQUENCES = {6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (4, 8, 16)}
 """Meshes solved for a result and its uncertainty, by elements per semi-axis of the finest. Well apart: errors are

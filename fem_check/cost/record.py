@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from fem_check import records_store
-from fem_check.agreement import Level
+from fem_check.rows.agreement import Level
+from fem_check.running import records_store
 
 FIELDS = ("level", "made_by", "machine", "contact", "ellipticity", "solver", "meshes", "closed_forms", "seconds")
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import choices
-from fem_check.row_text import scientific
+from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Table
 
 SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import platformdirs
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
 from fem_check.meshing.bricks import COMMITTED, DEPTH_GROWTH, SIDE_GROWTH
 from fem_check.meshing.making import TAGS, MeshError, gmsh_version, make
 from fem_check.meshing.recipe import Recipe

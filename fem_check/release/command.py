@@ -54,10 +54,10 @@ def release(level: str, out: Path, previous: str | None, resume: bool, keep: boo
     try:
         import skfem  # noqa: F401  the checks import it when they solve
 
-        from fem_check.agreement import Level
-        from fem_check.records_store import RecordError
         from fem_check.release import gate, steps, tree
         from fem_check.release import previous as previous_records
+        from fem_check.rows.agreement import Level
+        from fem_check.running.records_store import RecordError
     except ImportError as problem:
         _refuse(f"{problem}: the gate needs `pip install -e '.[dev]'`")
     try:

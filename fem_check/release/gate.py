@@ -9,11 +9,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from fem_check import records_store
-from fem_check.records_store import RecordError
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
 from fem_check.release.steps import Place, Step
+from fem_check.running import records_store
+from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
 
 Journal = dict[str, dict[str, Any]]

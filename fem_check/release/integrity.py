@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from fem_check.agreement import Row
+from fem_check.rows.agreement import Row
 
 NAMES = [field.name for field in fields(Row)]
 

@@ -9,7 +9,7 @@ import hashlib
 import json
 from pathlib import Path
 
-from fem_check import records_store
+from fem_check.running import records_store
 
 NAME = "manifest.json"
 MISSING = "there is no manifest of its records: nobody can tell whether a digit was changed"

@@ -13,8 +13,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from zipfile import ZipFile
 
-from fem_check.records_store import RecordError
 from fem_check.release import manifest
+from fem_check.running.records_store import RecordError
 
 RECORDS = "fem_check/records"
 

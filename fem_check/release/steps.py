@@ -11,10 +11,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from fem_check import runner
-from fem_check.agreement import Level
 from fem_check.checks import ALL
 from fem_check.release import drift, integrity, known
+from fem_check.rows.agreement import Level
+from fem_check.running import runner
 
 Record = dict[str, Any]
 

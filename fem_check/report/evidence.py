@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from fem_check import records_store
 from fem_check.cost import record as cost_record
+from fem_check.running import records_store
 from qsbearing.documents.model import Trace
 
 REPOSITORY = Path(__file__).parents[2]

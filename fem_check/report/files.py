@@ -8,11 +8,11 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-from fem_check import records_store
 from fem_check.book.records import folder_of
 from fem_check.report import validation
 from fem_check.report.evidence import Evidence, published
 from fem_check.report.sections import book
+from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from fem_check import row_text
+from fem_check.rows import row_text
 from qsbearing.documents.model import Badge, Cell, Group, Table
 
 Row = dict[str, Any]

@@ -19,9 +19,9 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.optimize import root
 
-from fem_check.contact import ContactError, active_set
-from fem_check.contact_problem import Array
-from fem_check.references import ellipse
+from fem_check.independent.contact_problem import Array
+from fem_check.independent.references import ellipse
+from fem_check.mechanics.contact import ContactError, active_set
 from fem_check.solids import contact_results, normal_contact
 from fem_check.solids.condensation import NEAR, CondensedSolid, condense_free, condense_supported
 from fem_check.solids.contact_frame import ContactFrame, Sphere

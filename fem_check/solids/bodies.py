@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
+from fem_check.independent.ring_sections import HIGH_SHOULDER, LOW_SHOULDER
 from fem_check.meshing import MeshError
-from fem_check.ring_sections import HIGH_SHOULDER, LOW_SHOULDER
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.contact_block import Patch, block_face, block_solids
 from fem_check.solids.gmsh_model import gmsh_model, millimetres, revolved

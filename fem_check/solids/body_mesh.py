@@ -10,7 +10,7 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
 from fem_check.meshing import MeshError
 
 

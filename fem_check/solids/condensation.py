@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from fem_check.contact_problem import Array
-from fem_check.linear_solver import factorise
+from fem_check.elements.linear_solver import factorise
+from fem_check.independent.contact_problem import Array
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 NEAR = 1e-7

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
 from fem_check.meshing import MeshError
 from fem_check.solids.gmsh_model import millimetres, revolved
 

@@ -16,8 +16,8 @@ from functools import cached_property
 import numpy as np
 import scipy.sparse as sp
 
-from fem_check.contact_problem import Array
-from fem_check.pressure_basis import PressureBasis
+from fem_check.elements.pressure_basis import PressureBasis
+from fem_check.independent.contact_problem import Array
 from fem_check.solids import contact_block
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody

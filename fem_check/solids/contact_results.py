@@ -7,8 +7,8 @@ from math import atan2
 
 import numpy as np
 
-from fem_check.contact import ContactError
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
+from fem_check.mechanics.contact import ContactError
 from fem_check.solids.contact_frame import ContactFrame
 
 FIT_REACH = 0.75

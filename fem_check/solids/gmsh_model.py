@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
 from fem_check.meshing import MeshError, gmsh_problem
 
 

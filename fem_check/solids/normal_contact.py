@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import cho_solve
 
-from fem_check.contact import Factor, Trial, settle
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
+from fem_check.mechanics.contact import Factor, Trial, settle
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from math import cos, sin
 
 import numpy as np
 
-from fem_check.references import hertz
+from fem_check.independent.references import hertz
 from fem_check.solids.bearing_sector import OuterSupport, condensed_ring
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
 

@@ -11,9 +11,9 @@ from math import cos, hypot, pi, sin
 import numpy as np
 
 from fem_check import meshing
-from fem_check.contact_problem import Array
-from fem_check.drawing import Drawing
-from fem_check.ring_sections import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH, RingSections
+from fem_check.independent.contact_problem import Array
+from fem_check.independent.drawing import Drawing
+from fem_check.independent.ring_sections import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH, RingSections
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh

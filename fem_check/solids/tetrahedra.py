@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from fem_check.contact_problem import Array
+from fem_check.independent.contact_problem import Array
 from fem_check.meshing import MeshError
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.contact_block import Patch, cut_block

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.sparse as sp
 
-from fem_check import elastic_body
-from fem_check.contact_problem import Array, ElasticConstants
-from fem_check.element_family import ElementFamily
+from fem_check.elements import elastic_body
+from fem_check.elements.element_family import ElementFamily
+from fem_check.independent.contact_problem import Array, ElasticConstants
 from fem_check.solids.body_mesh import BodyMesh
 
 if TYPE_CHECKING:

@@ -24,16 +24,15 @@ from typing import TypeVar
 import numpy as np
 import scipy.sparse as sp
 
-from fem_check import contact, fields, meshing, references
-from fem_check.agreement import Progress
-from fem_check.contact import ContactError
-from fem_check.contact_problem import Array
-from fem_check.elastic_body import silent
-from fem_check.fields import Field
-from fem_check.groove import BallInGroove
-from fem_check.measuring import central_pressure
-from fem_check.references import ellipse
-from fem_check.ring_sections import (
+from fem_check import meshing
+from fem_check.elements import fields
+from fem_check.elements.elastic_body import silent
+from fem_check.elements.fields import Field
+from fem_check.independent import references
+from fem_check.independent.contact_problem import Array
+from fem_check.independent.groove import BallInGroove
+from fem_check.independent.references import ellipse
+from fem_check.independent.ring_sections import (
     BORE_BELOW_PITCH,
     HIGH_SHOULDER,
     LOW_SHOULDER,
@@ -41,6 +40,10 @@ from fem_check.ring_sections import (
     WIDTH,
     RingProfile,
 )
+from fem_check.mechanics import contact
+from fem_check.mechanics.contact import ContactError
+from fem_check.mechanics.measuring import central_pressure
+from fem_check.rows.agreement import Progress
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh

@@ -26,6 +26,7 @@ from qsbearing.model.scene.keys import (
     MATERIALS,
     OPERATION,
     PRELOAD,
+    PRINTED,
     RING_COMPLIANCES,
     ROW,
     SEAT_MATERIALS,
@@ -97,7 +98,15 @@ def _bearing(bearing: BallBearing) -> Tables:
     table["ball_count"] = int(table["ball_count"])
     table |= {side: _material(getattr(bearing, side)) for side in MATERIALS}
     is_named = entry is not None and label_of(entry, table) == bearing.name
+    table |= _outline(bearing, entry if is_named else None)
     return {"name": entry.name, **table} if entry is not None and is_named else table
+
+
+def _outline(bearing: BallBearing, entry: catalogue.Entry | None) -> Tables:
+    """What is known of the rings from outside, but what the catalogue's entry of its name has."""
+    found = {} if bearing.outline is None else _numbers(PRINTED, bearing.outline)
+    printed = {} if entry is None else entry.dimensions
+    return {name: value for name, value in found.items() if not np.isclose(printed.get(name, 0.0), value, rtol=1e-12)}
 
 
 def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, float]:

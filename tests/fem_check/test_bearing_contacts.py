@@ -11,15 +11,18 @@ from click.testing import CliRunner
 from rich.console import Console
 
 import qsbearing as qs
-from fem_check import half_space_contact, meshing, references, scenes
-from fem_check.agreement import Findings, Level, Row
+from fem_check import meshing
 from fem_check.checks import bearing_contacts, true_geometry
 from fem_check.checks.bearing_contacts import HALF_SPACES, TRUE_BODIES
 from fem_check.cli import cli
 from fem_check.cli.contact_table import contact_tables
-from fem_check.elastic_body import silent
-from fem_check.ring_sections import RingProfile, RingSections, SectionError
-from fem_check.scenes import RING_OPTIONS, drawing_at_rest, ring_sections
+from fem_check.elements.elastic_body import silent
+from fem_check.independent import references
+from fem_check.independent.ring_sections import RingProfile, RingSections, SectionError
+from fem_check.mechanics import half_space_contact
+from fem_check.product import scenes
+from fem_check.product.scenes import RING_OPTIONS, drawing_at_rest, ring_sections
+from fem_check.rows.agreement import Findings, Level, Row
 from fem_check.solids import tetrahedra
 from fem_check.solids.true_contact import TrueContact
 

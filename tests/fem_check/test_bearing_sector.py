@@ -11,21 +11,16 @@ import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import (
-    cutaway,
-    meshing,
-    records_store,
-    sector_comparison,
-    sector_judgement,
-    sector_pictures,
-    sector_statics,
-)
-from fem_check.agreement import Level, Row
+from fem_check import meshing
 from fem_check.checks import bearing_sector
+from fem_check.product.scenes import SceneProblemError
+from fem_check.report import cutaway
 from fem_check.report.figures import sector as figures
-from fem_check.scenes import SceneProblemError
-from fem_check.sector_comparison import OperatingPoint
+from fem_check.rows.agreement import Level, Row
+from fem_check.running import records_store
+from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
+from fem_check.solids.sector_comparison import OperatingPoint
 from fem_check.solids.sector_geometry import SectorGeometry
 
 POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)

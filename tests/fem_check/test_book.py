@@ -17,15 +17,15 @@ import pytest
 from click.testing import CliRunner
 
 import qsbearing as qs
-from fem_check import records_store
 from fem_check.book import UnknownCaseError, picture, records, run_book
 from fem_check.book.case import Case, Result, plain
 from fem_check.book.cases import ALL
 from fem_check.book.not_yet import NOT_YET
 from fem_check.cli import cli
-from fem_check.pressure_basis import PressureBasis
+from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.report.files import write_book
 from fem_check.report.rows import as_read
+from fem_check.running import records_store
 from qsbearing.model.compiler.compiled import COMPILED
 from qsbearing.model.effects import ring_compliance
 from qsbearing.model.scene import bearing as scene_bearing

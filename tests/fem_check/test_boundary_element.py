@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from fem_check import boundary_element, records_store
-from fem_check.contact import ContactError
-from fem_check.scenes import groove_contact
+from fem_check.mechanics import boundary_element
+from fem_check.mechanics.contact import ContactError
+from fem_check.product.scenes import groove_contact
+from fem_check.running import records_store
 
 TAMAAS = {
     ("inner", None, 500.0): (0.17098, -0.39491, 0.14324, 0.13004),

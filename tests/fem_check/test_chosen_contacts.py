@@ -12,16 +12,16 @@ import pytest
 from click.testing import CliRunner
 
 import qsbearing
-from fem_check import half_space_contact
-from fem_check.agreement import Row
 from fem_check.checks import true_geometry
 from fem_check.cli import cli
 from fem_check.contacts import chosen, half_spaces, record, shown
 from fem_check.contacts.chosen import chosen as choose
+from fem_check.elements.pressure_basis import PressureBasis
+from fem_check.independent.references import hertz
+from fem_check.mechanics import half_space_contact
 from fem_check.meshing import MeshError
-from fem_check.pressure_basis import PressureBasis
-from fem_check.references import hertz
-from fem_check.scenes import SceneProblemError, drawing_of, load_scene
+from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
+from fem_check.rows.agreement import Row
 from fem_check.solids import true_contact
 from fem_check.solids.true_contact import NoRoomError, loaded_angle
 

@@ -6,10 +6,11 @@ from dataclasses import replace
 import pytest
 from click.testing import CliRunner
 
-from fem_check import memory, meshing, records_store, runner
-from fem_check.agreement import Findings, Level, Row
+from fem_check import meshing
 from fem_check.checks import ALL
 from fem_check.cli import cli
+from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.running import memory, records_store, runner
 
 
 def call(*arguments: str):

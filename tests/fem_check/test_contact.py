@@ -5,12 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fem_check import agreement, contact, elastic_body, half_space_contact, measuring
 from fem_check.checks import ALL
-from fem_check.contact_problem import ContactProblem, ElasticConstants
-from fem_check.elastic_body import Support
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact
+from fem_check.elements import elastic_body
+from fem_check.elements.elastic_body import Support
+from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
+from fem_check.independent.references import hertz
+from fem_check.mechanics import contact, half_space_contact, measuring
+from fem_check.product.scenes import groove_contact
+from fem_check.rows import agreement
 
 STEEL = ElasticConstants(208e9, 0.3)
 LEVEL = agreement.Level.QUICK

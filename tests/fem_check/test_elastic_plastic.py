@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from fem_check.checks import permanent_dent
-from fem_check.contact_problem import ElasticConstants
-from fem_check.elastic_plastic import VOLUME, Indentation
-from fem_check.scenes import SceneProblemError
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.mechanics.elastic_plastic import VOLUME, Indentation
+from fem_check.product.scenes import SceneProblemError
 
 COARSE = Indentation(ElasticConstants(208e9, 0.3), 2e9, 0.1, 4.2e9, 4)
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from fem_check.agreement import Level
 from fem_check.checks import elastic_ring
-from fem_check.contact_problem import ElasticConstants
-from fem_check.plane_ring import Body, Ring, harmonics
+from fem_check.elements.plane_ring import Body, Ring, harmonics
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.rows.agreement import Level
 from qsbearing.model.effects import elastic_rings, ring_compliance
 
 STEEL = ElasticConstants(208e9, 0.3)

@@ -6,11 +6,14 @@ import meshio
 import numpy as np
 import pytest
 
-from fem_check import elastic_body, fields, half_space_contact, meshing, references
+from fem_check import meshing
 from fem_check.checks import true_geometry
-from fem_check.contact_problem import ElasticConstants
-from fem_check.element_family import SERENDIPITY
-from fem_check.scenes import groove_contact
+from fem_check.elements import elastic_body, fields
+from fem_check.elements.element_family import SERENDIPITY
+from fem_check.independent import references
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.mechanics import half_space_contact
+from fem_check.product.scenes import groove_contact
 
 STEEL = ElasticConstants(208e9, 0.3)
 

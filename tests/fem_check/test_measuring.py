@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from fem_check import boundary_element, contact, convergence, half_space_contact, measuring
 from fem_check.checks import load_power_law
-from fem_check.contact_problem import QUANTITIES
-from fem_check.measuring import Measured, Soundness
-from fem_check.pressure_basis import PressureBasis
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact
+from fem_check.elements.pressure_basis import PressureBasis
+from fem_check.independent.contact_problem import QUANTITIES
+from fem_check.independent.references import hertz
+from fem_check.mechanics import boundary_element, contact, half_space_contact, measuring
+from fem_check.mechanics.measuring import Measured, Soundness
+from fem_check.product.scenes import groove_contact
+from fem_check.rows import convergence
 
 
 def grid(points):

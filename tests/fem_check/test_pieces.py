@@ -8,9 +8,11 @@ import pytest
 import scipy.sparse as sp
 from scipy.optimize import nnls
 
-from fem_check import boussinesq, contact, convergence, linear_solver
-from fem_check.agreement import Row, collapsed, covered
-from fem_check.pressure_basis import PressureBasis
+from fem_check.elements import boussinesq, linear_solver
+from fem_check.elements.pressure_basis import PressureBasis
+from fem_check.mechanics import contact
+from fem_check.rows import convergence
+from fem_check.rows.agreement import Row, collapsed, covered
 
 
 def test_point_load_on_the_surface_and_below():

@@ -64,7 +64,7 @@ PLANTED = {
         SOLUTION,
     ),
     "cos alpha dropped from the groove's radius": (
-        "fem_check/groove.py",
+        "fem_check/independent/groove.py",
         "self.ball_diameter / self.pitch_diameter * cos(self.contact_angle)",
         "self.ball_diameter / self.pitch_diameter",
         SOLUTION,
@@ -82,38 +82,38 @@ PLANTED = {
         "true_geometry",
     ),
     "gap +1 %": (
-        "fem_check/contact.py",
+        "fem_check/mechanics/contact.py",
         "gaps = basis.weighted(",
         "gaps = 1.01 * basis.weighted(",
         GROOVE,
     ),
     "frozen contact set": (
-        "fem_check/contact.py",
+        "fem_check/mechanics/contact.py",
         "if not drop.any() and not add.any():",
         "if True:",
         GROOVE,
     ),
     "tension kept": (
-        "fem_check/contact.py",
+        "fem_check/mechanics/contact.py",
         "drop = active & (pressure < 0.0)",
         "drop = active & (pressure < -np.inf)",
         GROOVE,
     ),
     "quadrature weights +0.2 %": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "np.matmul(stacked * volumes[:, None, :]",
         "np.matmul(stacked * (1.002 * volumes[:, None, :])",
         "patch_test",
     ),
     "solver noise 1e-5": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "        return moved\n\n    def reaction",
         "        moved[self.free] *= 1.0 + 1e-5 * np.random.default_rng(1).standard_normal(moved[self.free].shape)\n"
         "        return moved\n\n    def reaction",
         GROOVE,
     ),
     "free symmetry plane": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "fixed[space.nodes[0] < small[0], 0] = True",
         "pass",
         GROOVE,
@@ -287,32 +287,32 @@ PLANTED = {
         SOLUTION,
     ),
     "far field +1 %": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "prescribed_displacement = far.transpose(",
         "prescribed_displacement = 1.01 * far.transpose(",
         "load_power_law",
     ),
     # Uncertainties that are too small, and code verification.
     "mesh uncertainty returns 0": (
-        "fem_check/convergence.py",
+        "fem_check/rows/convergence.py",
         "return SAFE_FACTOR * max(steps)",
         "return 0.0 * max(steps)",
         "sphere_on_plane",
     ),
     "mesh uncertainty returns 0, load series": (
-        "fem_check/convergence.py",
+        "fem_check/rows/convergence.py",
         "return SAFE_FACTOR * max(steps)",
         "return 0.0 * max(steps)",
         "load_power_law",
     ),
     "uncertainty of ratios returns 0": (
-        "fem_check/convergence.py",
+        "fem_check/rows/convergence.py",
         "return max(abs(value - values[-1]) for value in values[:-1])",
         "return 0.0 * max(abs(value - values[-1]) for value in values[:-1])",
         "true_geometry",
     ),
     "pooled scatter returns 0": (
-        "fem_check/convergence.py",
+        "fem_check/rows/convergence.py",
         "return float(stdtrit(freedom, 0.975) * pooled)",
         "return 0.0 * pooled",
         "true_geometry",
@@ -324,7 +324,7 @@ PLANTED = {
         "manufactured_solution",
     ),
     "Lame's constants swapped": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "matrix = first * product + second * product.transpose(0, 1, 4, 3, 2)",
         "matrix = second * product + first * product.transpose(0, 1, 4, 3, 2)",
         "manufactured_solution",
@@ -336,7 +336,7 @@ PLANTED = {
         "patch_test",
     ),
     "far-field displacement x 1.01": (
-        "fem_check/elastic_body.py",
+        "fem_check/elements/elastic_body.py",
         "prescribed_displacement = far.transpose",
         "prescribed_displacement = 1.01 * far.transpose",
         "sphere_on_plane",
@@ -432,7 +432,7 @@ PLANTED |= {
         SECTOR,
     ),
     "weights of the pressure's own quadrature x 1.01": (
-        "fem_check/pressure_basis.py",
+        "fem_check/elements/pressure_basis.py",
         "return sp.csr_matrix(sp.diags(area) @ self.values(x, y))",
         "return sp.csr_matrix(sp.diags(1.01 * area) @ self.values(x, y))",
         SECTOR,
@@ -444,7 +444,7 @@ PLANTED |= {
         SECTOR,
     ),
     "uncertainties that do not cover": (
-        "fem_check/convergence.py",
+        "fem_check/rows/convergence.py",
         "return SAFE_FACTOR * max(steps)",
         "return 0.2 * SAFE_FACTOR * max(steps)",
         "convergence_order",

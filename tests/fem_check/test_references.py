@@ -5,9 +5,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from fem_check.contact_problem import ContactProblem, ElasticConstants
-from fem_check.groove import BallInGroove
-from fem_check.references import axis_ratio, curvature_ratio, hertz, largest_shear
+from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
+from fem_check.independent.groove import BallInGroove
+from fem_check.independent.references import axis_ratio, curvature_ratio, hertz, largest_shear
 
 STEEL = ElasticConstants(208e9, 0.3)
 

@@ -17,13 +17,13 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from fem_check import records_store
-from fem_check.agreement import Row
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import agreement, as_read, quantity
-from fem_check.row_text import UNITS, passes_through_zero
+from fem_check.rows.agreement import Row
+from fem_check.rows.row_text import UNITS, passes_through_zero
+from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Group
 from qsbearing.documents.pdf import pdf

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from fem_check import row_text
-from fem_check.agreement import Row
+from fem_check.rows import row_text
+from fem_check.rows.agreement import Row
 
 
 def row(

@@ -9,9 +9,9 @@ import json
 
 import pytest
 
-from fem_check.agreement import Row
-from fem_check.measuring import Soundness
-from fem_check.references import HERTZ_SOURCE
+from fem_check.independent.references import HERTZ_SOURCE
+from fem_check.mechanics.measuring import Soundness
+from fem_check.rows.agreement import Row
 from tests.fem_check import test_planted_errors as planted
 
 RECORDS = sorted((planted.ROOT / "fem_check/records").glob("*/*.json"))
@@ -38,12 +38,12 @@ def test_twice_one_side_fails(path, side):
 
 SOURCES = {
     "reference": (
-        "fem_check/references.py",
+        "fem_check/independent/references.py",
         "return ContactQuantities(delta, a, b, 1.5 * problem.load / (pi * a * b))",
         "return ContactQuantities(2.0 * delta, 2.0 * a, 2.0 * b, 3.0 * problem.load / (pi * a * b))",
     ),
     "found": (
-        "fem_check/measuring.py",
+        "fem_check/mechanics/measuring.py",
         "zip(QUANTITIES, (solution.approaches, a, b, p0, shear, depth), strict=True)",
         "zip(QUANTITIES, (2 * each for each in (solution.approaches, a, b, p0, shear, depth)), strict=True)",
     ),

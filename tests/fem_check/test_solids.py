@@ -7,10 +7,10 @@ import pytest
 import scipy.sparse as sp
 
 from fem_check import meshing
-from fem_check.contact_problem import ElasticConstants
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.independent.references import hertz
 from fem_check.meshing import MeshError
-from fem_check.references import hertz
-from fem_check.scenes import groove_contact
+from fem_check.product.scenes import groove_contact
 from fem_check.solids import bodies, contact_results, normal_contact
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh

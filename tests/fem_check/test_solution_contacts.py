@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from fem_check import catalogue_sources, equilibrium, problems, quasi_static, references, ring_growth, scenes
 from fem_check.checks import product_scenes, solution_contacts
 from fem_check.checks.solution_contacts import (
     catalogue_rows,
@@ -23,9 +22,11 @@ from fem_check.checks.solution_contacts import (
     mechanics_rows,
     set_rows,
 )
-from fem_check.contact_problem import ElasticConstants
-from fem_check.drawing import Drawing
-from fem_check.scenes import SceneProblemError, Solved
+from fem_check.independent import catalogue_sources, equilibrium, quasi_static, references, ring_growth
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.independent.drawing import Drawing
+from fem_check.product import problems, scenes
+from fem_check.product.scenes import SceneProblemError, Solved
 
 POINTS = scenes.solved("b218")
 DRAWING = scenes.drawing_of(POINTS[0].solution.scene, "b218")

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 import qsbearing
-from fem_check import boundary_element, references
-from fem_check.agreement import Level
 from fem_check.checks import true_geometry
-from fem_check.contact import ContactError
-from fem_check.contact_problem import ElasticConstants
-from fem_check.groove import BallInGroove
-from fem_check.scenes import groove_contact
+from fem_check.independent import references
+from fem_check.independent.contact_problem import ElasticConstants
+from fem_check.independent.groove import BallInGroove
+from fem_check.mechanics import boundary_element
+from fem_check.mechanics.contact import ContactError
+from fem_check.product.scenes import groove_contact
+from fem_check.rows.agreement import Level
 from fem_check.solids import true_contact
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from typing import Any
@@ -15,6 +16,7 @@ from qsbearing.files import limits
 from qsbearing.files.errors import SceneFileError
 from qsbearing.files.scene_file import scene_of
 from qsbearing.studies.design.point_table import solve_table
+from tests.guide.pages import GUIDE
 
 GOOD = {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 1.0}}
 
@@ -100,6 +102,19 @@ def test_tables_of_python_have_the_bounds_of_a_file(document: dict[str, Any], wo
 def test_no_list_of_ball_counts_is_built_that_no_bearing_has(given: Any) -> None:
     with pytest.raises(SceneFileError, match="1 to 1000 balls"):
         qs.find("b218", {"ball_count": given}, minimise="inner.max_pressure_MPa")
+
+
+def test_the_guide_has_every_limit() -> None:
+    text = (GUIDE / "how_to.md").read_text(encoding="utf-8").partition("## Sizes of input\n")[2].partition("\n## ")[0]
+    rows = [line.partition("| ")[2].partition("| ")[2] for line in text.splitlines() if line.startswith("| ")][1:]
+    told = [int(number.replace(",", "")) for row in rows for number in re.findall(r"\d[\d,]*\b", row)]
+    mega = 1_000_000
+    assert told == [
+        *(limits.LARGEST_FILE // mega, limits.MOST_KEYS, limits.DEEPEST_KEY),
+        *(limits.LARGEST_RESULT // mega, limits.MOST_VALUES, limits.DEEPEST_JSON),
+        *(limits.LARGEST_TABLE // mega, limits.MOST_ROWS, limits.MOST_COLUMNS, limits.MOST_CELLS),
+        *(limits.LARGEST_SHEET // mega, limits.MOST_SHEET_CELLS, limits.LONGEST_CELL),
+    ]
 
 
 # Values that are replaced ---------------------------------------------------------------------------------------------

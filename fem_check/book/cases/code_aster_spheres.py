@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check import half_space_contact
-from fem_check.agreement import Level, Row
 from fem_check.book.case import Panel, Result, Series, compared
 from fem_check.checks.hertz_formula import of_qsbearing
-from fem_check.contact_problem import ContactProblem, ElasticConstants
+from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
+from fem_check.mechanics import half_space_contact
+from fem_check.rows.agreement import Level, Row
 
 SOURCE = "code_aster V6.04.104 (SSNV104), section 2.1"
 RADIUS, CRUSHED = 50e-3, 4e-3

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from fem_check.agreement import Row
 from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import RADIAL_FACTOR, RELIABILITY, bearing
+from fem_check.rows.agreement import Row
 from qsbearing import readings
 from qsbearing.readings import dynamic_rating
 

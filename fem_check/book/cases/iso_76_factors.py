@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from fem_check.agreement import Row
 from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import STATIC_RADIAL, STATIC_THRUST, bearing
+from fem_check.rows.agreement import Row
 from qsbearing import readings
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 from qsbearing.readings import bearing_numbers

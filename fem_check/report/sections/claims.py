@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from fem_check import row_text
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.figures import overview
 from fem_check.report.rows import counts, quantity
 from fem_check.report.sections.mathematics import CHECKS as OF_FORMULAS
 from fem_check.report.sections.robustness import GOOD
-from fem_check.row_text import number
+from fem_check.rows import row_text
+from fem_check.rows.row_text import number
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Badge, Cell, Md, Paragraph, Picture, Section, Table
 

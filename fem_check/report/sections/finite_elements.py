@@ -23,7 +23,7 @@ COMPARISON = (
 
 
 STRESS = FOLDER / "sector_stress.png"
-"""Made by `python -m fem_check.cutaway` from the quick record of the sector."""
+"""Made by `python -m fem_check.report.cutaway` from the quick record of the sector."""
 
 
 def _cut_open() -> Picture:
@@ -33,7 +33,7 @@ def _cut_open() -> Picture:
         "Hertz's ellipse.",
         "B218 under 17.8 kN of thrust at 10,000 rpm: von Mises' stress in the plane of symmetry, on a logarithmic "
         "scale, and the pressure at the inner raceway with Hertz's ellipse under the same load. Drawn by "
-        "python -m fem_check.cutaway",
+        "python -m fem_check.report.cutaway",
         "png",
         0.85,
     )

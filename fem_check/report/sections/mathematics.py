@@ -6,7 +6,7 @@ from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import as_read
 from fem_check.report.sections import checks
-from fem_check.row_text import number, scientific
+from fem_check.rows.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
 
 CHECKS = ("hertz_formula",)

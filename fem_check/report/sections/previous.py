@@ -7,7 +7,7 @@ from typing import Any
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import badge, quantity
-from fem_check.row_text import number
+from fem_check.rows.row_text import number
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
 
 SAME = 1e-9

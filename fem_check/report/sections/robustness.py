@@ -7,7 +7,7 @@ from collections import Counter
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import as_read
-from fem_check.row_text import scientific
+from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
 
 GOOD = ("within 1e-9", "explained by its condition", "as expected")

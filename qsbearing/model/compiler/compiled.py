@@ -43,7 +43,7 @@ ALWAYS = COMPILED and os.environ.get("QSBEARING_COMPILED") == "1"
 
 # Seconds of processor time that plain Python may take before the other is chosen: about what loading takes, with numba
 # and once numba is there, and half of what compiling the solver takes.
-LOADING, LOADING_MORE, COMPILING = 0.3, 0.1, 4.0
+LOADING, LOADING_MORE, COMPILING = 0.5, 0.1, 4.0
 SHARE = 0.1
 """An entry is loaded or compiled only if this part of the time was its own."""
 FEW = 4

@@ -16,6 +16,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.scene_file import scene_of
+from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.effects import QUANTITIES
 from qsbearing.model.effects.ring_dimensions import OWN, USUAL, ring_dimensions
 from qsbearing.model.solution.comparison import by_quantity
@@ -171,6 +172,8 @@ def test_the_bearing_s_own_dimensions_are_used_where_they_are_known() -> None:
     text = '[bearing]\nname = "7210C"\noutside_diameter_mm = 91\n[operation]\naxial_load_N = 1000\n'
     of_file = scene_of(tomllib.loads(text), "").bearing
     assert ring_dimensions(of_file).outside == pytest.approx(91e-3)
+    again = scene_of(input_tables(scene_of(tomllib.loads(text), "")), "").bearing
+    assert again.outline == of_file.outline
 
 
 def test_a_pair_s_elastic_rings_are_solved_with_its_preload() -> None:

@@ -37,7 +37,7 @@ CALLS = {
 }
 COMMANDS = {
     "run": "`qsbearing run b218`, from cold",
-    "first": "the same, the first time, with compilation",
+    "first": "the same, the first time",
 }
 
 

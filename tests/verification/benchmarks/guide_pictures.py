@@ -18,10 +18,10 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 import qsbearing as qs
-from fem_check import records_store
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
 from fem_check.report.figures.sector import bearing_sector
+from fem_check.running import records_store
 from qsbearing.files.set_file import set_of
 from qsbearing.pictures import deformed_shaft, overview
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, legend, plain

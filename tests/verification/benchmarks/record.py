@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import resource
 import statistics
 import subprocess
 import sys
@@ -53,24 +54,31 @@ def interleaved(functions: dict[str, Callable[[], Any]], repeats: int) -> dict[s
     return times
 
 
-def cold_start(command: list[str], **environment: str) -> None:
-    """Run a command in a fresh process."""
-    subprocess.run(command, check=True, capture_output=True, env={**os.environ, **environment})
+def cold_start(bytecode: str, *arguments: str) -> float:
+    """Processor time of the command in a fresh process that finds no compiled kernel, but Python's own bytecode, which
+    an installation has written [s]."""
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+    command = [sys.executable, "-m", "qsbearing", *arguments]
+    with tempfile.TemporaryDirectory() as empty:
+        environment |= {"NUMBA_CACHE_DIR": empty, "PYTHONPYCACHEPREFIX": bytecode}
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run(command, check=True, capture_output=True, env=environment)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def start_up() -> dict[str, Any]:
-    """Cold starts of the command, and the first compilation."""
-    command = [sys.executable, "-m", "qsbearing"]
-    times = interleaved(
-        {"help": lambda: cold_start([*command, "--help"]), "run": lambda: cold_start([*command, "run", "b218"])}, 5
-    )
-    with tempfile.TemporaryDirectory() as empty:
-        first = timed(lambda: cold_start([*command, "run", "b218"], NUMBA_CACHE_DIR=empty))
-    return {
-        "help_s": spread(times["help"], 1.0),
-        "run_s": spread(times["run"], 1.0),
-        "first_run_with_compilation_s": float(f"{first:.3g}"),
-    }
+    """Processor time of commands as they are first run."""
+    commands = {"help": ("--help",), "run": ("run", "b218"), "explain": ("explain", "b218")}
+    times: dict[str, list[float]] = {name: [] for name in commands}
+    with tempfile.TemporaryDirectory() as bytecode:
+        for turn in range(8):
+            for name, words in commands.items():
+                taken = cold_start(bytecode, *words)
+                if turn:
+                    times[name].append(taken)
+    load = round(os.getloadavg()[0], 1)
+    return {f"{name}_s": spread(each, 1.0) for name, each in times.items()} | {"load_average": load}
 
 
 def single_calls() -> dict[str, Any]:

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing as qs
-from fem_check import records_store
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
 from fem_check.report.figures import sector as sector_figures
+from fem_check.running import records_store
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks import marked
@@ -62,8 +62,8 @@ def timing() -> str:
     machine = record["machine"]
     rows = [
         ["`qsbearing --help`", between(start["help_s"], "s")],
-        ["`qsbearing run b218`, from cold", between(start["run_s"], "s")],
-        ["the same, the first time, with compilation", f"{start['first_run_with_compilation_s']:g} s"],
+        ["`qsbearing run b218`, the first time", between(start["run_s"], "s")],
+        ["`qsbearing explain b218`, the first time", between(start["explain_s"], "s")],
         ["one `solve(scene)`, thrust", between(single["thrust"], "µs")],
         ["one `solve(scene)`, combined load, free tilt", between(single["combined"], "µs")],
         [f"{batch['points']:,} random points, one thread", between(batch["one_thread"], "µs per point")],
@@ -75,7 +75,8 @@ def timing() -> str:
         + f"\n\n{batch['converged']:,} of the {batch['points']:,} points converged, the largest residual being "
         f"{batch['largest_residual']:.0e}. Measured on {machine['cores']} shared cores ({machine['processor']}), "
         f"Python {machine['python']}, numba {machine['numba']}, numpy {machine['numpy']}; the load average was "
-        f"{machine['load_average']:g} at the start."
+        f"{machine['load_average']:g} at the start. Of the three commands the processor time is given, at load average "
+        f"{start['load_average']:g}, which makes it longer."
     )
 
 

@@ -1,0 +1,1 @@
+"""What is under test: the scenes of `qsbearing`, and the problems that they ask."""
