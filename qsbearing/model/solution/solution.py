@@ -322,7 +322,10 @@ class Solution(Plotted):
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
-        """Of each ball: "outer", "inner" or "minimum_dissipation"; None without a ball effect; shape (*cases, ball)."""
+        """Of each ball: "outer", "inner" or "minimum_dissipation"; None without a ball effect; shape (*cases, ball).
+
+        Where a gyroscopic moment acts, the outer raceway controls a ball that the inner one does not press.
+        """
         if self.scene.raceway_control is None:
             return None
         names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
