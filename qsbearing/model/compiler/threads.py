@@ -39,6 +39,9 @@ def in_threads(work: Callable[[slice], Any], count: int, threads: int) -> None:
     Where it may pay to run them plain, the first is done alone, which tells what the others would take, and then twice
     as many each time.
     """
+    if count == 1:
+        work(slice(0, 1))
+        return
     done, plain = 0, 0.0
     while done < count and compiled.may_run_plain(count):
         part = slice(done, min(max(1, 2 * done), count))
