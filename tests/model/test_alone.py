@@ -14,6 +14,7 @@ import qsbearing as qs
 
 CODE = """
 import sys
+before = set(sys.modules)  # what an environment loads at its start
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.material import STEEL
 from qsbearing.model.scene.bearing import BallBearing
@@ -28,8 +29,9 @@ operation = Operation(speed=10_000 * rpm, axial_load=17_800.0)
 scene = Scene(bearing, operation, ball_effects=effects, raceway_control="outer")
 solution = solve(scene)
 print(repr(float(solution.inner.load[0])), repr(float(solution.outer.angle[0])), solution._repr_html_())
-packages = {name.partition(".")[0] for name, module in sys.modules.items() if getattr(module, "__file__", None)}
-print(*sorted(packages - sys.stdlib_module_names - {"__main__"}))
+new = [name for name in set(sys.modules) - before if getattr(sys.modules[name], "__file__", None)]
+packages = {name.partition(".")[0] for name in new}
+print(*sorted(packages - sys.stdlib_module_names))
 try:
     solution.to_ross(1)
 except NotImplementedError as error:
