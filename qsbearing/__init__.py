@@ -15,7 +15,7 @@ from qsbearing.model.above import DONE_BY
 from qsbearing.model.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
 from qsbearing.model.version import __version__ as __version__
 
-# Methods of scenes and solutions that the model leaves to the rooms above it.
+# Methods of scenes and solutions that the model leaves to the folders above it.
 DONE_BY.update(
     html_of="qsbearing.app.notebook",
     plot="qsbearing.app.notebook",

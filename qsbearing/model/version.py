@@ -1,3 +1,3 @@
-"""The version of the package: stands here alone, so that no room asks the top for it."""
+"""The version of the package: a file of its own, so that no folder imports the whole package for it."""
 
 __version__ = "0.1.0"
