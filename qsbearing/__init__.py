@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from qsbearing.files.printed_numbers import catalogue_numbers
     from qsbearing.files.scene_file import load_scene
     from qsbearing.files.set_file import load_set
-    from qsbearing.messages import message, warnings
     from qsbearing.model.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.model.effects import (
         BallDiameterDeviations,
@@ -53,6 +52,7 @@ if TYPE_CHECKING:
     from qsbearing.model.solution.solution import Solution, stiffness
     from qsbearing.model.solution.status import Reason, Status
     from qsbearing.model.validation import ErrorDetail, SceneError
+    from qsbearing.remarks import message, warnings
     from qsbearing.studies.chooser.choose import solve
     from qsbearing.studies.design.compare import compare
     from qsbearing.studies.design.find import find
@@ -95,7 +95,7 @@ _HOMES = {
     "files.printed_numbers": ("catalogue_numbers",),
     "files.scene_file": ("load_scene",),
     "files.set_file": ("load_set",),
-    "messages": ("message", "warnings"),
+    "remarks": ("message", "warnings"),
     "model.scene.bearing": ("BallBearing", "BearingKind"),
     "model.material": ("SILICON_NITRIDE", "STEEL", "Material"),
     "model.scene.operation": ("Operation",),

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.messages import bearing_set
+from qsbearing import remarks
 from qsbearing.model.above import Plotted
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
-from qsbearing.model.ranked_warning import RankedWarning
 from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index, place_of
@@ -24,6 +23,7 @@ from qsbearing.model.solution.ring_stiffness import inverse
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
@@ -109,7 +109,7 @@ class SetSolution(Plotted):
             lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
         for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
             largest = self.rows[number].inner.load.max()
-            name = bearing_set.row_name(row, number)
+            name = row_name(row, number)
             lines.append(f"  {name}: axial load {load:.6g} N, largest ball load {largest:.6g} N")
         return "\n".join(lines)
 
@@ -120,16 +120,16 @@ class SetSolution(Plotted):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return bearing_set.message(self, index)
+        return remarks.message(self, index)
 
-    def warnings(self, index: Index = None) -> list[RankedWarning]:
-        """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
-        cases without an index, in how many each row's is.
+    def warnings(self, index: Index = None) -> list[Warned]:
+        """Sentences on what to beware of in a case, the rows' own warnings among them; of several cases without an
+        index, in how many cases each holds.
 
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return bearing_set.warnings(self, index)
+        return remarks.warnings(self, index)
 
     @property
     def converged(self) -> Any:

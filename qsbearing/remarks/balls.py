@@ -1,0 +1,70 @@
+"""Remarks about balls: without load, slipping, or asking for more friction than contacts offer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.remark import Found, Remark, remark
+
+FRICTION_IN_DOUBT = 0.06
+FRICTION_BEYOND = 0.1
+"""Coefficients that lubricated steel contacts typically offer lie between these."""
+FRICTION_OF_LOAD = 1.0
+"""Above it friction is larger than the load that presses the contact."""
+NO_FORCE = 1e-12
+"""Of a case's largest contact load: less is what rounding leaves, and no load."""
+
+
+def rows(array: NDArray, part: slice) -> NDArray:
+    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
+    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
+
+
+def ball_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Raceway control that contradicts itself, balls without load."""
+    yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("control_inconsistent")
+    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
+    inner, outer = rows(solution.inner.load, part), rows(solution.outer.load, part)
+    least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
+    off_inner, off_outer = exists & (inner <= least), outer <= least
+    unloaded, off = off_inner & off_outer, off_inner & ~off_outer
+    yield unloaded.any(axis=-1), lambda i: remark("balls_unloaded", balls=unloaded[i])
+    yield off.any(axis=-1), lambda i: remark("balls_off_inner", balls=off[i])
+
+
+def _slip(solution: Solution, part: slice) -> Iterator[Found]:
+    moment = solution.scene.gyroscopic_moment
+    if solution.slips is None or moment is None:
+        return
+    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
+    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
+    sides = (solution.inner.required_friction, solution.outer.required_friction)
+    asked = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    yield (
+        slips.any(axis=-1),
+        lambda i: remark("balls_slip", balls=slips[i], required=asked[i].max(), given=given[i]),
+    )
+
+
+def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Friction that the gyroscopic moment asks for, and balls that slip."""
+    yield from _slip(solution, part)
+    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
+        return
+    for name, side in (("inner", solution.inner), ("outer", solution.outer)):
+        if side.required_friction is None:
+            continue
+        friction = rows(side.required_friction, part)
+
+        def slipping(i: int, name: str = name, friction: NDArray = friction) -> Remark:
+            most = friction[i].max()
+            is_beyond, is_above = most > FRICTION_BEYOND, most > FRICTION_OF_LOAD
+            code = "friction_above_load" if is_above else "friction_beyond" if is_beyond else "friction_doubtful"
+            typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
+            return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=most, **typical)
+
+        yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
