@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
+from string import Formatter
 from typing import Any
 
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.judgement import WORDS, changed, estimated
-from qsbearing.remarks.wording import listed, spanned
+from qsbearing.remarks.wording import Raceways, listed, spanned
 
 
 class Severity(IntEnum):
@@ -57,22 +58,43 @@ class Kind:
     severity: Severity
     see: str
     """Page of the guide, and its section behind a #."""
-    sentence: str | Callable[[Mapping[str, Any]], str]
-
-    """A format string, or what makes the sentence of the fields."""
+    sentence: str
+    """A format string."""
+    more: str = ""
+    """A second one, of remarks that have its values."""
+    say: Callable[[Mapping[str, Any]], str] | None = None
+    """What makes the sentence where a format string cannot."""
 
     def text(self, fields: Mapping[str, Any]) -> str:
         """The sentence with these in it."""
-        return self.sentence.format_map(fields) if isinstance(self.sentence, str) else self.sentence(fields)
+        if self.say is not None:
+            return self.say(fields)
+        more = self.more if all(name in fields for name in _fields(self.more)) else ""
+        return (self.sentence + more).format_map(fields)
+
+    @property
+    def outline(self) -> str:
+        """The sentence with … for each number."""
+        return (self.sentence + self.more).format_map(_Blank(who="the bearing", raceways=Raceways(("…",))))
+
+    @property
+    def values(self) -> tuple[str, ...]:
+        """What remarks of this kind have beside whom they are about."""
+        return tuple(name for name in _fields(self.sentence + self.more) if name not in ("who", "raceways", "balls"))
 
 
-def _with_yielding(sentence: str) -> Callable[[Mapping[str, Any]], str]:
-    """With where the rings' steel begins to yield, if the scene gives their strength."""
-    yielding = (
-        " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
-        "{first_yield_MPa:g} MPa."
-    )
-    return lambda fields: (sentence + (yielding if "first_yield_MPa" in fields else "")).format_map(fields)
+class _Blank(dict[str, Any]):
+    """Stands for each number of a sentence."""
+
+    def __missing__(self, name: str) -> _Blank:
+        return self
+
+    def __format__(self, spec: str) -> str:
+        return f"… balls {spec.partition('/')[2]}" if "/" in spec else "…"
+
+
+def _fields(sentence: str) -> list[str]:
+    return list(dict.fromkeys(name for _, name, *_ in Formatter().parse(sentence) if name))
 
 
 def _missing(fields: Mapping[str, Any]) -> str:
@@ -108,6 +130,10 @@ _BEYOND = (
     ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
     "bearing's life before fatigue does"
 )
+_YIELDING = (
+    " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
+    "{first_yield_MPa:g} MPa."
+)
 _FRICTION = (
     "The gyroscopic moment requires a friction coefficient of {required:.2f} at {raceways:the} raceway of {balls}: "
 )
@@ -134,17 +160,18 @@ _ALL = (
     Kind("balls_off_inner", NOTE, "limits",
          "{balls:has/have} left the inner raceway: only the outer raceway carries load there."),
     Kind("balls_slip", WRONG, HYPOTHESES,
-         "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the contacts "
-         "have {given:.3g}. The ball speeds reported are those without slip."),
+         "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the "
+         "contacts have {given:.3g}. The ball speeds reported are those without slip."),
     Kind("friction_doubtful", NOTE, HYPOTHESES, f"{_FRICTION}slip may begin{_TYPICAL}"),
     Kind("friction_beyond", WRONG, HYPOTHESES, f"{_FRICTION}expect slip{_TYPICAL}"),
     Kind("friction_above_load", WRONG, HYPOTHESES,
          f"{_FRICTION}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}"),
-    Kind("pressure_dents", WRONG, "limits", _with_yielding(
+    Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
-         "expect permanent dents.")),
-    Kind("pressure_yields", NOTE, "limits", _with_yielding(
-         "The contact pressure reaches {pressure_MPa:.0f} MPa, below ISO 76's static limit of {limit_MPa:.0f} MPa.")),
+         "expect permanent dents.", _YIELDING),
+    Kind("pressure_yields", NOTE, "limits",
+         "The contact pressure reaches {pressure_MPa:.0f} MPa, below ISO 76's static limit of {limit_MPa:.0f} MPa.",
+         _YIELDING),
     Kind("balls_sparse", CHECK, "ten_minutes#2-write-your-own",
          "The balls fill {filled_percent:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
          "diameter and pitch diameter right?"),
@@ -181,8 +208,11 @@ _ALL = (
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model
-    Kind("effects_missing", INCOMPLETE, "accuracy", _missing),
-    Kind("effect_data_missing", INCOMPLETE, "accuracy", _lacking),
+    Kind("effects_missing", INCOMPLETE, "accuracy",
+         "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}", say=_missing),
+    Kind("effect_data_missing", INCOMPLETE, "accuracy",
+         "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
+         "its numbers", say=_lacking),
     # Readings: life
     Kind("life_of_ceramic", NOTE, CHOICES,
          "the dynamic rating and the life modification factor of ceramic balls are those of steel balls"),
