@@ -9,7 +9,7 @@ import numpy as np
 
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
 from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
 from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
@@ -32,7 +32,7 @@ AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
 
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": as_word} | choice_fields("kind"))
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:

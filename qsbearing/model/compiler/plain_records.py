@@ -39,7 +39,7 @@ class Records(dict[Any, Any]):
         else:
             found = SimpleNamespace(**dict(zip(self._names, self._numbers_of.item(*index), strict=True)))
             for name, view in zip(self._several, self._views, strict=True):
-                setattr(found, name, memoryview(view[index]))
+                setattr(found, name, view[index].data)
         self[place] = found
         return found
 
@@ -91,7 +91,7 @@ def _plain(arg: Any, records: dict[int, Records]) -> Any:
     """Records as objects; within a tuple, also arrays that are always looked at number by number."""
     if not isinstance(arg, tuple):
         return records.get(id(arg), arg)
-    parts = [memoryview(each) if _is_small(each) else _plain(each, records) for each in arg]
+    parts = [each.data if _is_small(each) else _plain(each, records) for each in arg]
     return arg._make(parts) if hasattr(arg, "_make") else tuple(parts)
 
 

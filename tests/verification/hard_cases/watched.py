@@ -5,10 +5,10 @@
 A name is a hard case's, or `random SEED`, or `trap`, which walks into each of the traps.
 
 Three traps. numpy raises on a division by zero, an overflow or an invalid operation wherever one of its numbers takes
-part, and the fields of the kernel's records are such numbers where it is given numpy's own records. Python itself raises ZeroDivisionError, OverflowError
-(powers, exp) and ValueError (roots and logarithms of negative numbers). What neither sees, a product or sum of plain
-floats that overflows without a word, is caught by looking at every local variable of every kernel function at the
-moment when it returns: none may be infinite or not a number.
+part, and the fields of the kernel's records are such numbers: it is given them as they are, not as `Entry.plain` does.
+Python itself raises ZeroDivisionError, OverflowError (powers, exp) and ValueError (roots and logarithms of negative
+numbers). What neither sees, a product or sum of plain floats that overflows without a word, is caught by looking at
+every local variable of every kernel function at the moment when it returns: none may be infinite or not a number.
 
 Underflow is let pass: a product below 1e-308 becomes zero or loses digits beside numbers of order one, and both are
 harmless where every quantity is in units of the bearing.
