@@ -77,7 +77,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     if source in STANDARD_INPUT:
         return read_toml(path), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
-        entry = catalogue.find(source)
+        entry = catalogue.named(source)
         if entry is None:
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
