@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,12 @@ FRICTION_BEYOND = 0.1
 """Coefficients that lubricated steel contacts typically offer lie between these."""
 FRICTION_OF_LOAD = 1.0
 """Above it friction is larger than the load that presses the contact."""
+FRICTIONS = {
+    "friction_doubtful": (FRICTION_IN_DOUBT, FRICTION_BEYOND),
+    "friction_beyond": (FRICTION_BEYOND, FRICTION_OF_LOAD),
+    "friction_above_load": (FRICTION_OF_LOAD, inf),
+}
+"""What is said of coefficients above the first and up to the second."""
 NO_FORCE = 1e-12
 """Of a case's largest contact load: less is what rounding leaves, and no load."""
 
@@ -60,11 +67,11 @@ def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
             continue
         friction = rows(side.required_friction, part)
 
-        def slipping(i: int, name: str = name, friction: NDArray = friction) -> Remark:
-            most = friction[i].max()
-            is_beyond, is_above = most > FRICTION_BEYOND, most > FRICTION_OF_LOAD
-            code = "friction_above_load" if is_above else "friction_beyond" if is_beyond else "friction_doubtful"
-            typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
-            return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=most, **typical)
+        for code, (least, most) in FRICTIONS.items():
 
-        yield friction.max(axis=-1) > FRICTION_IN_DOUBT, slipping
+            def asked(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
+                typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
+                return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **typical)
+
+            largest = friction.max(axis=-1)
+            yield (largest > least) & (largest <= most), asked

@@ -6,7 +6,7 @@ remark's values, which are in the units of their names, and over whom it is abou
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from string import Formatter
@@ -99,9 +99,8 @@ def _fields(sentence: str) -> list[str]:
 
 def _missing(fields: Mapping[str, Any]) -> str:
     """Effects that could be named as it is, and what each would change."""
-    number = estimated if fields["is_estimated"] else changed
     said = [
-        f"{EFFECT[name].what} ({_of_quantity(quantity, [spanned(number, each) for each in change])})"
+        f"{EFFECT[name].what} ({_of_quantity(quantity, _percents(fields, change))})"
         for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
     ]
     are = "is" if len(said) == 1 else "are"
@@ -110,14 +109,17 @@ def _missing(fields: Mapping[str, Any]) -> str:
 
 def _lacking(fields: Mapping[str, Any]) -> str:
     """An effect that needs numbers of the scene: what it would change, and what to give."""
-    entry, number = EFFECT[fields["effect"]], estimated if fields["is_estimated"] else changed
-    by = [
-        f"{spanned(number, change)}{f' ({under})' * bool(under)}"
-        for change, under in zip(fields["changes"], fields["under"], strict=True)
-    ]
+    entry, changes = EFFECT[fields["effect"]], _percents(fields, fields["changes"])
+    by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(fields["quantity"], by, " by about ")
     return f"{begun} would change the {change}. To include it, give {entry.needs}"
+
+
+def _percents(fields: Mapping[str, Any], changes: Sequence[Any]) -> list[str]:
+    """Relative changes, each of which may be a `Span`."""
+    number = estimated if fields["is_estimated"] else changed
+    return [f"{spanned(lambda each: number(each, ''), change)} %" for change in changes]
 
 
 def _of_quantity(quantity: str, by: list[str], link: str = " ") -> str:

@@ -158,17 +158,17 @@ def asked_for(found: dict[str, Any]) -> str:
     """The effects of a record, and the choices that are not the usual ones."""
     choices = found["choices"]
     *others, last = found["effects"] or ["No ball effects (static)"]
-    text = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
+    named = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
     if choices["raceway_control"]:
-        text += f"; raceway control: {choices['raceway_control']}"
+        named += f"; raceway control: {choices['raceway_control']}"
     if choices["moment_shares"]:
-        text += f"; moment shares: {choices['moment_shares']}"
+        named += f"; moment shares: {choices['moment_shares']}"
     if choices["orbit_radius"] == "displaced":
-        text += "; each ball on its own orbit"
+        named += "; each ball on its own orbit"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
         if choices[name] != usual:
-            text += f"; {name}: {choices[name]}"
-    return text.replace("_", " ")
+            named += f"; {name}: {choices[name]}"
+    return named.replace("_", " ")
 
 
 def duration(seconds: float) -> str:

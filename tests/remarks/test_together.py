@@ -106,7 +106,7 @@ def test_numbers_of_lists_have_ranges_too() -> None:
     }
     said = [Remark("effect_data_missing", Of(points=(n,)), change | {"changes": (0.064 * n, 0.26)}) for n in (1, 2)]
     (found,) = texts(*said)
-    assert "the locked stiffness by about 6.4 % to 13 % (steel housing) to 26 % (free)." in found
+    assert "the locked stiffness by about 6.4 to 13 % (steel housing) to 26 % (free)." in found
 
 
 def test_run_says_once_what_rows_share_and_json_each(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
-from qsbearing.results.remarks import blocks, every_remark, together
+from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
@@ -79,7 +79,6 @@ def tables(found: Found) -> list[Block]:
 
 def record(found: Found) -> dict[str, Any]:
     """What `find --json` prints: "input" is the scene found, which every command reads."""
-    said = found_remarks(found)
     return {
         "version": __version__,
         "input": input_tables(found.scene),
@@ -90,8 +89,7 @@ def record(found: Found) -> dict[str, Any]:
         "units": found.units,
         "binding": list(found.binding),
         "failed": list(found.failed),
-        "warnings": [each.text for each in together(said)],
-        "remarks": [each.record() for each in said],
+        **remarks_record(found_remarks(found)),
         "ranges": {key: list(ends) for key, ends in found.ranges.items()},
         "feasible_share": found.feasible_share,
         "sampled": found.sampled,
