@@ -10,8 +10,8 @@ import numpy as np
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
-from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.model.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
+from qsbearing.model.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,

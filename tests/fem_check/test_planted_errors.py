@@ -215,7 +215,7 @@ PLANTED = {
         SOLUTION,
     ),
     "free angle of a clearance": (
-        "qsbearing/model/scene/bearing.py",
+        "qsbearing/model/bearing.py",
         "/ (4.0 * np.asarray(groove_centre_distance, float))",
         "/ (4.01 * np.asarray(groove_centre_distance, float))",
         SOLUTION,
