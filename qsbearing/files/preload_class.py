@@ -17,14 +17,16 @@ def with_preload_class(document: dict[str, Any], errors: Errors) -> dict[str, An
     The word stands at the top of the file or in [bearing].
     """
     bearing, preload = document.get("bearing"), document.get("preload")
-    in_bearing = isinstance(bearing, dict) and "preload" in bearing
-    if not in_bearing and not isinstance(preload, str):
+    if isinstance(bearing, dict) and "preload" in bearing:
+        path, word = "bearing.preload", bearing["preload"]
+        without = {key: value for key, value in bearing.items() if key != "preload"}
+        document = {**document, "bearing": without, "preload": preload}
+    elif isinstance(preload, str):
+        path, word = "preload", preload
+        document = {**document, "preload": None}
+    else:
         return document
-    path, word = ("bearing.preload", bearing["preload"]) if in_bearing else ("preload", preload)
-    document = {**document, "preload": preload if in_bearing else None}
-    if in_bearing:
-        document["bearing"] = {key: value for key, value in bearing.items() if key != "preload"}
-    if in_bearing and preload is not None:
+    if path != "preload" and preload is not None:
         cause = "Keep one of the two: each sets the force that presses the bearing"
         errors.append(FileErrorDetail(path, "is given together with [preload]", word, cause=cause))
     elif word not in CLASSES:

@@ -60,6 +60,10 @@ COEFFICIENTS = {
     "groove_radius_coefficient": ("inner_groove_radius_mm", "outer_groove_radius_mm"),
 }
 """f = r/D of a groove, or of both, with the ball diameter of the same bearing; each stands for these radii."""
+RACEWAYS = tuple(
+    Key(f"{side}_raceway_diameter_mm", f"{side}_raceway_diameter", "mm", mm, LENGTH) for side in ("inner", "outer")
+)
+"""At the bottom of each groove; both together stand for the pitch diameter and the clearance."""
 DIAMETERS = (
     Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
     Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
@@ -71,7 +75,7 @@ SHOULDERS = tuple(
 RATINGS = tuple(Key(f"{kind}_load_rating_N", f"{kind}_load_rating", "N", N, FORCE) for kind in ("dynamic", "static"))
 PRINTED = (*DIAMETERS, Key("width_mm", "width", "mm", mm, LENGTH), *SHOULDERS, *RATINGS)
 """What a catalogue prints of a bearing besides: what needs one takes it from here, so that a file states it once."""
-IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *PRINTED)
+IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *RACEWAYS, *PRINTED)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL = (
