@@ -158,6 +158,10 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
         if isinstance(effect, ElasticRings):
             tables[effect.name] = _elastic_rings(effect, tables[effect.name])
             continue
+        for seat, fit in getattr(effect, "fits", {}).items():
+            if getattr(effect, f"{seat}_interference") == fit.mean:  # else it was changed since
+                del tables[effect.name][f"{seat}_interference_um"]
+                tables[effect.name] |= {f"{seat}_fit": fit.name, "tolerance_class": fit.tolerance_class}
         seats = {side: getattr(effect, side, None) for side in SEAT_MATERIALS}
         tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
     return tables

@@ -210,6 +210,8 @@ SET_NUMBERS = {
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
+SEAT_FITS = ("shaft_fit", "housing_fit", "tolerance_class")
+"""Words: of each seat in place of its interference, and of the bearing."""
 EFFECT_TABLES = {
     "ring_expansion": RING_EXPANSION,
     "ball_expansion": BALL_EXPANSION,
@@ -272,7 +274,7 @@ NUMBERED = {
 """What one of several tables is called in errors, its number following; and its table."""
 
 EFFECT_SECTIONS = {
-    name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
+    name: (*(key.name for key in keys), *((*SEAT_MATERIALS, *SEAT_FITS) if name == "ring_expansion" else ()))
     for name, keys in EFFECT_TABLES.items()
 }
 EFFECT_SECTIONS["elastic_rings"] += (*SEATS, *(key.name for key in RING_COMPLIANCES))
