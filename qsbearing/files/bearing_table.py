@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import nan
 from typing import Any
 
 import numpy as np
 
 from qsbearing.files import catalogue
+from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
 from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
 from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,
+    DIAMETERS,
     IN_PLACE,
     MATERIALS,
     PRINTED,
@@ -32,7 +35,11 @@ AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
 
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
+_OUTSIDE = {key.name for key in PRINTED}
+_EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
+"""One given replaces the other of a catalogue's entry."""
+
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": as_word} | choice_fields("kind"))
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
@@ -49,10 +56,11 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
+    good = designated(good, unusable)
     # Which the model does not need: `with_printed` has handed them on.
     printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
     of_radius = _coefficients(good, unusable, errors)
-    entry = catalogue.find(good["name"]) if "name" in good else None
+    entry = catalogue.named(good["name"]) if "name" in good else None
     diameter = good.get("ball_diameter_mm")
     if diameter is None and entry is not None and "ball_diameter_mm" not in unusable:
         diameter = entry.bearing["ball_diameter_mm"]
@@ -64,16 +72,17 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if entry is not None:
         label = label_of(entry, good)
         printed = kept(entry, changed_keys(entry, good)) | printed
-        either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
-        replaced = set(good) | unusable | (either if either & set(table) else set())
+        replaced = set(good) | unusable | (_EITHER if _EITHER & set(table) else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
         good = from_entry | good
     elif "name" in good:
         lacking: Errors = []
         _find_missing(set(good) | unusable, lacking)
         if lacking:
-            absent = ", ".join(each.key.partition(".")[2] for each in lacking)
-            cause = f"{catalogue.nearest(good['name'])} A bearing of your own may have a name, but needs {absent}, too"
+            cause = catalogue.nearest(good["name"])
+            if read(good["name"]) is None:
+                absent = ", ".join(each.key.partition(".")[2] for each in lacking)
+                cause += f" A bearing of your own may have a name, but needs {absent}, too"
             errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
         label = printable(good["name"]) or label
     if entry is not None or "name" not in table:
@@ -89,6 +98,27 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
         note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
         errors.append(FileErrorDetail(**{**vars(error), "note": note}))
     return bearing if len(errors) == before else None
+
+
+def designated(given: dict[str, Any], unusable: Iterable[str] = ()) -> dict[str, Any]:
+    """What a file gives in [bearing], with what ISO 15 and a designation that the catalogue does not hold add to it.
+
+    Kind, angle and material only where numbers of the model are lacking: a bearing of one's own may have any name.
+    """
+    name = given.get("name")
+    told = read(name) if isinstance(name, str) and catalogue.find(name) is None else None
+    found: dict[str, Any] = {}
+    if told is not None and not told.is_refused:
+        lacking: Errors = []
+        of_radius = {radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii}
+        _find_missing({*given, *unusable, *of_radius}, lacking)
+        found = {key: value for key, value in told.given.items() if lacking or key in _OUTSIDE}
+        if _EITHER & {*given, *unusable}:
+            found.pop("free_contact_angle_deg", None)
+    size = [(found | given).get(key.name) for key in DIAMETERS]
+    if all(isinstance(each, int | float) for each in size) and (width := iso15.width(*size)) is not None:
+        found = {"width_mm": width} | found
+    return {key: value for key, value in found.items() if key not in unusable} | given
 
 
 def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> dict[str, Any]:

@@ -44,8 +44,8 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-_OPERATION = table_model("operation", OPERATION, {})
-_PRELOAD = table_model("preload", PRELOAD, {})
+_OPERATION = table_model("operation", OPERATION)
+_PRELOAD = table_model("preload", PRELOAD)
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -77,7 +77,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     if source in STANDARD_INPUT:
         return read_toml(path), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
-        entry = catalogue.find(source)
+        entry = catalogue.named(source)
         if entry is None:
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
