@@ -11,7 +11,7 @@ import numpy as np
 from qsbearing.files import catalogue
 from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
+from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
 from qsbearing.model.scene.bearing import (
     BallBearing,
     BearingKind,
@@ -46,7 +46,7 @@ _OUTSIDE = {key.name for key in PRINTED}
 _EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
 """One given replaces the other of a catalogue's entry."""
 
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": as_word} | choice_fields("kind"))
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:

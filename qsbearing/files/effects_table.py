@@ -12,12 +12,14 @@ from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.fits import FITTED, fits_of
 from qsbearing.files.table_checks import (
     Errors,
+    as_number,
+    as_word,
     checked,
     choice_fields,
     did_you_mean,
+    list_of,
     made,
     material,
-    number_list,
     si,
     table_model,
 )
@@ -52,13 +54,13 @@ DEFAULT_TOLERANCE = 0.01
 _EFFECTS = table_model(
     "effects",
     EFFECTS,
-    {"ball": (list[str], []), BALL_DEVIATIONS.name: number_list()} | choice_fields("moment_shares", *CHOICES),
+    {"ball": list_of(as_word), BALL_DEVIATIONS.name: list_of(as_number)} | choice_fields("moment_shares", *CHOICES),
 )
-_EFFECT_TABLES = {name: table_model(name, keys, {}) for name, keys in EFFECT_TABLES.items()}
+_EFFECT_TABLES = {name: table_model(name, keys) for name, keys in EFFECT_TABLES.items()}
 _ELASTIC_RINGS = table_model(
     "elastic_rings",
     EFFECT_TABLES["elastic_rings"],
-    dict.fromkeys(SEATS, (str | None, None)) | {key.name: number_list() for key in RING_COMPLIANCES},
+    dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES},
 )
 _RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
 

@@ -45,8 +45,8 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-_OPERATION = table_model("operation", OPERATION, {})
-_PRELOAD = table_model("preload", PRELOAD, {})
+_OPERATION = table_model("operation", OPERATION)
+_PRELOAD = table_model("preload", PRELOAD)
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:

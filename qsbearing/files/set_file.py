@@ -16,7 +16,7 @@ from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
 from qsbearing.files.spectrum_table import over_spectrum
-from qsbearing.files.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.model.validation import ErrorDetail, SceneError, near
 from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
@@ -25,7 +25,7 @@ TABLES = (*SECTIONS, *SET_SECTIONS)
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
 """Tables within a row, which are judged as those of a scene are."""
 
-_ROW = table_model("rows", ROW, {"carries": (str | None, None), "sprung": (Any, None)})
+_ROW = table_model("rows", ROW, {"carries": as_word, "sprung": as_it_is})
 
 
 def load_set(source: str | os.PathLike[str]) -> BearingSet:

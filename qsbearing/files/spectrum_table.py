@@ -17,7 +17,7 @@ from qsbearing.model.scene.scene import Scene
 if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
 
-_POINT = table_model("spectrum", SPECTRUM, {})
+_POINT = table_model("spectrum", SPECTRUM)
 SceneOrSet = TypeVar("SceneOrSet", bound="Scene | BearingSet")
 
 

@@ -164,7 +164,7 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
         elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES}
-        assert set(model.model_fields) == set(scene_keys.SECTIONS[section]) - elsewhere
+        assert set(model.checks) == set(scene_keys.SECTIONS[section]) - elsewhere
     for effect, keys in ((qs.RingExpansion, scene_keys.RING_EXPANSION), (qs.BallExpansion, scene_keys.BALL_EXPANSION)):
         fields = {field.name for field in dataclasses.fields(effect) if field.init} - set(scene_keys.SEAT_MATERIALS)
         assert {key.field for key in keys} == fields

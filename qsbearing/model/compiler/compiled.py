@@ -34,6 +34,8 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from qsbearing.model.compiler import plain_records
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 HAS_NUMBA = find_spec("numba") is not None
@@ -140,7 +142,7 @@ class Entry:
         began = thread_time()
         try:
             with np.errstate(all="ignore"):
-                return self.function(*args)
+                return plain_records.call(self.function, args)
         finally:
             taken = thread_time() - began
             self._plain += taken

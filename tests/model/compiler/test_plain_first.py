@@ -61,7 +61,7 @@ def command(arguments: str) -> str:
     return f"import sys\nfrom qsbearing.cli import cli\ncli({arguments.split()!r}, standalone_mode=False)\n"
 
 
-HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'qsbearing.model.compiler.compile_ahead'}"
+HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'qsbearing.model.compiler.compile_ahead'}"
 LOADED = f"print(*sorted({HEAVY} & set(sys.modules)), 'loaded')"
 
 
