@@ -25,12 +25,11 @@ from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS
 from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks import message
 from qsbearing.reports.key_results import key_results
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
-from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.results.remarks import blocks, every_remark, message
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chooser.explain import explain
 

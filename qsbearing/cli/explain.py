@@ -51,8 +51,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     from dataclasses import replace
 
     from qsbearing.model.scene.scene import Scene
-    from qsbearing.remarks import message
-    from qsbearing.results.remarks import blocks, every_remark
+    from qsbearing.results.remarks import blocks, every_remark, message
     from qsbearing.studies.chooser.explain import explain
 
     if not 0.0 < tolerance <= 1.0:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.raceway_contacts import RacewayContacts

@@ -33,8 +33,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry, kernel
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown

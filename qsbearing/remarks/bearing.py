@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
-from qsbearing.model.scene.bearing import BearingKind
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, lines_to_add

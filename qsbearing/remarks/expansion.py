@@ -20,7 +20,9 @@ def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         return np.broadcast_to(np.asarray(values, float), solution.shape).reshape(-1)[part]
 
     wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
-    yield wedged < 0.0, lambda i: remark("balls_wedged", interference_um=-wedged[i])
+    before = cases(solution.scene.bearing.diametral_clearance)
+    yield (wedged < 0.0) & (before >= 0.0), lambda i: remark("balls_wedged", interference_um=-wedged[i])
+    yield (wedged < 0.0) & (before < 0.0), lambda i: remark("clearance_negative", interference_um=-wedged[i])
     effect = solution.scene.ring_expansion
     if effect is None:
         return

@@ -181,6 +181,8 @@ _ALL = (
     Kind("balls_wedged", CHECK, HEAT,
          "The expansion is larger than the diametral clearance by {interference_um:.4g} µm: the balls are wedged "
          "between the rings."),
+    Kind("clearance_negative", CHECK, HEAT,
+         "The clearance is negative by {interference_um:.4g} µm: the balls are wedged between the rings."),
     Kind("ring_yields", WRONG, HEAT,
          "The stress of {raceways:the} ring is {stress_MPa:.4g} MPa at its bore, above its yield strength of "
          "{yield_strength_MPa:.5g} MPa."),
@@ -268,6 +270,13 @@ _ALL = (
          "factors of this reduction differ by {spread_percent:.0f} %"),
     Kind("film_thin", NOTE, CHOICES,
          "a film parameter is below 1: asperities touch over much of {raceways:that} contact"),
+    # A bearing from its data sheet
+    Kind("sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"),
+    Kind("sheet_groove_assumed", NOTE, "data_sheet",
+         "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
+    Kind("sheet_ratings_unstated", CHECK, "data_sheet",
+         "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
+         "are read so and as those of the bearing's own grooves"),
 )
 # fmt: on
 KINDS = {kind.code: kind for kind in _ALL}

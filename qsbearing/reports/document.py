@@ -8,14 +8,13 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
-from qsbearing.remarks import message
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.front import head
 from qsbearing.reports.key_results import key_results
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
-from qsbearing.results.remarks import every_remark
+from qsbearing.results.remarks import every_remark, message
 
 
 def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Group, Table
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mrad, um

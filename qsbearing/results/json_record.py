@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.result_keys import (
@@ -25,10 +25,9 @@ from qsbearing.model.solution.result_keys import (
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, um, zero_celsius
 from qsbearing.model.version import __version__
-from qsbearing.remarks import message
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.readings_record import Readings, number, readings_record
-from qsbearing.results.remarks import every_remark, remarks_record
+from qsbearing.results.remarks import every_remark, message, remarks_record
 
 LOAD_NOISE = 1e-10
 """What the solver leaves of loads and stiffnesses that are exactly zero, as a part of the largest of their kind."""

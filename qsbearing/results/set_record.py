@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.model.units import mm, um
-from qsbearing.remarks.bearing_set import with_rows
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.json_record import (
     LOAD_NOISE,
@@ -23,6 +22,7 @@ from qsbearing.results.json_record import (
 )
 from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.remarks import every_remark, remarks_record
+from qsbearing.results.set_remarks import with_rows
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life

@@ -25,6 +25,7 @@ from qsbearing.documents.model import Remark as Shown
 from qsbearing.documents.model import Section
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
+from qsbearing.inference import infer
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark
 from qsbearing.reports import document, effects, set_document
@@ -32,6 +33,7 @@ from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies.design import shown
 from qsbearing.studies.design.compare import compare
 from qsbearing.systems.sets import preload_limits
+from tests.inference.test_infer_bearing import deep_groove
 from tests.model.effects.test_elastic_rings_input import FREE_RINGS, in_housing
 from tests.qsbearing.scenes import (
     B218,
@@ -124,6 +126,10 @@ def of_solutions() -> Iterator[Any]:
     moment, speeds = (qs.GyroscopicMoment(),), np.array([500.0, 1000.0, 3000.0, 6000.0])
     rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=20 * qs.um, yield_strength=600e6)
     heavy, fast = qs.Operation(axial_load=np.array([40e3, 600e3])), qs.Operation(speed=60e3 * qs.rpm, axial_load=5e3)
+    tight = qs.BallBearing.from_diametral_clearance(
+        diametral_clearance=-20 * qs.um, ball_count=9, ball_diameter=7.94 * qs.mm, pitch_diameter=39.04 * qs.mm,
+        inner_groove_radius=0.52 * 7.94 * qs.mm, outer_groove_radius=0.52 * 7.94 * qs.mm, kind="deep_groove",
+    )  # fmt: skip
     thin = replace(FREE_RINGS, outside_diameter=149 * qs.mm, outer_width=5 * qs.mm)
     pressed = qs.Operation(radial_load_y=1e3, axial_load=5e3, **UPRIGHT)
     yield from map(qs.solve, (
@@ -140,6 +146,7 @@ def of_solutions() -> Iterator[Any]:
         qs.Scene(B218, qs.Operation(), ring_effects=(rings,), preload=qs.Preload(rigid=300.0)),
         qs.Scene(B218, pressed, ring_effects=(thin,)),
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
+        qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
     for interference in (-1 * qs.um, -18 * qs.um):
         yield in_housing(interference, radial_load_y=10e3)
@@ -180,11 +187,19 @@ def of_readings() -> Iterator[Any]:
     yield from (read.skf_torque(fast, **size), read.skf_torque(fast, **size, speed_rating=1e3 * qs.rpm))
 
 
+def of_a_data_sheet() -> tuple[Any, ...]:
+    """A list of ball sets by ratings that nobody explains, cut short."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(infer, "MOST_LISTED", 2)
+        return qs.infer_bearing(**deep_groove(25, 52, 14000, 7850)).remarks
+
+
 @pytest.fixture(scope="module")
 def reached() -> dict[str, Remark]:
     """A remark of each code."""
-    said = [each.remark for solution in of_solutions() for each in qs.warnings(solution)]
-    return {each.code: each for each in [*said, *(each.remark for one in of_readings() for each in one.warnings)]}
+    said = [each for solution in of_solutions() for each in qs.warnings(solution)]
+    said += [each for reading in of_readings() for each in reading.warnings]
+    return {each.remark.code: each.remark for each in (*said, *of_a_data_sheet())}
 
 
 def test_every_code_is_reached(reached: dict[str, Remark]) -> None:

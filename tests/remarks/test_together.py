@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.model.scene.operation import STRAIGHT
+from qsbearing.model.operation import STRAIGHT
 from qsbearing.remarks.remark import Of, Remark, remark
 from qsbearing.remarks.wording import numbered
 from qsbearing.results.remarks import blocks, every_remark, together

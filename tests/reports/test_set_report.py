@@ -15,7 +15,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.documents.model import Group, Table
-from qsbearing.model.scene.operation import STRAIGHT
+from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
 from qsbearing.reports import evidence, set_curves, set_inputs
 from qsbearing.results.remarks import every_remark, together

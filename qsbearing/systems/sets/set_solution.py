@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing import remarks
-from qsbearing.model.above import Plotted
+from qsbearing.model.above import Plotted, above
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.preload_state import PreloadLoads
@@ -120,7 +119,8 @@ class SetSolution(Plotted):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return remarks.message(self, index)
+        said: str = above("message")(self, index)
+        return said
 
     def warnings(self, index: Index = None) -> list[Warned]:
         """Sentences on what to beware of in a case, the rows' own warnings among them; of several cases without an
@@ -129,7 +129,8 @@ class SetSolution(Plotted):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return remarks.warnings(self, index)
+        found: list[Warned] = above("warnings")(self, index)
+        return found
 
     @property
     def converged(self) -> Any:
@@ -452,7 +453,7 @@ class SetSolution(Plotted):
 
         shaft = self.set.shaft
         if shaft is None:
-            raise SceneError([ErrorDetail("shaft", "missing: the rotor is made of its sections")])
+            raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
         if len(self.shape) > 1:
             problem = "has several axes of cases; one is wanted, that of speed"
             raise SceneError([ErrorDetail("shape", problem, self.shape)])

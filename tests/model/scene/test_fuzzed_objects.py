@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.kernel.newton import STALLED
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution import solver as solving
-from qsbearing.remarks import message, warnings
+from qsbearing.results.remarks import message, warnings
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
 
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
@@ -20,40 +20,7 @@ from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
-
-if TYPE_CHECKING:
-    from qsbearing.systems.heat.state import ThermalState
-    from qsbearing.systems.sets.bearing_set import BearingSet
-    from qsbearing.systems.sets.outcome import Outcome
-
-
-class SetSolution(Protocol):
-    """What is read here of a set's solution, which lies above: its methods hand on what is said here."""
-
-    set: BearingSet
-    shape: tuple[int, ...]
-    thermal: ThermalState | None
-    _outcome: Outcome
-
-    @property
-    def _sides(self) -> Mapping[tuple[int, ...], SetSolution]: ...
-    @property
-    def converged(self) -> Any: ...
-    @property
-    def status(self) -> Any: ...
-    @property
-    def rows(self) -> tuple[Solution, ...]: ...
-    @property
-    def control_is_consistent(self) -> Any: ...
-    @property
-    def preload_loads(self) -> PreloadLoads | None: ...
-    @property
-    def preload_unmounted(self) -> NDArray | None: ...
-    @property
-    def preload_mounted(self) -> NDArray | None: ...
-    @property
-    def mounted(self) -> SetSolution | None: ...
-    def _flat_index(self, index: Index) -> int: ...
+from qsbearing.systems.sets.set_solution import SetSolution
 
 
 def message(solution: SetSolution, index: Index = None) -> str:
@@ -122,11 +89,6 @@ def _overloaded(solution: SetSolution, k: int) -> str:
     if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
         return f" All rows that carry in {direction} float, and their springs give no more than their own force."
     return ""
-
-
-def remarks(solution: SetSolution, index: Index = None) -> list[Remark]:
-    """What to beware of in a case, of its rows too; of several cases without an index, once of each kind."""
-    return with_rows(solution, [bearing.remarks(row, index) for row in solution.rows], index)
 
 
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
