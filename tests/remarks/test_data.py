@@ -191,7 +191,8 @@ def of_a_data_sheet() -> tuple[Any, ...]:
     """A list of ball sets by ratings that nobody explains, cut short."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(infer, "MOST_LISTED", 2)
-        return qs.infer_bearing(**deep_groove(25, 52, 14000, 7850)).remarks
+        sheet = deep_groove(25, 52, 14000, 7850)
+        return (*qs.infer_bearing(**sheet).remarks, *qs.infer_bearing(**sheet, maker="NSK").remarks)
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +19,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.model import Group, Table
 from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
-from qsbearing.reports import evidence, set_curves, set_inputs
+from qsbearing.reports import set_curves, set_inputs, statements
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.systems.heat.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
@@ -333,10 +335,11 @@ def test_a_panel_without_curves_says_why() -> None:
         assert [text.get_text() for text in panel.texts] == ([set_curves.NOTHING] if is_empty else [])
 
 
-def test_what_is_found_for_each_row_stands_once() -> None:
-    assert evidence._in_one(["Here: 1108 MPa", "Here: 1042 MPa"]) == "Here: 1042 to 1108 MPa"
-    assert evidence._in_one(["Agrees", "Agrees"]) == "Agrees"
-    assert evidence._in_one(["Agrees", "Within 1 %"]) == "Agrees; Within 1 %"
+def test_the_pressures_of_rows_stand_as_a_range() -> None:
+    (elastic,) = (each for each in statements.STATEMENTS if "yield below the surface" in each.says)
+    facts: Any = [SimpleNamespace(pressure=value * qs.MPa) for value in (1108.0, 1042.0)]
+    assert elastic.found(facts) == "Maximum pressure here: 1042 to 1108 MPa"
+    assert elastic.found(facts[:1]) == "Maximum pressure here: 1108 MPa"
 
 
 def test_rows_with_the_same_effects_and_readings_have_them_once() -> None:
