@@ -360,7 +360,7 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
     row, other = of.rows[number - 1], of.rows[before - 1]
     effects = [effect.name for each in (row, other) for effect in each.ring_effects or of.ring_effects]
     problem = f"is the position of row {before} too"
-    if row.carries == other.carries:
+    if {row.carries, other.carries} != set(Direction):
         cause = (
             "Give the position of the balls of each row along the shaft. Only two rows that carry opposite directions "
             "may share one: they are a four-point bearing at rest"
