@@ -15,10 +15,12 @@ from qsbearing.model.above import DONE_BY
 from qsbearing.model.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
 from qsbearing.model.version import __version__ as __version__
 
-# Methods of scenes and solutions that the model leaves to the folders above it.
+# Methods of scenes and solutions that the model and the systems leave to the folders above it.
 DONE_BY.update(
     html_of="qsbearing.app.notebook",
     plot="qsbearing.app.notebook",
+    message="qsbearing.messages",
+    warnings="qsbearing.messages",
     of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",
 )
 
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from qsbearing.inference.infer import InferredBearing, infer_bearing
     from qsbearing.inference.practice import RatingPractice
     from qsbearing.messages import message, warnings
+    from qsbearing.model.bearing import BallBearing, BearingKind
     from qsbearing.model.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.model.effects import (
         BallDiameterDeviations,
@@ -48,8 +51,7 @@ if TYPE_CHECKING:
     from qsbearing.model.effects.raceway_control import RacewayControl
     from qsbearing.model.effects.tilt_lever import TiltLever
     from qsbearing.model.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.model.scene.bearing import BallBearing, BearingKind
-    from qsbearing.model.scene.operation import Operation
+    from qsbearing.model.operation import Operation
     from qsbearing.model.scene.preload import Preload
     from qsbearing.model.scene.scene import Scene
     from qsbearing.model.solution.raceway_contacts import RacewayContacts
@@ -102,9 +104,9 @@ _HOMES = {
     "inference.infer": ("InferredBearing", "infer_bearing"),
     "inference.practice": ("RatingPractice",),
     "messages": ("message", "warnings"),
-    "model.scene.bearing": ("BallBearing", "BearingKind"),
+    "model.bearing": ("BallBearing", "BearingKind"),
     "model.material": ("SILICON_NITRIDE", "STEEL", "Material"),
-    "model.scene.operation": ("Operation",),
+    "model.operation": ("Operation",),
     "model.scene.preload": ("Preload",),
     "model.scene.scene": ("Scene",),
     "model.solution.raceway_contacts": ("RacewayContacts",),
