@@ -365,17 +365,19 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
     """Two rows at one place are a four-point bearing, whose balls each row has for itself: right at rest only."""
     row, other = of.rows[number - 1], of.rows[before - 1]
     effects = [effect.name for each in (row, other) for effect in each.ring_effects or of.ring_effects]
+    turns = any(np.any(each) for each in (of.operation.speed, of.operation.outer_speed) if each is not None)
+    beyond = {"are ball effects": of.ball_effects, "is a speed": turns, "are elastic rings": "elastic_rings" in effects}
     problem = f"is the position of row {before} too"
     if {row.carries, other.carries} != set(Direction):
         cause = (
             "Give the position of the balls of each row along the shaft. Only two rows that carry opposite directions "
             "may share one: they are a four-point bearing at rest"
         )
-    elif of.ball_effects or "elastic_rings" in effects:
-        what = "ball effects" if of.ball_effects else "elastic rings"
-        problem += f", and there are {what}: two opposed rows at one place are a four-point bearing at rest only"
+    elif given := [what for what, there in beyond.items() if there]:
+        problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
         cause = (
-            f"Leave the {what} out; a four-point bearing's balls with three or four contacts are not modelled beyond"
+            "At rest, without ball effects and elastic rings, it is exact; beyond, a ball with three or four contacts "
+            "is not modelled. Lives in revolutions need no speed"
         )
     else:
         return []

@@ -154,6 +154,7 @@ def test_beyond_rest_two_rows_at_one_place_are_refused() -> None:
         (near, "four-point bearing at rest only"),
         (at_speed, "four-point bearing at rest only"),
         (FILE | {"effects": {"elastic_rings": rings}}, "there are elastic rings"),
+        (FILE | {"operation": {"axial_load_N": 500.0, "speed_rpm": 100.0}}, "there is a speed"),
         (alike, "opposite directions"),
     ):
         with pytest.raises(qs.SceneFileError) as raised:
