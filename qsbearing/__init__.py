@@ -15,8 +15,10 @@ from typing import Any
 from qsbearing.model.above import DONE_BY
 from qsbearing.model.version import __version__ as __version__
 
-# Methods of scenes and solutions that the model leaves to the folders above it.
+# Methods of scenes and solutions that the model and the systems leave to the folders above it.
 DONE_BY.update(
+    message="qsbearing.messages",
+    warnings="qsbearing.messages",
     html_of="qsbearing.app.notebook",
     plot="qsbearing.app.notebook",
     of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",

@@ -31,8 +31,8 @@ from qsbearing.model.effects.orbit_radius import OrbitRadius as OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl as RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever as TiltLever
 from qsbearing.model.material import SILICON_NITRIDE as SILICON_NITRIDE, STEEL as STEEL, Material as Material
-from qsbearing.model.scene.bearing import BallBearing as BallBearing, BearingKind as BearingKind
-from qsbearing.model.scene.operation import Operation as Operation
+from qsbearing.model.bearing import BallBearing as BallBearing, BearingKind as BearingKind
+from qsbearing.model.operation import Operation as Operation
 from qsbearing.model.scene.preload import Preload as Preload
 from qsbearing.model.scene.scene import Scene as Scene
 from qsbearing.model.solution.raceway_contacts import RacewayContacts as RacewayContacts
