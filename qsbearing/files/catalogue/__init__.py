@@ -10,7 +10,7 @@ import tomllib
 import warnings
 from dataclasses import replace
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from qsbearing.files.catalogue.entry import Entry
@@ -24,8 +24,7 @@ __all__ = ["Entry", "chosen", "entries", "find", "named", "nearest"]
 @cache  # a study and a search look one up for each of their batches
 def entries() -> tuple[Entry, ...]:
     """The worked examples, in the order of their names."""
-    folder = files("qsbearing.files.catalogue")
-    texts = [file.read_text("utf-8") for file in folder.iterdir() if file.name.endswith(".toml")]
+    texts = [file.read_text("utf-8") for file in Path(__file__).parent.glob("*.toml")]
     return tuple(sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower()))
 
 
