@@ -124,7 +124,7 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
     found: dict[str, Fit] = {}
     for seat, name in named.items():
         _check(path, seat, name, rest, errors)
-        diameter = rest.get(f"{FITTED[seat]}_diameter_mm")
+        diameter: Any = rest.get(f"{FITTED[seat]}_diameter_mm")
         is_length = isinstance(diameter, np.ndarray) or (type(diameter) in (int, float) and 0 < diameter < LARGEST)
         if len(errors) > before or not is_length:
             continue  # a diameter that is missing or none is told of besides
