@@ -6,7 +6,6 @@ from fem_check.checks import ALL, OPTIONAL
 from fem_check.report.evidence import Evidence
 from fem_check.report.missing import missing
 from fem_check.report.sections import checks
-from fem_check.report.sections.mathematics import CHECKS as OF_FORMULAS
 from qsbearing.documents.guide import FOLDER
 from qsbearing.documents.model import Block, Md, Paragraph, Picture, Section
 
@@ -43,7 +42,7 @@ def section(evidence: Evidence) -> Section:
     """The level of the finite elements; a check without a record is said."""
     kinds: dict[str, list[Block]] = {"verification": [], "model comparison": []}
     for name, check in (ALL | OPTIONAL).items():
-        if name in OF_FORMULAS or (name in OPTIONAL and name not in evidence.checks):
+        if name in OPTIONAL and name not in evidence.checks:
             continue
         kept = evidence.checks.get(name)
         kinds[str(check.kind)].append(
