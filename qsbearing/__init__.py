@@ -15,10 +15,12 @@ from qsbearing.model.above import DONE_BY
 from qsbearing.model.units import GPa, MPa, N, Nm, Nmm, Pa, deg, kg, kg_m3, kN, m, mm, mrad, rad, rpm, um, zero_celsius
 from qsbearing.model.version import __version__ as __version__
 
-# Methods of scenes and solutions that the model leaves to the folders above it.
+# Methods of scenes and solutions that the model and the systems leave to the folders above it.
 DONE_BY.update(
     html_of="qsbearing.app.notebook",
     plot="qsbearing.app.notebook",
+    message="qsbearing.messages",
+    warnings="qsbearing.messages",
     of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",
 )
 
@@ -28,7 +30,11 @@ if TYPE_CHECKING:
     from qsbearing.files.printed_numbers import catalogue_numbers
     from qsbearing.files.scene_file import load_scene
     from qsbearing.files.set_file import load_set
+    from qsbearing.inference.data_sheet import DataSheet
+    from qsbearing.inference.infer import InferredBearing, infer_bearing
+    from qsbearing.inference.practice import RatingPractice
     from qsbearing.messages import message, warnings
+    from qsbearing.model.bearing import BallBearing, BearingKind
     from qsbearing.model.contact.hertz import HertzForm, PointContact, point_contact, subsurface_shear
     from qsbearing.model.effects import (
         BallDiameterDeviations,
@@ -45,8 +51,7 @@ if TYPE_CHECKING:
     from qsbearing.model.effects.raceway_control import RacewayControl
     from qsbearing.model.effects.tilt_lever import TiltLever
     from qsbearing.model.material import SILICON_NITRIDE, STEEL, Material
-    from qsbearing.model.scene.bearing import BallBearing, BearingKind
-    from qsbearing.model.scene.operation import Operation
+    from qsbearing.model.operation import Operation
     from qsbearing.model.scene.preload import Preload
     from qsbearing.model.scene.scene import Scene
     from qsbearing.model.solution.raceway_contacts import RacewayContacts
@@ -95,10 +100,13 @@ _HOMES = {
     "files.printed_numbers": ("catalogue_numbers",),
     "files.scene_file": ("load_scene",),
     "files.set_file": ("load_set",),
+    "inference.data_sheet": ("DataSheet",),
+    "inference.infer": ("InferredBearing", "infer_bearing"),
+    "inference.practice": ("RatingPractice",),
     "messages": ("message", "warnings"),
-    "model.scene.bearing": ("BallBearing", "BearingKind"),
+    "model.bearing": ("BallBearing", "BearingKind"),
     "model.material": ("SILICON_NITRIDE", "STEEL", "Material"),
-    "model.scene.operation": ("Operation",),
+    "model.operation": ("Operation",),
     "model.scene.preload": ("Preload",),
     "model.scene.scene": ("Scene",),
     "model.solution.raceway_contacts": ("RacewayContacts",),
@@ -126,15 +134,16 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "SILICON_NITRIDE", "STEEL", "BallBearing", "BallDiameterDeviations", "BallExpansion", "BearingKind", "BearingSet",
-    "CentrifugalForce", "Conductance", "ElasticRings", "ErrorDetail", "FileErrorDetail", "FloatingGroup", "GPa",
-    "GyroscopicMoment", "HertzAngle", "HertzForm", "Housing", "HousingStiffness", "MPa", "Material", "MomentShares",
-    "N", "Nm", "Nmm", "OilFlow", "Operation", "OrbitRadius", "Pa", "PointContact", "Preload", "RacewayContacts",
-    "RacewayControl", "Reason", "RingExpansion", "RingState", "Row", "Scene", "SceneError", "SceneFileError",
-    "SetSolution", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport", "Solution", "Spacer", "Status", "Study",
-    "Thermal", "TiltLever", "catalogue_numbers", "compare", "deg", "find", "kN", "kg", "kg_m3", "load_scene",
-    "load_set", "m", "message", "mm", "mrad", "open_results", "point_contact", "preload_loads", "preload_speeds",
-    "rad", "readings", "rpm", "sobol_indices", "solve", "solve_set", "stiffness", "stiffness_table",
-    "subsurface_shear", "sweep", "system_life", "to_ross", "um", "warnings", "zero_celsius",
+    "CentrifugalForce", "Conductance", "DataSheet", "ElasticRings", "ErrorDetail", "FileErrorDetail", "FloatingGroup",
+    "GPa", "GyroscopicMoment", "HertzAngle", "HertzForm", "Housing", "HousingStiffness", "InferredBearing", "MPa",
+    "Material", "MomentShares", "N", "Nm", "Nmm", "OilFlow", "Operation", "OrbitRadius", "Pa", "PointContact",
+    "Preload", "RacewayContacts", "RacewayControl", "RatingPractice", "Reason", "RingExpansion", "RingState", "Row",
+    "Scene", "SceneError", "SceneFileError", "SetSolution", "Shaft", "ShaftLoad", "ShaftSection", "ShaftSupport",
+    "Solution", "Spacer", "Status", "Study", "Thermal", "TiltLever", "catalogue_numbers", "compare", "deg", "find",
+    "infer_bearing", "kN", "kg", "kg_m3", "load_scene", "load_set", "m", "message", "mm", "mrad", "open_results",
+    "point_contact", "preload_loads", "preload_speeds", "rad", "readings", "rpm", "sobol_indices", "solve",
+    "solve_set", "stiffness", "stiffness_table", "subsurface_shear", "sweep", "system_life", "to_ross", "um",
+    "warnings", "zero_celsius",
 ]
 # fmt: on
 

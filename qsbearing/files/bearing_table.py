@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import nan
 from typing import Any
 
 import numpy as np
 
 from qsbearing.files import catalogue
+from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.table_checks import Errors, checked, choice_fields, judged, material, si, table_model
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
-from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
+from qsbearing.model.bearing import (
+    BallBearing,
+    BearingKind,
+    Outline,
+    free_angle_from_clearance,
+    pitch_and_clearance,
+)
+from qsbearing.model.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,
+    DIAMETERS,
     IN_PLACE,
     MATERIALS,
     PRINTED,
+    RACEWAYS,
     RATINGS,
     SHOULDERS,
     Key,
@@ -32,7 +42,11 @@ AGREEMENT = 0.005
 """A free contact angle and a diametral clearance given together may differ by this part of the clearance (chosen:
 tables print both to three or four digits)."""
 
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": (str | None, None)} | choice_fields("kind"))
+_OUTSIDE = {key.name for key in PRINTED}
+_EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
+"""One given replaces the other of a catalogue's entry."""
+
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": as_word} | choice_fields("kind"))
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
@@ -49,10 +63,11 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
+    good = designated(good, unusable)
     # Which the model does not need: `with_printed` has handed them on.
     printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
     of_radius = _coefficients(good, unusable, errors)
-    entry = catalogue.find(good["name"]) if "name" in good else None
+    entry = catalogue.named(good["name"]) if "name" in good else None
     diameter = good.get("ball_diameter_mm")
     if diameter is None and entry is not None and "ball_diameter_mm" not in unusable:
         diameter = entry.bearing["ball_diameter_mm"]
@@ -60,20 +75,23 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
         unusable |= set(of_radius)  # one mistake: the ball's diameter is missing
     else:
         good |= {radius: coefficient * diameter for radius, coefficient in of_radius.items()}
+    of_raceways = _raceways(good, unusable, {} if entry is None else entry.bearing, errors)
+    good |= of_raceways
     from_entry: dict[str, Any] = {}
     if entry is not None:
         label = label_of(entry, good)
         printed = kept(entry, changed_keys(entry, good)) | printed
-        either = {"free_contact_angle_deg", "diametral_clearance_mm"}  # one given replaces the entry's other
-        replaced = set(good) | unusable | (either if either & set(table) else set())
+        replaced = set(good) | unusable | (_EITHER if _EITHER & {*table, *good} else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
         good = from_entry | good
     elif "name" in good:
         lacking: Errors = []
         _find_missing(set(good) | unusable, lacking)
         if lacking:
-            absent = ", ".join(each.key.partition(".")[2] for each in lacking)
-            cause = f"{catalogue.nearest(good['name'])} A bearing of your own may have a name, but needs {absent}, too"
+            cause = catalogue.nearest(good["name"])
+            if read(good["name"]) is None:
+                absent = ", ".join(each.key.partition(".")[2] for each in lacking)
+                cause += f" A bearing of your own may have a name, but needs {absent}, too"
             errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
         label = printable(good["name"]) or label
     if entry is not None or "name" not in table:
@@ -87,8 +105,30 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     for error in wrong:
         key = error.key.partition(".")[2]
         note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
+        note = "from the raceway diameters" if key in of_raceways else note
         errors.append(FileErrorDetail(**{**vars(error), "note": note}))
     return bearing if len(errors) == before else None
+
+
+def designated(given: dict[str, Any], unusable: Iterable[str] = ()) -> dict[str, Any]:
+    """What a file gives in [bearing], with what ISO 15 and a designation that the catalogue does not hold add to it.
+
+    Kind, angle and material only where numbers of the model are lacking: a bearing of one's own may have any name.
+    """
+    name = given.get("name")
+    told = read(name) if isinstance(name, str) and catalogue.find(name) is None else None
+    found: dict[str, Any] = {}
+    if told is not None and not told.is_refused:
+        lacking: Errors = []
+        of_radius = {radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii}
+        _find_missing({*given, *unusable, *of_radius}, lacking)
+        found = {key: value for key, value in told.given.items() if lacking or key in _OUTSIDE}
+        if _EITHER & {*given, *unusable}:
+            found.pop("free_contact_angle_deg", None)
+    size = [(found | given).get(key.name) for key in DIAMETERS]
+    if all(isinstance(each, int | float) for each in size) and (width := iso15.width(*size)) is not None:
+        found = {"width_mm": width} | found
+    return {key: value for key, value in found.items() if key not in unusable} | given
 
 
 def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> dict[str, Any]:
@@ -107,6 +147,29 @@ def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> d
             errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {radii[0]}", shown, cause=cause))
         of_radius |= {radius: value for radius in radii if radius not in good and radius not in of_radius}
     return of_radius
+
+
+def _raceways(good: dict[str, Any], unusable: set[str], of_entry: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """Pitch diameter and clearance by the diameters of both raceways, which are taken out of a file's values."""
+    given = {key.name: good.pop(key.name) for key in RACEWAYS if key.name in good}
+    named = [key.name for key in RACEWAYS if key.name in given or key.name in unusable]
+    if not named:
+        return {}
+    follow = ("pitch_diameter_mm", "diametral_clearance_mm")
+    for name in (*follow, "free_contact_angle_deg"):
+        if name in good:
+            cause = "Keep one: pitch diameter, clearance and free contact angle follow from the raceway diameters"
+            errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {named[0]}", cause=cause))
+    if len(named) == 1:
+        other = next(key.name for key in RACEWAYS if key.name not in named)
+        cause = f"Both raceway diameters make the clearance; without {named[0]}, give {' and '.join(follow)}"
+        errors.append(FileErrorDetail(f"bearing.{other}", "missing", cause=cause))
+    lengths = [(of_entry | good).get(key) for key in ("ball_diameter_mm", *COEFFICIENTS["groove_radius_coefficient"])]
+    if len(given) < 2 or None in lengths or any(name in good for name in follow):
+        unusable |= set(follow)  # one mistake
+        return {}
+    (bottom, outer), (ball, radius, other_radius) = given.values(), lengths
+    return dict(zip(follow, pitch_and_clearance(bottom, outer, ball, radius, other_radius), strict=True))
 
 
 def entry_of(bearing: BallBearing) -> catalogue.Entry | None:

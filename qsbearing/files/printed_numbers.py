@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files import catalogue
-from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, entry_of, kept
+from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, designated, entry_of, kept
 from qsbearing.files.effects_table import flattened
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import ElasticRings
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     BEARING,
@@ -114,6 +114,7 @@ def _known(bearing: Any) -> dict[str, Any]:
     """What a file's [bearing] gives of such numbers, and what the catalogue prints of the one that it names."""
     if not isinstance(bearing, dict):
         return {}
+    bearing = designated(bearing)
     own = {key.name: bearing[key.name] for key in PRINTED if key.name in bearing}
     entry = catalogue.find(bearing["name"]) if isinstance(bearing.get("name"), str) else None
     if entry is None:

@@ -5,28 +5,26 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from pydantic import BaseModel
-
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.file_keys import reading_tables
-from qsbearing.files.table_checks import Errors, checked, si, table_model
+from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, si, table_model
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import near
+from qsbearing.model.validation import Field, Sentence, near
 
 
-@cache  # to make one takes milliseconds, and a search reads a file's tables a thousand times
-def _model(name: str) -> type[BaseModel]:
+@cache  # a search reads a file's tables a thousand times
+def _model(name: str) -> TableModel:
     """How a reading's table is built. What its words may be, the reading itself knows."""
     known = reading_tables()[name]
-    return table_model(name, known.keys, dict.fromkeys(known.choices, (str | None, None)))
+    return table_model(name, known.keys, dict.fromkeys(known.choices, as_word))
 
 
 def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[str, Any]]:
     """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any."""
     table = document.get("readings", {})
     if not isinstance(table, dict):
-        cause = "Write it as [readings], one table for each: [readings.life]"
-        errors.append(FileErrorDetail("readings", "is not a table", table, cause=cause))
+        how = Sentence("Write it as [{table}], one table for each: [{table}.life]", table=Field("readings"))
+        errors.append(FileErrorDetail("readings", "is not a table", table, cause=how))
         return {}
     before = len(errors)
     asked: dict[str, dict[str, Any]] = {}

@@ -14,6 +14,7 @@ from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.limits import LARGEST_FILE
+from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -27,6 +28,7 @@ from qsbearing.files.table_checks import (
     unknown_key,
 )
 from qsbearing.files.toml import read_toml
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.keys import (
     EFFECT_SECTIONS,
     OPERATION,
@@ -34,8 +36,7 @@ from qsbearing.model.scene.keys import (
     SECTIONS,
     SET_SECTIONS,
 )
-from qsbearing.model.scene.operation import CHANNELS, Operation
-from qsbearing.model.scene.preload import Preload, beside_preload
+from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import SceneError, near, printable
 
@@ -44,8 +45,8 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has beside the tables of a scene."""
-_OPERATION = table_model("operation", OPERATION, {})
-_PRELOAD = table_model("preload", PRELOAD, {})
+_OPERATION = table_model("operation", OPERATION)
+_PRELOAD = table_model("preload", PRELOAD)
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -77,7 +78,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     if source in STANDARD_INPUT:
         return read_toml(path), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
-        entry = catalogue.find(source)
+        entry = catalogue.named(source)
         if entry is None:
             cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
@@ -120,7 +121,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(document, errors)
+    document, thermal = heated(with_preload_class(document, errors), errors)
     document = with_printed(document)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors)
@@ -213,12 +214,12 @@ def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
 
 
 def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
-    """The preload of a file's table [preload], where it has one; with an operation given, judged beside it."""
+    """The preload of a file's table [preload], where it has one; checked together with an operation that is given."""
     if document.get("preload") is None:
         return None
     good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
     if operation is not None:
-        errors += map(translate, beside_preload(operation))
+        errors += map(translate, axial_channel_errors(operation))
     if not isinstance(document["preload"], dict):
         return None
     return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)

@@ -10,21 +10,22 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
 from qsbearing.files.spectrum_table import over_spectrum
-from qsbearing.files.table_checks import Errors, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
-from qsbearing.model.validation import ErrorDetail, SceneError, near
+from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
 from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
 """Tables within a row, which are judged as those of a scene are."""
 
-_ROW = table_model("rows", ROW, {"carries": (str | None, None), "sprung": (Any, None)})
+_ROW = table_model("rows", ROW, {"carries": as_word, "sprung": as_it_is})
 
 
 def load_set(source: str | os.PathLike[str]) -> BearingSet:
@@ -49,7 +50,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(document, errors)
+    document, thermal = heated(with_preload_class(document, errors), errors)
     document = with_housing_diameter(with_printed(document))
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
@@ -165,7 +166,7 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
         replace(
             each,
             key=f"{path}.{each.key.removeprefix('effects.')}",
-            cause=each.cause.replace("Write it as [", "Write it as [rows."),
+            cause=each.cause.written(lambda table: f"rows.{table}") if isinstance(each.cause, Sentence) else each.cause,
         )
         for each in errors
     ]

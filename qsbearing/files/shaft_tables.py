@@ -12,7 +12,17 @@ import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.scene_file import preload_of
-from qsbearing.files.table_checks import Errors, checked, made, material, si, table_model
+from qsbearing.files.table_checks import (
+    Errors,
+    TableModel,
+    as_it_is,
+    as_number,
+    checked,
+    made,
+    material,
+    si,
+    table_model,
+)
 from qsbearing.model.material import Material
 from qsbearing.model.scene.keys import (
     FLOATING,
@@ -38,24 +48,26 @@ from qsbearing.systems.sets.shaft import (
     Spacer,
 )
 
+_ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
+_RIGID = ". A rigid shaft takes its loads in [operation], without "
 WITHIN_SHAFT = ("sections", "loads", "supports", "points")
-_MATERIAL = {"material": (Any, None)}
-_SHAFT = table_model("shaft", SHAFT, {})
-_HOUSING = table_model("housing", HEATED, {**_MATERIAL, "outside_diameter_mm": (float | None, None)})
-_STIFFNESS = table_model("housing_stiffness", HOUSING_STIFFNESS, {"matrix_SI": (Any, None)})
-_LISTS: dict[str, tuple[Any, tuple[Key, ...], Any]] = {
+_MATERIAL = {"material": as_it_is}
+_SHAFT = table_model("shaft", SHAFT)
+_HOUSING = table_model("housing", HEATED, {**_MATERIAL, "outside_diameter_mm": as_number})
+_STIFFNESS = table_model("housing_stiffness", HOUSING_STIFFNESS, {"matrix_SI": as_it_is})
+_LISTS: dict[str, tuple[Any, tuple[Key, ...], TableModel]] = {
     "section": (ShaftSection, SECTION, table_model("sections", SECTION, _MATERIAL)),
-    "load": (ShaftLoad, SHAFT_LOAD, table_model("loads", SHAFT_LOAD, {})),
-    "support": (ShaftSupport, SHAFT_SUPPORT, table_model("supports", SHAFT_SUPPORT, {})),
+    "load": (ShaftLoad, SHAFT_LOAD, table_model("loads", SHAFT_LOAD)),
+    "support": (ShaftSupport, SHAFT_SUPPORT, table_model("supports", SHAFT_SUPPORT)),
     "spacer": (
         Spacer,
         SPACER,
-        table_model("spacers", SPACER, dict.fromkeys(("rows", "inner_material", "outer_material"), (Any, None))),
+        table_model("spacers", SPACER, dict.fromkeys(("rows", "inner_material", "outer_material"), as_it_is)),
     ),
     "floating": (
         FloatingGroup,
         FLOATING,
-        table_model("floating", FLOATING, dict.fromkeys(("rows", "preload"), (Any, None))),
+        table_model("floating", FLOATING, dict.fromkeys(("rows", "preload"), as_it_is)),
     ),
 }
 """Of each table of which there are several: what it makes, its numbers, and how it is built."""
@@ -71,8 +83,7 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
         found["shaft"] = _shaft(table, numbers, errors)
     elif numbers:
-        cause = "They make it elastic: [[shaft.sections]] with length_mm and outer_diameter_mm"
-        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=cause))
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
     if "housing" in document:
         found["housing"] = _housing(document["housing"], errors)
     found["spacers"] = tuple(_listed(document, "spacers", "spacer", "spacer", errors))
@@ -159,6 +170,9 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
             errors.append(FileErrorDetail(f"shaft.points.{name}", "is not a position", value, "mm", cause=cause))
         else:
             named[name.removesuffix("_mm")] = value * 1e-3
+    if not parts["sections"] and len(errors) == before:
+        given = " and ".join(f"[[shaft.{name}]]" for name in WITHIN_SHAFT[1:3] if name in table)
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=f"{_ELASTIC}{given and _RIGID + given}"))
     return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
 
 
@@ -200,7 +214,7 @@ def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: E
         for side in ("material", "inner_material", "outer_material"):
             if side in good:
                 given[side] = material(f"{at}.{side}", good[side], errors)
-        if "rows" in model.model_fields:
+        if "rows" in model.checks:
             rows = good.get("rows")
             if not isinstance(rows, list) or not all(type(row) is int for row in rows):
                 cause = "Numbers of rows, from 1 in the order of the file: rows = [1, 2]"

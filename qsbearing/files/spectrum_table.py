@@ -10,14 +10,14 @@ import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.table_checks import Errors, checked, table_model
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
-from qsbearing.model.scene.operation import Operation
 from qsbearing.model.scene.scene import Scene
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
 
-_POINT = table_model("spectrum", SPECTRUM, {})
+_POINT = table_model("spectrum", SPECTRUM)
 SceneOrSet = TypeVar("SceneOrSet", bound="Scene | BearingSet")
 
 

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
-from math import isnan, nan
-from typing import Annotated, Any, TypeVar
+from functools import partial
+from math import isfinite, isnan, nan
+from types import MappingProxyType
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator, create_model
 
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
-from qsbearing.model.scene.bearing import BearingKind
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
-from qsbearing.model.validation import ErrorDetail, SceneError, comma_advice, near
+from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, comma_advice, near
 
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
 """The keys of a file whose words are those of a choice."""
@@ -27,57 +28,99 @@ Errors = list[FileErrorDetail]
 Made = TypeVar("Made")
 
 
-def _or_array(value: Any, check: Any) -> Any:
-    """A study puts an array, over its cases, where a file has one number."""
-    return value if isinstance(value, np.ndarray) else check(value)
+Check = Callable[[Any, list[Any]], Any]
+"""Gives the usable value; adds to the list what it refuses."""
 
 
-def table_model(section: str, keys: tuple[Key, ...], others: dict[str, Any]) -> type[BaseModel]:
-    """How a table is built: numbers under its keys, and what else it has.
+class TableModel(NamedTuple):
+    """How a table is built."""
 
-    Strict: true is no number, and neither is "22.225". A word of a choice becomes the choice.
-    """
-    number = Annotated[float | None, WrapValidator(_or_array)]
-    fields: dict[str, Any] = {key.name: (number, None) for key in keys}
-    config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
-    return create_model(section, __config__=config, **fields | others)
+    section: str
+    checks: Mapping[str, Check]
+    """Of its keys. A value of None is one that is not given."""
 
 
-def number_list() -> Any:
-    """A field of `table_model` for a list of numbers."""
-    return Annotated[list[float] | None, WrapValidator(_or_array)], None
+def as_number(value: Any, refused: list[Any]) -> Any:
+    """A finite number: neither true nor "22.225" is one. A study puts an array, over its cases, in its place."""
+    if isinstance(value, np.ndarray):
+        return value
+    try:
+        if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value):
+            return float(value)
+    except OverflowError:
+        pass
+    refused.append(value)
+    return None
 
 
-def choice_fields(*names: str) -> dict[str, Any]:
-    """Fields of `table_model` for choices, each by its words."""
-    return {name: (CHOICES_OF_FILES[name] | None, Field(None, strict=False)) for name in names}
+def as_whole_number(value: Any, refused: list[Any]) -> Any:
+    """A number without a decimal point."""
+    return value if type(value) is int else refused.append(value)
 
 
-_MATERIAL = table_model("material", MATERIAL, {})
+def as_word(value: Any, refused: list[Any]) -> Any:
+    """Text in quotation marks."""
+    return value if isinstance(value, str) else refused.append(value)
 
 
-def checked(model: type[BaseModel], path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
+def as_it_is(value: Any, refused: list[Any]) -> Any:
+    """What is looked at later."""
+    return value
+
+
+def list_of(check: Check) -> Check:
+    """A list of such values, or an array of a study's."""
+
+    def check_list(value: Any, refused: list[Any]) -> Any:
+        if isinstance(value, np.ndarray):
+            return value
+        return [check(each, refused) for each in value] if isinstance(value, list) else refused.append(value)
+
+    return check_list
+
+
+def choice_fields(*names: str) -> dict[str, Check]:
+    """The checks of choices: a word becomes the choice."""
+
+    def check_choice(choice: type[StrEnum], value: Any, refused: list[Any]) -> Any:
+        try:
+            return choice(value)
+        except ValueError:
+            return refused.append(value)
+
+    return {name: partial(check_choice, CHOICES_OF_FILES[name]) for name in names}
+
+
+def table_model(section: str, keys: tuple[Key, ...], others: Mapping[str, Check] = MappingProxyType({})) -> TableModel:
+    """How a table is built: numbers under its keys, and what else it has."""
+    return TableModel(section, {key.name: as_number for key in keys} | dict(others))
+
+
+_MATERIAL = table_model("material", MATERIAL)
+
+
+def checked(model: TableModel, path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
     """The table's usable values; and the keys that have none although the file tries to give one."""
     if not isinstance(table, dict):
-        cause = f"Write it as [{path}], keys below it"
+        cause = Sentence("Write it as [{table}], keys below it", table=Field(path))
         errors.append(FileErrorDetail(path, "is not a table", table, cause=cause))
         return {}, set()
     unusable: set[str] = set()
-    usable = dict(table)
-    try:
-        model.model_validate(table)
-    except ValidationError as error:
-        for detail in error.errors(include_url=False):
-            name = str(detail["loc"][0])
-            usable.pop(name, None)
-            if detail["type"] == "extra_forbidden":
-                meant = unknown_key(f"{path}.{name}", name, model.__name__, table[name], errors)
-                unusable |= {meant} if meant not in table else set()
-            else:
-                errors.append(_wrong_value(f"{path}.{name}", name, detail["type"], detail["input"]))
-                unusable.add(name)
-    good = dict(model.model_validate(usable))
-    return {name: value for name, value in good.items() if value is not None}, unusable
+    good: dict[str, Any] = {}
+    for name, check in model.checks.items():
+        if table.get(name) is None:
+            continue
+        refused: list[Any] = []
+        good[name] = check(table[name], refused)
+        if refused:
+            del good[name]
+            unusable.add(name)
+            errors += [_wrong_value(f"{path}.{name}", name, each) for each in refused]
+    for name in table:
+        if name not in model.checks:
+            meant = unknown_key(f"{path}.{name}", str(name), model.section, table[name], errors)
+            unusable |= {meant} if meant not in table else set()
+    return good, unusable
 
 
 def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) -> str:
@@ -93,7 +136,7 @@ def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) 
     return meant.key
 
 
-def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail:
+def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
     if name in CHOICES_OF_FILES:
         names = list(CHOICES_OF_FILES[name])
         cause = did_you_mean(value, names) or f"One of {', '.join(names)}"
@@ -107,13 +150,12 @@ def _wrong_value(path: str, name: str, kind: str, value: Any) -> FileErrorDetail
     key = find(path)
     if key is None:
         return FileErrorDetail(path, "is not a word in quotation marks", value)
-    if kind == "finite_number" or type(value) is int:
+    if isinstance(value, int | float) and not isinstance(value, bool):
         return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
-    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
+    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}"
+    cause += "" if isinstance(value, bool) else ", without quotation marks"
     if advice := comma_advice(value):
         cause += f". {advice}"
-    elif isinstance(value, bool):
-        cause = cause.partition(", ")[0]
     return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
 
 

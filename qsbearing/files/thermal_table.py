@@ -7,14 +7,14 @@ from math import nan
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.table_checks import Errors, checked, made, si, table_model
+from qsbearing.files.table_checks import Errors, as_whole_number, as_word, checked, list_of, made, si, table_model
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
 
-_TABLE = table_model("thermal", THERMAL, dict.fromkeys(WORDS, (str | None, None)))
-_OIL = table_model("oil", OIL, {})
-_BY_NODE = {name: table_model(name, keys, {}) for name, keys in BY_NODE.items()}
-_CONDUCTANCE = table_model(CONDUCTANCES, CONDUCTANCE, {"between": (list[str] | None, None), "row": (int | None, None)})
+_TABLE = table_model("thermal", THERMAL, dict.fromkeys(WORDS, as_word))
+_OIL = table_model("oil", OIL)
+_BY_NODE = {name: table_model(name, keys) for name, keys in BY_NODE.items()}
+_CONDUCTANCE = table_model(CONDUCTANCES, CONDUCTANCE, {"between": list_of(as_word), "row": as_whole_number})
 NODE_KEYS = {
     "ring_expansion": {f"{node}_temperature_C": node for node in ("inner_ring", "outer_ring", "shaft", "housing")},
     "ball_expansion": {"ball_temperature_C": "balls"},
@@ -100,7 +100,7 @@ def _nodes(table: dict[str, Any]) -> set[str]:
 def _oil(table: Any, errors: Errors) -> OilFlow | None:
     good, unusable = checked(_OIL, "thermal.oil", table, errors)
     missing = [key.name for key in OIL if key.name not in good and key.name not in unusable]
-    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing: a flow of oil needs it") for name in missing]
+    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing", detail="a flow of oil needs it") for name in missing]
     return None if missing or unusable else OilFlow(**si(OIL, good))
 
 

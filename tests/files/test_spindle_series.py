@@ -153,8 +153,8 @@ def test_the_command_chooses() -> None:
     assert "bore_diameter_mm" in run("catalogue", "71914E").stdout
     assert run("catalogue", "--bore", "71").exit_code == 2
     assert run("catalogue", "b218", "--bore", "71").exit_code == 2
-    result = run("run", "7014")
-    assert result.exit_code == 2 and "KH7014C" in result.output
+    result = run("run", "7210")
+    assert result.exit_code == 2 and "7210C or 7210E?" in result.output and "KH" not in result.output
 
 
 def test_a_coefficient_is_the_radius_over_the_diameter() -> None:

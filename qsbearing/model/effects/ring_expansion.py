@@ -26,24 +26,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_expansion_errors import expansion_errors, section_errors
+from qsbearing.model.material import Material
+from qsbearing.model.operation import Operation
 from qsbearing.model.units import MPa, zero_celsius
 from qsbearing.model.validation import LENGTH, ErrorDetail, first, raise_if_any
-
-if TYPE_CHECKING:
-    from qsbearing.model.material import Material
-    from qsbearing.model.scene.bearing import BallBearing
-    from qsbearing.model.scene.operation import Operation
 
 
 class Body(NamedTuple):
@@ -84,6 +82,22 @@ class BodyTemperature(NamedTuple):
 
 RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
 """The ring on or in a seat, whose temperature the seat has where its own is left out."""
+
+
+class Fit(NamedTuple):
+    """A fit by its name, and the interferences that it allows, negative where loose [m]."""
+
+    name: str
+    """Of the seat: k5, JS6."""
+    tolerance_class: str
+    """Of the bearing: normal, P4."""
+    least: Any
+    most: Any
+
+    @property
+    def mean(self) -> Any:
+        return 0.5 * (self.least + self.most)
+
 
 Seat = tuple[NDArray, NDArray]
 
@@ -150,6 +164,9 @@ class RingExpansion:
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
+    shaft_fit: Fit | None = field(default=None, compare=False, repr=False)
+    housing_fit: Fit | None = field(default=None, compare=False, repr=False)
+    """Of which the interference is the mean. No solve looks at them: they tell what the limits of a fit do."""
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     """Set by the solver: 1 where the balls close the gap of elastic rings, 0 where they do not."""
@@ -168,14 +185,13 @@ class RingExpansion:
             if state.seat_pressure is not None and beyond.any():
                 fit_given = np.asarray(getattr(self, f"{seat}_interference"), float)
                 found, pressure, stress = first(beyond, fit_given, state.seat_pressure, state.equivalent_stress)
-                problem = (
-                    f"makes the {ring} ring yield: a seat pressure of {pressure / MPa:.4g} MPa stresses its bore by "
-                    f"{stress / MPa:.5g} MPa, beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
+                detail = (
+                    f"a seat pressure of {pressure / MPa:.4g} MPa stresses its bore by {stress / MPa:.5g} MPa, "
+                    f"beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
                 )
-                most = found * self.yield_strength / stress
-                errors.append(
-                    ErrorDetail(f"{self.name}.{seat}_interference", problem, found, LENGTH, (-most, most), "", beyond)
-                )
+                field, most = f"{self.name}.{seat}_interference", found * self.yield_strength / stress
+                problem = f"makes the {ring} ring yield"
+                errors.append(ErrorDetail(field, problem, found, LENGTH, (-most, most), "", beyond, detail))
         return errors
 
     def states(self, bearing: BallBearing, operation: Operation) -> tuple[RingState, RingState]:
@@ -211,6 +227,25 @@ class RingExpansion:
     def _ring_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
         inner, outer = (_strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer"))
         return inner, outer
+
+    @property
+    def fits(self) -> dict[str, Fit]:
+        """Those that are named, by their seat."""
+        found = {"shaft": self.shaft_fit, "housing": self.housing_fit}
+        return {seat: fit for seat, fit in found.items() if fit is not None}
+
+    def fit_of(self, name: str) -> Fit | None:
+        """The named fit whose mean this field is."""
+        seat, _, what = name.partition("_")
+        return self.fits.get(seat) if what == "interference" else None
+
+    @property
+    def at_limits(self) -> RingExpansion:
+        """With the least and the largest interference of each named fit, as two cases."""
+        limits: dict[str, Any] = {
+            f"{seat}_interference": np.stack([fit.least, fit.most]) for seat, fit in self.fits.items()
+        }
+        return replace(self, **limits)
 
     @property
     def without_heat(self) -> RingExpansion:

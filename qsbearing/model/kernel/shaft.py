@@ -140,25 +140,27 @@ def add_elasticity(shafts: Shafts, system: ShaftSystem, k: int) -> None:
 @kernel
 def add_row(case: recarray, work: recarray, matrix: ndarray, system: ShaftSystem, count: int) -> None:
     """Add a row's condensed system to the shaft's equations."""
+    # Arrays by names of their own, as in `eliminate_gives`.
+    channel, total, moved_by, own, solved = system.channel, system.matrix, system.moved, work.matrix, work.channel
     for p in range(work.channel_count):
         for b in range(count):
             moved = 0.0
             for q in range(work.channel_count):
-                j = work.channel[q]
-                along = matrix[j, system.channel[b]]
-                moved += work.matrix[p, q] * (along / case.length if j < 3 else along)
-            system.moved[p, b] = moved
+                j = solved[q]
+                along = matrix[j, channel[b]]
+                moved += own[p, q] * (along / case.length if j < 3 else along)
+            moved_by[p, b] = moved
     for a in range(count):
         for p in range(work.channel_count):
-            i = work.channel[p]
-            back = matrix[i, system.channel[a]]
+            i = solved[p]
+            back = matrix[i, channel[a]]
             if back == 0.0:
                 continue
             back *= case.force if i < 3 else case.force * case.length
             system.imbalance[a] += back * work.imbalance[p]
             system.right_side[a] += back * work.right_side[p]
             for b in range(count):
-                system.matrix[a, b] += back * system.moved[p, b]
+                total[a, b] += back * moved_by[p, b]
 
 
 @kernel

@@ -23,9 +23,9 @@ def save(work: recarray, balls: ndarray, name: int) -> None:
     work.snapshot_speed[name] = work.speed_factor
     for n in range(work.ball_count):
         ball = balls[n]
-        lines = ball.snapshot[name]
-        lines[0], lines[1], lines[2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
-        lines[3], lines[4], lines[5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
+        lines = ball.snapshot
+        lines[name, 0], lines[name, 1], lines[name, 2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
+        lines[name, 3], lines[name, 4], lines[name, 5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
         ball.give_snapshot[name] = ball.give
         ball.snapshot_control[name] = ball.control
 
@@ -38,9 +38,9 @@ def restore(work: recarray, balls: ndarray, name: int) -> None:
     work.largest_force = work.snapshot_force[name]
     for n in range(work.ball_count):
         ball = balls[n]
-        lines = ball.snapshot[name]
-        ball.outer_sine, ball.outer_cosine, ball.outer_approach = lines[0], lines[1], lines[2]
-        ball.inner_sine, ball.inner_cosine, ball.inner_approach = lines[3], lines[4], lines[5]
+        lines = ball.snapshot
+        ball.outer_sine, ball.outer_cosine, ball.outer_approach = lines[name, 0], lines[name, 1], lines[name, 2]
+        ball.inner_sine, ball.inner_cosine, ball.inner_approach = lines[name, 3], lines[name, 4], lines[name, 5]
         ball.give = ball.give_snapshot[name]
         ball.control = ball.snapshot_control[name]
 

@@ -12,18 +12,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.above import InNotebooks
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
-from qsbearing.model.scene.operation import Operation
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, choose, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.systems.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
 
@@ -70,6 +70,12 @@ class Row:
     def sign(self) -> float:
         """1 for a row that carries load in +x, -1 for one that carries it in -x."""
         return 1.0 if self.carries == Direction.PLUS else -1.0
+
+
+def row_name(row: Row, number: int) -> str:
+    """A row as sentences name it; rows count from 1."""
+    name = f"{row.bearing.name}, " if row.bearing.name else ""
+    return f"row {number + 1} ({name}carries {row.carries})"
 
 
 @dataclass(frozen=True)
@@ -349,8 +355,8 @@ def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
         cause = "Give sprung = true to each row whose outer ring slides and is preloaded"
         errors.append(ErrorDetail("preload.spring", "is given, but no row is sprung", cause=cause))
     if kind != "spring" and sprung:
-        cause = "Give preload.spring, or leave sprung out"
-        errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
+        cause = Sentence("Give {spring}, or leave sprung out", spring=Field("preload.spring"))
+        errors.append(ErrorDetail("preload.spring", "missing", cause=cause, detail="a row is sprung"))
     if len({str(row.carries) for row in sprung}) > 1:
         cause = "Spring only rows that carry in one direction; the other rows react against them"
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
@@ -374,9 +380,10 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
             for body in ("shaft", "housing"):
                 own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
                 if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
-                    cause = f"Give {body}.temperature only: the rows take it from there"
+                    there = Field(f"{body}.temperature")
+                    cause = Sentence("Give {there} only: the rows take it from there", there=there)
                     path = f"row {number}.ring_expansion.{body}_temperature"
-                    errors.append(ErrorDetail(path, f"differs from {body}.temperature", cause=cause))
+                    errors.append(ErrorDetail(path, Sentence("differs from {there}", there=there), cause=cause))
     return errors
 
 

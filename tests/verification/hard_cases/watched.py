@@ -5,10 +5,10 @@
 A name is a hard case's, or `random SEED`, or `trap`, which walks into each of the traps.
 
 Three traps. numpy raises on a division by zero, an overflow or an invalid operation wherever one of its numbers takes
-part, and the fields of the kernel's records are such numbers. Python itself raises ZeroDivisionError, OverflowError
-(powers, exp) and ValueError (roots and logarithms of negative numbers). What neither sees, a product or sum of plain
-floats that overflows without a word, is caught by looking at every local variable of every kernel function at the
-moment when it returns: none may be infinite or not a number.
+part, and the fields of the kernel's records are such numbers: it is given them as they are, not as `Entry.plain` does.
+Python itself raises ZeroDivisionError, OverflowError (powers, exp) and ValueError (roots and logarithms of negative
+numbers). What neither sees, a product or sum of plain floats that overflows without a word, is caught by looking at
+every local variable of every kernel function at the moment when it returns: none may be infinite or not a number.
 
 Underflow is let pass: a product below 1e-308 becomes zero or loses digits beside numbers of order one, and both are
 harmless where every quantity is in units of the bearing.
@@ -27,6 +27,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing.model.compiler.compiled import Entry
 from tests.qsbearing.scenes import B218, INNER, OUTER, PER_BALL, turning
 from tests.verification.hard_cases.scenes import BY_NAME, scene_of
 
@@ -83,17 +84,23 @@ def squared(x: float) -> float:
     return 1.0 / square
 
 
+def with_traps(entry: Entry, *args: Any) -> Any:
+    """In place of `Entry.plain`, which lets numbers be none and gives the kernel Python's."""
+    return entry.function(*args)
+
+
 def trap() -> dict[str, Any]:
     """What the traps catch when something walks into them."""
     watch = Watch(Path(__file__).parent)
     raised = []
+    entry = Entry(squared)
     with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
         sys.setprofile(watch)
         squared(1e200)
         sys.setprofile(None)
         for walk in (
             lambda: squared(np.float64(1e200)),
-            lambda: squared(np.float64(0.0)),
+            lambda: entry(np.float64(0.0)),
             lambda: squared(np.float64("inf") - np.float64("inf")),
         ):
             try:
@@ -126,4 +133,5 @@ def watched(name: str) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
+    Entry.plain = with_traps  # type: ignore[method-assign]
     print(json.dumps({name: watched(name) for name in sys.argv[1:]}))

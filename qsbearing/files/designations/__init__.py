@@ -1,0 +1,5 @@
+"""What a designation tells of a bearing: boundary dimensions, kind, contact angle; and what it does not tell."""
+
+from qsbearing.files.designations.designation import Designation, read
+
+__all__ = ["Designation", "read"]

@@ -1,0 +1,174 @@
+"""The bearings that a data sheet allows, each of its ball sets with the least, usual and largest groove radius."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.inference.ball_sets import BallSets
+from qsbearing.inference.data_sheet import DataSheet, sheet_errors
+from qsbearing.inference.narrowing import Range, range_of, shares_removed
+from qsbearing.inference.practice import ACCEPTED, FACTORS, HOW_TO_STATE, ISO, OWN_GROOVE, RatingPractice, practice_of
+from qsbearing.inference.ratings_fit import Fitted, fitted, joined
+from qsbearing.inference.rigidity import grooves_of_rigidity, pair_rigidity
+from qsbearing.model.bearing import BallBearing, BearingKind, Outline
+from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know
+from qsbearing.model.validation import ErrorDetail, SceneError, raise_if_any
+
+PAGE = "data_sheet"
+TYPICAL_PRELOAD = 0.01
+"""Part of C at which a rigidity is predicted that nobody gave: about a medium preload."""
+MOST_LISTED = 30
+"""Sets; those with the largest misfit are left out."""
+GROOVES = [1, 0, 2]
+"""The three cases of a set: its usual groove radius, the least and the largest."""
+
+
+@dataclass(frozen=True)
+class InferredBearing:
+    """Every bearing that a data sheet allows, best first; arrays of shape (case,), three cases to a ball set."""
+
+    bearing: BallBearing
+    """All of them: its numbers are arrays, which span the cases of a scene. Of a set's three cases the first has its
+    usual groove radius, the others have the least and the largest."""
+    set_number: NDArray
+    """Which cases have the same balls; from 0."""
+    misfit: NDArray
+    """How badly its ratings fit: a sum of squares over usual deviations. Not a probability."""
+    practice: NDArray
+    """What C and C0 were read as."""
+    sheet: DataSheet
+    remarks: tuple[RankedWarning, ...] = ()
+
+    def at(self, case: int) -> BallBearing:
+        """The bearing of one case; of case 0 that which fits best, which often is not the true one."""
+        names = ("ball_count", "ball_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
+        return replace(self.bearing, **{name: getattr(self.bearing, name)[case].item() for name in names})
+
+    @staticmethod
+    def range_of(values: ArrayLike) -> Range:
+        """The least and largest of a result, shape (case,), and the cases that have them; NaN where none is solved."""
+        return range_of(np.asarray(values, float))
+
+    def shares_removed(self, values: ArrayLike) -> dict[str, float]:
+        """What part of a result's range would go, on average, if one more number were known.
+
+        Args:
+            values: of the result, shape (case,).
+
+        Returns:
+            By `ball_count`, `ball_diameter` and `pair_rigidity`, those that are not given; 0: nothing, 1: all of it.
+        """
+        names = [name for name in ("ball_count", "ball_diameter") if getattr(self.sheet, name) is None]
+        known = {name: np.asarray(getattr(self.bearing, name)) for name in names}
+        rigidity = self._rigidity if self.sheet.pair_rigidity is None else None
+        return shares_removed(np.asarray(values, float), self.set_number, known, rigidity)
+
+    @cached_property
+    def _rigidity(self) -> NDArray:
+        return pair_rigidity(self.bearing, TYPICAL_PRELOAD * self.sheet.dynamic_load_rating)
+
+
+def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> InferredBearing:
+    """The ball sets and groove radii that a row of a catalogue allows: always a list.
+
+        found = qs.infer_bearing(
+            bore_diameter=50 * qs.mm, outside_diameter=80 * qs.mm, free_contact_angle=15 * qs.deg,
+            dynamic_load_rating=26_900, static_load_rating=23_100, maker="NTN",
+        )
+        solution = qs.solve(qs.Scene(found.bearing, qs.Operation(axial_load=300.0)))
+        found.range_of(solution.stiffness[..., 0, 0])
+
+    C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
+    `rating_practice`. A known `ball_count`, `ball_diameter`, `pitch_diameter`, `f0`, `groove_radius_coefficient` or a
+    `pair_rigidity` at its `pair_preload` shortens the list or its ranges.
+
+    Args:
+        sheet: the data sheet; its fields may be given by keyword instead.
+
+    Returns:
+        Every set within the practice's tolerance, as cases of one bearing.
+
+    Raises:
+        SceneError: what is wrong with the numbers; that no set has them; or that nothing tells the practice.
+
+    Sources: ISO 281:2007, ISO 76:2006; what makers do with them was measured on rows of five catalogues (guide page
+    data_sheet).
+    """
+    sheet = DataSheet(**numbers) if sheet is None else replace(sheet, **numbers)
+    raise_if_any(sheet_errors(sheet))
+    sheet = replace(sheet, kind=BearingKind(sheet.kind))
+    practice = practice_of(sheet.maker, sheet.rating_practice, tuple(getattr(sheet, name) for name in FACTORS))
+    remarks: list[RankedWarning] = []
+    found = _unstated(sheet, remarks) if practice is None else fitted(sheet, practice)
+    if not found.misfit.size and practice is not None:
+        raise SceneError([_no_set(sheet, practice.kind)])
+    if found.misfit.size > MOST_LISTED:
+        remarks.append(check_data(f"of {found.misfit.size} ball sets the {MOST_LISTED} that fit best are solved", PAGE))
+        found = found.taken(np.arange(MOST_LISTED))
+    known = sheet.groove_radius_coefficient
+    if sheet.pair_rigidity is not None and sheet.pair_preload is not None and known is None:
+        groove, is_met = grooves_of_rigidity(
+            lambda f: _bearing(sheet, found.sets, f), sheet.pair_rigidity, sheet.pair_preload, found.groove[:, 1]
+        )
+        found = found._replace(groove=groove).taken(is_met)
+        if not found.misfit.size:
+            problem = "no ball set with these ratings has it at its preload, whatever the groove radius"
+            cause = "Axial, of a back-to-back pair: twice the stiffness of one bearing under the preload"
+            raise SceneError([ErrorDetail("bearing.pair_rigidity", problem, sheet.pair_rigidity, cause=cause)])
+    elif known is None and (found.practice != RatingPractice.OWN_GROOVE).any():
+        remarks.append(
+            good_to_know("the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed", PAGE)
+        )
+    f = found.groove[:, GROOVES].reshape(-1)
+    repeated = [np.repeat(each, len(GROOVES)) for each in (*found.sets, found.misfit, found.practice)]
+    number = np.repeat(np.arange(found.misfit.size), len(GROOVES))
+    bearing = _bearing(sheet, BallSets(*repeated[:2]), f)
+    return InferredBearing(bearing, number, repeated[2], repeated[3], sheet, tuple(remarks))
+
+
+def _unstated(sheet: DataSheet, remarks: list[RankedWarning]) -> Fitted:
+    """Where nobody states the practice: ISO's, if both ratings agree closely, beside own grooves; else it asks."""
+    if not fitted(sheet, replace(ISO, within=ACCEPTED)).misfit.size:
+        problem = "cannot be read: nothing states what the ratings mean, and they are not ISO's as printed"
+        cause = f"{HOW_TO_STATE}. Without it a ball set that seems to fit is mostly wrong"
+        raise SceneError([ErrorDetail("bearing.dynamic_load_rating", problem, sheet.dynamic_load_rating, cause=cause)])
+    remarks.append(
+        check_data(
+            "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
+            "are read so and as those of the bearing's own grooves",
+            PAGE,
+        )
+    )
+    return joined([fitted(sheet, ISO), fitted(sheet, OWN_GROOVE)])
+
+
+def _no_set(sheet: DataSheet, kind: RatingPractice) -> ErrorDetail:
+    how = {
+        RatingPractice.ISO: "by ISO 281 and ISO 76",
+        RatingPractice.OWN_GROOVE: "with grooves of f = 0.508 to 0.535",
+        RatingPractice.SERIES_FACTORS: "by ISO 281 and ISO 76 times the factors",
+    }[kind]
+    known = ", ".join(name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None)
+    problem = f"no ball set between these rings has these ratings {how}{f', with this {known}' if known else ''}"
+    cause = (
+        "Of one row, in newtons? Series of light balls, such as GMN's KH, follow neither: "
+        f'rating_practice = "series_factors" with {" and ".join(FACTORS)}'
+    )
+    return ErrorDetail("bearing.static_load_rating", problem, sheet.static_load_rating, cause=cause)
+
+
+def _bearing(sheet: DataSheet, sets: BallSets, f: NDArray) -> BallBearing:
+    fields: dict[str, Any] = {
+        "ball_count": sets.counts, "ball_diameter": sets.diameters, "pitch_diameter": sheet.pitch,
+        "inner_groove_radius": f * sets.diameters, "outer_groove_radius": f * sets.diameters,
+        "ball_material": sheet.ball_material, "ring_material": sheet.ring_material,
+        "kind": sheet.kind, "name": sheet.name, "outline": Outline(sheet.bore_diameter, sheet.outside_diameter),
+    }  # fmt: skip
+    if sheet.diametral_clearance is not None:
+        return BallBearing.from_diametral_clearance(diametral_clearance=sheet.diametral_clearance, **fields)
+    return BallBearing(free_contact_angle=np.full(f.shape, sheet.free_contact_angle), **fields)

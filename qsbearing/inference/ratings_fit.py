@@ -1,0 +1,157 @@
+"""Which ball sets have the printed ratings, under one practice; with the groove radii that follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.inference.ball_sets import INCH_SIZES, METRIC_SIZES, BallSets, possible_sets
+from qsbearing.inference.data_sheet import DataSheet
+from qsbearing.inference.practice import Practice, RatingPractice
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.material import STEEL, Material
+from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating
+from qsbearing.readings.static_rating import static_load_rating
+
+ISO_STEEL = replace(STEEL, elastic_modulus=207e9)
+"""Of ISO 76. With it C and C0 of 85 spindle bearings ask for the same f, on average to 0.00005."""
+ISO_GROOVES = 0.52, 0.53
+"""f of the inner and the outer groove that ISO's tables stand for."""
+ISO_F = 0.515, 0.520, 0.525
+"""Where the ratings are ISO's, which tell no groove: least, usual, largest. The rigidities of 46 pairs of a maker whose
+ratings are ISO's ask for 0.5167 to 0.5214."""
+OWN_F_OFFSETS = np.array([0.0003, 0.0013, 0.0035])
+"""What the f that rigidities ask for has above that of C0: least, usual, largest (of 85 rows nine in ten)."""
+OWN_F_RANGE = 0.508, 0.535
+"""f of C0 that are believed."""
+OWN_F_PRIOR, OWN_F_SPREAD = 0.5195, 0.0045
+"""Usual f of rigidities, by which sets are ordered that the ratings do not tell apart."""
+SPREAD, OWN_SPREAD = 0.004, 0.008
+"""Usual misfit of a rating, of ISO's and of own grooves."""
+LARGEST_ROUNDING = 0.01
+F0_AGREEMENT = 0.01
+"""How far makers' f0 are from exact ones, beside their rounding: they are read from a table by steps of gamma."""
+LARGEST_F0 = 16.5
+"""Of ISO 76. Some rows of thin sections print more, which tells nothing."""
+STEEPNESS = -30.0
+"""d ln C0/df, about."""
+
+
+class Fitted(NamedTuple):
+    """Ball sets that have the printed ratings; arrays of shape (set,)."""
+
+    sets: BallSets
+    groove: NDArray
+    """f least, usual and largest, shape (set, 3)."""
+    misfit: NDArray
+    """Sum of squares over the usual deviations."""
+    practice: NDArray
+    """In a word."""
+
+    def taken(self, which: NDArray) -> Fitted:
+        """Those of a mask or of numbers."""
+        return Fitted(self.sets.taken(which), self.groove[which], self.misfit[which], self.practice[which])
+
+
+def joined(found: list[Fitted]) -> Fitted:
+    """All of them, best first."""
+    counts, diameters = (np.concatenate([each.sets[i] for each in found]) for i in (0, 1))
+    groove, misfit, practice = (np.concatenate([each[i] for each in found]) for i in (1, 2, 3))
+    order = np.argsort(misfit, kind="stable")
+    return Fitted(BallSets(counts, diameters), groove, misfit, practice).taken(order)
+
+
+def fitted(sheet: DataSheet, practice: Practice) -> Fitted:
+    """Every set that has the printed ratings within what the practice allows, best first.
+
+    Sizes in millimetres are looked at where no size in inches fits. C0 of ceramic balls is read as that of steel balls,
+    as some makers print it, and as that of 4200 MPa.
+    """
+    is_hybrid = np.asarray(sheet.ball_material.elastic_modulus) > 1.2 * np.asarray(sheet.ring_material.elastic_modulus)
+    balls = [ISO_STEEL, sheet.ball_material] if is_hybrid else [ISO_STEEL]
+    inch, metric = (
+        joined([_fitted(sheet, practice, possible_sets(sheet, sizes), each) for each in balls])
+        for sizes in (INCH_SIZES, METRIC_SIZES)
+    )
+    return inch if inch.misfit.size else metric
+
+
+def rounding(value: float) -> float:
+    """Half of the last printed digit over the value, as far as its trailing zeros tell."""
+    digits = f"{value:.0f}"
+    return min(0.5 * 10.0 ** (len(digits) - len(digits.rstrip("0"))) / value, LARGEST_ROUNDING)
+
+
+def _fitted(sheet: DataSheet, practice: Practice, sets: BallSets, balls: Material) -> Fitted:
+    is_own = practice.kind == RatingPractice.OWN_GROOVE
+    standard, known = rated(sheet, sets, *ISO_GROOVES, balls), sheet.groove_radius_coefficient
+    spread = OWN_SPREAD if is_own else SPREAD
+    if is_own:
+        f = _groove_of_static_rating(sheet, sets, balls)
+        dynamic = np.log(sheet.dynamic_load_rating / dynamic_load_rating(rated(sheet, sets, f, f, balls)))
+        static, groove = np.zeros(f.shape), f[:, None] + OWN_F_OFFSETS
+        good = (f >= OWN_F_RANGE[0]) & (f <= OWN_F_RANGE[1])
+        good &= known is None or np.abs(groove - (known or 0.0)).min(axis=1) < np.ptp(OWN_F_OFFSETS)
+    else:
+        dynamic = np.log(sheet.dynamic_load_rating / dynamic_load_rating(standard, Rating.ISO_281))
+        dynamic = dynamic - np.clip(dynamic, *np.log(practice.dynamic_factor))
+        static = np.log(sheet.static_load_rating / static_load_rating(standard) / practice.static_factor)
+        good, groove = np.ones(static.shape, bool), np.broadcast_to(ISO_F, (*static.shape, 3))
+    roundings = [rounding(each) for each in (sheet.dynamic_load_rating, sheet.static_load_rating)]
+    misfit = (groove[:, 1] - OWN_F_PRIOR) ** 2 / OWN_F_SPREAD**2
+    for deviation, least in zip((dynamic, static), roundings, strict=True):
+        good &= np.abs(deviation) <= practice.within + least  # NaN where no table reaches
+        misfit = misfit + (deviation / (spread + 0.5 * least)) ** 2
+    groove = groove if known is None else np.full(groove.shape, known)
+    practices = np.full(misfit.shape, str(practice.kind))
+    return Fitted(sets, groove, misfit, practices).taken(good & _has_f0(sheet, standard))
+
+
+def rated(sheet: DataSheet, sets: BallSets, inner_f: ArrayLike, outer_f: ArrayLike, balls: Material) -> BallBearing:
+    """These sets as the rating standards see them, where the clearance of a deep groove bearing does not matter."""
+    return BallBearing(
+        sets.counts, sets.diameters, sheet.pitch, inner_f * sets.diameters, outer_f * sets.diameters,
+        sheet.free_contact_angle or 0.0, ball_material=balls, ring_material=ISO_STEEL, kind=sheet.kind,
+    )  # fmt: skip
+
+
+def _has_f0(sheet: DataSheet, standard: BallBearing) -> NDArray:
+    """Whether the sets have the printed f0, which tells the ball diameter."""
+    if sheet.f0 is None or sheet.f0 > LARGEST_F0:
+        return np.ones(np.shape(standard.ball_count), bool)
+    numbers = BearingNumbers(standard)
+    size = numbers.ball_count * numbers.ball_diameter**2 * np.cos(numbers.nominal_angle)
+    last_digit = 0.5 if sheet.f0 == round(sheet.f0) else 0.05
+    return np.abs(1e-6 * static_load_rating(standard) / size - sheet.f0) <= F0_AGREEMENT * sheet.f0 + last_digit
+
+
+def _groove_of_static_rating(sheet: DataSheet, sets: BallSets, balls: Material) -> NDArray:
+    """f, equal in both rings, with which each set has the printed C0."""
+
+    def excess(f: NDArray) -> NDArray:
+        rating = static_load_rating(rated(sheet, sets, f, f, balls))
+        return np.asarray(np.log(rating / sheet.static_load_rating))
+
+    start = np.full(sets.counts.shape, OWN_F_PRIOR)
+    return secants(excess, start, STEEPNESS, (OWN_F_RANGE[0] - 0.003, OWN_F_RANGE[1] + 0.005))
+
+
+def secants(excess: Callable[[NDArray], NDArray], f: NDArray, slope: float, limits: tuple[float, float]) -> NDArray:
+    """Where each element is zero of what falls with f, nearly straight; at a limit where it is beyond.
+
+    Args:
+        slope: about how it falls.
+    """
+    above, slopes = excess(f), np.full(f.shape, slope)
+    for _ in range(4):
+        before, f = f, np.clip(f - above / slopes, *limits)
+        higher, above = above, excess(f)
+        moved = np.where(f == before, 1.0, f - before)
+        found = (above - higher) / moved
+        slopes = np.where((f != before) & (found < 0.1 * slope), found, slope)
+    return f

@@ -1,0 +1,99 @@
+"""Records as plain Python objects: what the kernel is given when it runs as the Python that it is.
+
+A field of a numpy record takes Python microseconds to reach, an attribute nanoseconds: a plain solve would spend nine
+tenths of its time on the way to its numbers. So records become objects that hold Python's numbers, made when the kernel
+first looks at them and written back when it returns; several numbers in one field are a view of the array's own memory.
+
+Python's numbers give the digits that numpy's do, but raise where numpy's would be infinite or none, and the root of a
+negative number is complex. Neither happens on the way to an equilibrium that is found; where it does, the kernel runs
+again, on numpy's records.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache
+from operator import attrgetter
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Records(dict[Any, Any]):
+    """An array of records, as far as the kernel looks at it: by numbers of all axes, or of the first ones."""
+
+    def __init__(self, array: NDArray) -> None:
+        super().__init__()
+        self.array, self.shape, self.size = array, array.shape, array.size
+        self._single, self._several, self._names, self._numbers = _fields(array.dtype)
+        self._numbers_of = array.view(self._single)
+        self._views = [array[name] for name in self._several]
+
+    def __missing__(self, place: Any) -> Any:
+        """Made at the first look."""
+        index = place if isinstance(place, tuple) else (place,)
+        if len(index) < self.array.ndim:
+            found: Any = Records(self.array[index])
+        else:
+            found = SimpleNamespace(**dict(zip(self._names, self._numbers_of.item(*index), strict=True)))
+            for name, view in zip(self._several, self._views, strict=True):
+                setattr(found, name, view[index].data)
+        self[place] = found
+        return found
+
+    def write_back(self) -> None:
+        """Into the array."""
+        for place, found in self.items():
+            if isinstance(found, Records):
+                found.write_back()
+            else:
+                self._numbers_of[place] = self._numbers(found)
+
+
+@cache
+def _fields(of: np.dtype) -> tuple[np.dtype, list[str], list[str], Callable[[Any], tuple[Any, ...]]]:
+    """(the record without its fields of several numbers, the names of those, the others', what reads the others)."""
+    fields = dict(of.fields or {})
+    several = [name for name, (kind, *_) in fields.items() if kind.subdtype is not None]
+    names = [name for name in fields if name not in several]
+    formats, offsets = [fields[name][0] for name in names], [fields[name][1] for name in names]
+    single = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": of.itemsize})
+    return single, several, names, attrgetter(*names)
+
+
+def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    """What a function of the kernel returns, its records as plain objects."""
+    given = {id(array): array for array in _arrays(args)}
+    before = [array.copy() for array in given.values()]
+    records = {key: Records(array) for key, array in given.items() if array.dtype.names}
+    try:
+        found = function(*(_plain(each, records) for each in args))
+    except (ArithmeticError, ValueError, TypeError):
+        for array, as_it_was in zip(given.values(), before, strict=True):
+            array[...] = as_it_was
+        return function(*args)
+    for each in records.values():
+        each.write_back()
+    return found
+
+
+def _arrays(args: Iterable[Any]) -> Iterator[NDArray]:
+    for each in args:
+        if isinstance(each, np.ndarray):
+            yield each
+        elif isinstance(each, tuple):
+            yield from _arrays(each)
+
+
+def _plain(arg: Any, records: dict[int, Records]) -> Any:
+    """Records as objects; within a tuple, also arrays that are always looked at number by number."""
+    if not isinstance(arg, tuple):
+        return records.get(id(arg), arg)
+    parts = [each.data if _is_small(each) else _plain(each, records) for each in arg]
+    return arg._make(parts) if hasattr(arg, "_make") else tuple(parts)
+
+
+def _is_small(arg: Any) -> bool:
+    return isinstance(arg, np.ndarray) and arg.ndim <= 2 and not arg.dtype.names

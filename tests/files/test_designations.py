@@ -1,0 +1,191 @@
+"""Designations: what their parts say, by maker, and what they are never taken for."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import pytest
+
+from qsbearing.files import catalogue
+from qsbearing.files.bearing_table import bearing_of
+from qsbearing.files.designations import Designation, iso15, read
+from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.model.units import deg, mm
+
+
+def told(text: str) -> Designation:
+    found = read(text)
+    assert found is not None, text
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "size", "angle"),
+    [
+        ("7014C", (70, 110, 20), 15),
+        ("SKF 7014 CD/P4ADBA", (70, 110, 20), 15),
+        ("7210 ACD", (50, 90, 20), 25),
+        ("7210 BEP", (50, 90, 20), 40),
+        ("7210-B-TVP", (50, 90, 20), 40),
+        ("FAG B7014-E-T-P4S-UL", (70, 110, 20), 25),
+        ("7910A5TYNSULP4", (50, 72, 12), 25),
+        ("NSK 7210", (50, 90, 20), 30),
+        ("NTN 7014UCG", (70, 110, 20), 15),
+        ("GMN S 61914 C TA", (70, 100, 16), 15),
+        ("KH 6014 C TA", (70, 110, 20), 17),
+        ("SEA 60 7CE1 DDL", (60, 78, 10), 15),
+        ("E 2 40 CE3", (40, 80, 18), 25),
+        ("727C", (7, 22, 7), 15),
+        ("719-5C", (5, 13, 4), 15),
+        ("6205-2RS/C3", (25, 52, 15), None),
+        ("62/22", (22, 50, 14), None),
+        ("608-2Z", (8, 22, 7), None),
+        ("16005", (25, 47, 8), None),
+        ("6804", (20, 32, 7), None),
+    ],
+)
+def test_series_bore_and_suffix(text: str, size: tuple[float, ...], angle: float | None) -> None:
+    found = told(text)
+    assert (found.bore, found.outside, found.width) == size
+    assert found.angle == angle
+    assert found.kind == ("deep_groove" if angle is None else "angular_contact")
+
+
+def test_a_suffix_on_which_makers_differ_is_asked_about() -> None:
+    assert told("7014E").angle is None and set(told("7014E").angles) == {("FAG", 25), ("GMN", 25)}
+    assert told("SKF 7014 E").angle is None and told("FAG 7014E").angle == 25
+    assert told("7210A").angle is None and told("NSK 7210A").angle == 30
+    assert "30 (NSK) or 25 (AKE) deg" in catalogue.nearest("7210A")
+    assert told("7210").angle is None
+
+
+def test_classes_sets_and_balls_are_read() -> None:
+    found = told("7014CTYNDBLP4")
+    assert (found.arrangement, found.preload, found.tolerance_class, found.ignored) == ("DB", "light", "P4", "TYN")
+    assert told("SKF 7014 CD/P4ADBB").preload == "medium"
+    for text in ("HCB71914-C-T-P4S", "7014 CE/HC", "HY S 61914 C TA"):
+        assert told(text).ball_material == "silicon nitride"
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("QJ 210", "four-point"),
+        ("NU 2210 ECP", "cylindrical"),
+        ("N210", "cylindrical"),
+        ("30205", "tapered"),
+        ("22215", "spherical roller"),
+        ("2215", "self-aligning"),
+        ("1205", "self-aligning"),
+        ("51105", "thrust"),
+        ("234410", "double-direction"),
+        ("7602050", "screws"),
+        ("30TAC62B", "screws"),
+        ("70BNR10STYNDBLP4", "18 (BNR)"),
+        ("3210", "double-row angular"),
+        ("4205", "double-row deep-groove"),
+        ("62205-2RS", "wide"),
+    ],
+)
+def test_other_kinds_are_refused_by_name(text: str, what: str) -> None:
+    assert what in told(text).what
+    assert catalogue.find(text) is None
+    advice = catalogue.nearest(text)
+    assert what in advice and "Did you mean" not in advice
+
+
+def test_a_double_row_is_printed_as_the_set_that_it_is() -> None:
+    rows = 'rows = [{ position_mm = 0, carries = "+x" }, { position_mm = s, carries = "-x" }]'
+    assert rows in catalogue.nearest("3210")
+
+
+def test_advice_crosses_neither_angle_nor_series_nor_kind() -> None:
+    for text in ("7210BE", "7014C", "QJ210", "NU210", "3210", "7014E", "6210", "KH7210C", "7010C"):
+        assert "Did you mean" not in catalogue.nearest(text), text
+        assert "KH7014" not in catalogue.nearest(text)
+    assert catalogue.nearest("71914").endswith("Did you mean 71914C or 71914E?")
+
+
+def test_a_designation_that_means_an_entry_is_that_entry() -> None:
+    for text, name in (
+        ("GMN S 61914 C TA", "71914C"),
+        ("HY S 61914 E", "71914E_hybrid"),
+        ("KH 6014 C", "KH7014C"),
+        ("7210 C", "7210C"),
+        ("S 619/5 C TA", "719-5C"),
+    ):
+        entry = catalogue.find(text)
+        assert entry is not None and entry.name == name
+    # Another maker's balls are others; the entry is named, not taken.
+    for text in ("SKF 71914 CD", "7914C", "7910CTYNDBLP4"):
+        assert catalogue.find(text) is None
+    assert "name = '71910C'" in catalogue.nearest("7910CTYNDBLP4")
+    with pytest.warns(UserWarning, match='7210C-P4: read as 7210C; not used: P4: tolerance_class = "P4"'):
+        document_of("7210C-P4")
+
+
+def test_every_entry_of_the_catalogue_is_read_as_itself() -> None:
+    for each in catalogue.chosen():
+        found = told(each.name)
+        assert found.bore == each.dimensions["bore_diameter_mm"], each.name
+        assert (found.outside, found.width) == tuple(
+            each.dimensions[f"{key}_mm"] for key in ("outside_diameter", "width")
+        )
+
+
+def test_names_that_are_no_designations() -> None:
+    for text in ("B218", "turbopump25", "my bearing", "", "x" * 200, "721OC", "-", "7/", "00000", "60/"):
+        assert read(text) is None or text == "60/", text
+
+
+OWN = {
+    "ball_count": 9, "ball_diameter_mm": 7.938, "pitch_diameter_mm": 38.5, "groove_radius_coefficient": 0.52,
+    "diametral_clearance_mm": 0.01, "ball_material": "steel", "ring_material": "steel",
+}  # fmt: skip
+
+
+def scene(**bearing: Any) -> Any:
+    return scene_of({"bearing": bearing, "operation": {"axial_load_N": 100.0}}, "a file")
+
+
+def test_what_a_designation_lacks_is_asked_for_once() -> None:
+    errors: list[Any] = []
+    assert bearing_of({"bearing": {"name": "7014CD"}}, "", errors) is None
+    (error,) = errors
+    assert "70 x 110 x 20 mm" in error.cause and "15 deg" in error.cause and "dynamic_load_rating_N" in error.cause
+
+
+def test_a_designation_gives_its_dimensions_and_what_is_left_out() -> None:
+    numbers = {key: value for key, value in OWN.items() if key not in ("diametral_clearance_mm", "ball_material")}
+    given = scene(**{**numbers, "name": "SKF 7205 CD/HC", "ring_material": "steel"}, ball_material="steel").bearing
+    assert given.free_contact_angle == pytest.approx(15 * deg)
+    assert given.ball_material.name == "steel", "what is given stays"
+    assert (given.outline.bore_diameter, given.outline.outside_diameter, given.outline.width) == pytest.approx(
+        (25 * mm, 52 * mm, 15 * mm)
+    )
+
+
+def test_a_complete_bearing_may_have_any_name() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = scene(**OWN, name="6205").bearing
+        assert found.kind == "angular_contact" and found.outline.width == pytest.approx(15 * mm)
+        assert scene(**OWN, name="NU210").bearing.outline is None
+
+
+def test_the_width_follows_from_the_diameters() -> None:
+    found = scene(**OWN, bore_diameter_mm=25, outside_diameter_mm=52).bearing.outline
+    assert found.width == pytest.approx(15 * mm)
+    assert scene(**OWN, bore_diameter_mm=25, outside_diameter_mm=53).bearing.outline.width is None
+    assert iso15.width(30.0, 55.0) == 13.0, "series 10 before 00"
+
+
+def test_the_table_of_boundary_dimensions() -> None:
+    sizes = iso15.table()
+    assert len(sizes) == 230
+    for (series, bore), (outside, width) in sizes.items():
+        assert bore < outside <= 4 * bore and 0.1 < width / (outside - bore) < 1.0, (series, bore)
+    for series in ("18", "19", "00", "10", "02", "03", "04"):
+        outsides = [size[0] for (each, _), size in sizes.items() if each == series]
+        assert outsides == sorted(outsides)
