@@ -11,7 +11,7 @@ from qsbearing.documents.model import Block, Md, Paragraph, Picture, Section
 
 VERIFICATION = (
     "Half-spaces and a parabolic gap, where Hertz is exact, so that every per cent of deviation is an error. A row "
-    "passes if deviation and uncertainty together stay within a tolerance of one to two times the uncertainty. Contacts of one "
+    "passes if deviation and uncertainty together stay within a tolerance of one to two times that. Contacts of one "
     "shape are similar at every load: one row covers all the loads that it names, and says where it is worst."
 )
 COMPARISON = (
