@@ -183,7 +183,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         "Hertz's formulas against closed forms derived a second time.",
         lambda facts: f"Within {_hertz['largest_percent']:.0e} %",
-        "fem-check run hertz_formula",
+        "pytest tests/fem_check/test_references.py",
         _ellipticity,
     ),
     Statement(
