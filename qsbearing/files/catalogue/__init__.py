@@ -121,7 +121,8 @@ def _told(told: Designation) -> str:
     if told.kind == "angular_contact" and told.angle is None:
         of_angle = {angle: [maker for maker, each in told.angles if each == angle] for _, angle in told.angles}
         means = " or ".join(f"{angle:g} ({', '.join(makers)})" for angle, makers in of_angle.items())
-        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and not told.ignored else ""
+        is_open = not (told.ignored and means) and told.maker in ("", "GMN")
+        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
         suffix = f"suffix {told.ignored.partition(' ')[0]} means" if told.ignored else "no suffix means"
         ask = f"{suffix} {means} deg" if means else "its suffix tells no angle"
         return f"It is {told.size}, but {ask}: put the maker before it, or give free_contact_angle_deg.{found}"
