@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BearingKind
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
+from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS

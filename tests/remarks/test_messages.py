@@ -18,8 +18,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
-from qsbearing.model.contact.first_yield import first_yield_pressure
-from qsbearing.model.contact.hertz import subsurface_shear
+from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
