@@ -17,14 +17,15 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import OF_EACH_ROW
 from qsbearing.systems.heat.network import Thermal
+from qsbearing.systems.heat.state import Part
 
-INLET = "oil inlet"
+INLET = Part("oil inlet")
 """What the oil's flow leads to, among the paths of heat."""
 
 
-def own_name(node: str, row: int, rows: int) -> str:
+def own_name(node: str, row: int, rows: int) -> Part:
     """A node of one row, or a shared one."""
-    return f"{node} {row + 1}" if rows > 1 and node in OF_EACH_ROW else node
+    return Part(node, row if rows > 1 and node in OF_EACH_ROW else None)
 
 
 class HeatBalance:
@@ -59,7 +60,7 @@ class HeatBalance:
                     key = (other, one) if (other, one) in found else (one, other)
                     found[key] = found.get(key, 0.0) + each.conductance
         if self.thermal.oil is not None:
-            found["oil", INLET] = self.thermal.oil.conductance
+            found[Part("oil"), INLET] = self.thermal.oil.conductance
         return tuple((*ends, conductance) for ends, conductance in found.items())
 
     def _matrix(self) -> tuple[NDArray, NDArray]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
@@ -16,9 +15,27 @@ from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.systems.heat.network import Thermal
 
 
-def in_words(name: str) -> str:
-    """A node or a source as people read it: that of a row with its number."""
-    return re.sub(r" (\d+)$", r" of row \1", name.replace("_", " "))
+class Part(str):
+    """A node or a source of a network by its name in files, which also says of which row it is."""
+
+    kind: str
+    """The name alone."""
+    row: int | None
+    """From 0; None where there is one row, or rows share it."""
+
+    def __new__(cls, kind: str, row: int | None = None) -> Part:
+        found = super().__new__(cls, kind if row is None else f"{kind} {row + 1}")
+        found.kind, found.row = kind, row
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Part, (self.kind, self.row)
+
+    @property
+    def in_words(self) -> str:
+        """As people read it: that of a row with its number."""
+        kind = self.kind.replace("_", " ")
+        return kind if self.row is None else f"{kind} of row {self.row + 1}"
 
 
 class State(NamedTuple):
@@ -156,7 +173,7 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({in_words(name)}){self.thermal.bound}: one more "
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.in_words}){self.thermal.bound}: one more "
                 f"watt of heat makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run "
                 "away."
             )
