@@ -85,9 +85,9 @@ class Quantity:
 
 
 def _quantity(prefix: str, of: str | Shown, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
-    key, *about = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of,)
+    key, symbol, source = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of, "", "")
     name, unit = split(key)
-    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, *about)
+    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, symbol, source)
 
 
 def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:
@@ -160,8 +160,7 @@ def _all() -> dict[str, Quantity]:
             values, own = attrgetter(kind), f"{kind}_"
             of_shaft = _quantity(own, key, False, lambda it, of=values, n=number, size=size: of(it)[..., n] / size)  # type: ignore[misc]
             names = of_shaft.name, of_shaft.column
-            of_ring = [f"ring_{name}" for name in names]
-            found.append(replace(of_shaft, name=of_ring[0], column=of_ring[1], ring=(kind, *names)))
+            found.append(replace(of_shaft, name=f"ring_{names[0]}", column=f"ring_{names[1]}", ring=(kind, *names)))
     found += [_of_case("operating_", shown, _reshaped) for shown in GEOMETRY]
     found += [_of_case(f"{side}_ring_", shown, attrgetter(f"{side}_ring")) for side in sides for shown in RING_STATE]
     found += [

@@ -86,7 +86,7 @@ class Course:
 
     time: NDArray
     """[s], growing, closer where more happens."""
-    temperatures: dict[str, NDArray]
+    temperatures: dict[Part, NDArray]
     """Of every node [K]."""
     powers: NDArray
     """Of the sources [W]; shape (instant, source)."""
@@ -124,11 +124,11 @@ def _digits(load: float) -> str:
 class ThermalState:
     """Temperatures and heats of a solution; arrays of shape (*cases), NaN where there is no steady state."""
 
-    temperatures: dict[str, NDArray]
+    temperatures: dict[Part, NDArray]
     """Of every node [K]; of a set of several rows, `inner_ring 1` is that of the first."""
-    powers: dict[str, NDArray]
+    powers: dict[Part, NDArray]
     """Heat that friction makes, by source [W]."""
-    flows: dict[tuple[str, str], NDArray]
+    flows: dict[tuple[Part, Part], NDArray]
     """Heat on each path, from its first node to its second [W]."""
     imbalance: NDArray
     """The largest heat that any free node takes in and does not give off, of what the solution's friction makes [W]."""
