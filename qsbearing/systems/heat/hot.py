@@ -20,9 +20,8 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.asked import LUBRICANT
 from qsbearing.systems.heat.balance import own_name
 from qsbearing.systems.heat.network import Thermal
-from qsbearing.systems.heat.state import Part
 
-Temperatures = Mapping[Part, NDArray]
+Temperatures = Mapping[Any, NDArray]
 RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")
 
 
