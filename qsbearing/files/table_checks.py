@@ -14,6 +14,7 @@ import numpy as np
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
+from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
 from qsbearing.model.scene.bearing import BearingKind
@@ -22,7 +23,12 @@ from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, SceneError, comma_advice, near
 
-CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
+    "kind": BearingKind,
+    "rating_practice": RatingPractice,
+    "moment_shares": MomentShares,
+    **CHOICES,
+}
 """The keys of a file whose words are those of a choice."""
 Errors = list[FileErrorDetail]
 Made = TypeVar("Made")
