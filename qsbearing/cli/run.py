@@ -217,8 +217,25 @@ def _found(
     solution: Any, asked: Any, readings: Any, columns: Callable[..., Any], record: Callable[..., Any],
     blocks: Callable[..., Any],
 ) -> Found:  # fmt: skip
-    """What is shown of a solution and its readings."""
-    return Found(solution, asked, *(partial(each, solution, readings) for each in (record, blocks, columns)))
+    """What is shown of a solution and its readings, and of the limits of fits that have a name."""
+
+    def whole() -> dict[str, Any]:
+        return record(solution, readings) | (_fits("fits_record", solution) or {})
+
+    def shown() -> list[Block]:
+        return [*blocks(solution, readings), *(_fits("fits_blocks", solution) or ())]
+
+    return Found(solution, asked, whole, shown, partial(columns, solution, readings))
+
+
+def _fits(what: str, solution: Any) -> Any:
+    """Of `fit_limits`, which is loaded only for a scene or set with expanding rings."""
+    of = solution.scene if hasattr(solution, "scene") else solution.set
+    if not any(of.ring_effects) and not any(getattr(row, "ring_effects", None) for row in getattr(of, "rows", ())):
+        return None
+    from qsbearing.results import fit_limits
+
+    return getattr(fit_limits, what)(solution)
 
 
 def _solved(scene: Scene, accuracy: float | None) -> Solution:

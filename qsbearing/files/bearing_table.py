@@ -13,7 +13,13 @@ from qsbearing.files.data_sheet_table import bearing_of_sheet, is_data_sheet, wi
 from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline, free_angle_from_clearance
+from qsbearing.model.scene.bearing import (
+    BallBearing,
+    BearingKind,
+    Outline,
+    free_angle_from_clearance,
+    pitch_and_clearance,
+)
 from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
@@ -22,6 +28,7 @@ from qsbearing.model.scene.keys import (
     IN_PLACE,
     MATERIALS,
     PRINTED,
+    RACEWAYS,
     RATINGS,
     SHOULDERS,
     Key,
@@ -77,11 +84,13 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
         unusable |= set(of_radius)  # one mistake: the ball's diameter is missing
     else:
         good |= {radius: coefficient * diameter for radius, coefficient in of_radius.items()}
+    of_raceways = _raceways(good, unusable, {} if entry is None else entry.bearing, errors)
+    good |= of_raceways
     from_entry: dict[str, Any] = {}
     if entry is not None:
         label = label_of(entry, good)
         printed = kept(entry, changed_keys(entry, good)) | printed
-        replaced = set(good) | unusable | (_EITHER if _EITHER & set(table) else set())
+        replaced = set(good) | unusable | (_EITHER if _EITHER & {*table, *good} else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
         good = from_entry | good
     elif "name" in good:
@@ -105,6 +114,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
     for error in wrong:
         key = error.key.partition(".")[2]
         note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
+        note = "from the raceway diameters" if key in of_raceways else note
         errors.append(FileErrorDetail(**{**vars(error), "note": note}))
     return bearing if len(errors) == before else None
 
@@ -146,6 +156,29 @@ def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> d
             errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {radii[0]}", shown, cause=cause))
         of_radius |= {radius: value for radius in radii if radius not in good and radius not in of_radius}
     return of_radius
+
+
+def _raceways(good: dict[str, Any], unusable: set[str], of_entry: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """Pitch diameter and clearance by the diameters of both raceways, which are taken out of a file's values."""
+    given = {key.name: good.pop(key.name) for key in RACEWAYS if key.name in good}
+    named = [key.name for key in RACEWAYS if key.name in given or key.name in unusable]
+    if not named:
+        return {}
+    follow = ("pitch_diameter_mm", "diametral_clearance_mm")
+    for name in (*follow, "free_contact_angle_deg"):
+        if name in good:
+            cause = "Keep one: pitch diameter, clearance and free contact angle follow from the raceway diameters"
+            errors.append(FileErrorDetail(f"bearing.{name}", f"is given together with {named[0]}", cause=cause))
+    if len(named) == 1:
+        other = next(key.name for key in RACEWAYS if key.name not in named)
+        cause = f"Both raceway diameters make the clearance; without {named[0]}, give {' and '.join(follow)}"
+        errors.append(FileErrorDetail(f"bearing.{other}", "missing", cause=cause))
+    lengths = [(of_entry | good).get(key) for key in ("ball_diameter_mm", *COEFFICIENTS["groove_radius_coefficient"])]
+    if len(given) < 2 or None in lengths or any(name in good for name in follow):
+        unusable |= set(follow)  # one mistake
+        return {}
+    (bottom, outer), (ball, radius, other_radius) = given.values(), lengths
+    return dict(zip(follow, pitch_and_clearance(bottom, outer, ball, radius, other_radius), strict=True))
 
 
 def entry_of(bearing: BallBearing) -> catalogue.Entry | None:

@@ -20,6 +20,7 @@ from qsbearing.model.scene.keys import (
     DIAMETERS,
     IN_PLACE,
     MATERIALS,
+    RACEWAYS,
     RATINGS,
     SHEET_WORDS,
 )
@@ -56,8 +57,9 @@ def bearing_of_sheet(
 ) -> BallBearing | None:
     """Every bearing that the data sheet allows, as arrays; None where errors were found and added."""
     before = len(errors)
-    for name in sorted((_RADII | {*COEFFICIENTS} - {"groove_radius_coefficient"}) & {*given}):
-        cause = "Give groove_radius_coefficient, of both grooves"
+    others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
+    for name in sorted(others & {*given}):
+        cause = "Give groove_radius_coefficient, of both grooves, pitch_diameter_mm and diametral_clearance_mm"
         errors.append(FileErrorDetail(f"bearing.{name}", "is not used beside a data sheet", given[name], cause=cause))
     missing = sorted((_SIZE | _RATINGS) - {*given})
     for number, name in enumerate(missing):
@@ -94,7 +96,7 @@ def _one_of(found: InferredBearing) -> str:
     numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
     lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
     return (
-        "`qsbearing run` and `qs.load_scene` solve all of them. Or choose one, and give it ball_material and "
+        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one, and give it ball_material and "
         f"ring_material: the ratings fit best with {lines}, which often is not the true one"
     )
 

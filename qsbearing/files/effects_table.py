@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.fits import FITTED, fits_of
 from qsbearing.files.table_checks import (
     Errors,
     as_number,
@@ -29,9 +30,11 @@ from qsbearing.model.effects import (
     GyroscopicMoment,
     MomentShares,
     RingEffect,
+    RingExpansion,
     types_in,
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
+from qsbearing.model.effects.ring_expansion import Fit
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     EFFECT_SECTIONS,
@@ -133,16 +136,22 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     known_materials = [key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]]
     is_table = isinstance(table, dict)
     numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
+    before = len(errors)
+    fits: dict[str, Fit] = {}
+    if is_table and name == RingExpansion.name:
+        numbers, fits = fits_of(path, numbers, errors)
     good, unusable = checked(_EFFECT_TABLES[name], path, numbers, errors)
     if not is_table:
         return None
-    before = len(errors)
     missing = [key for key in _needed(name) if key not in good and key not in unusable]
     errors += [FileErrorDetail(f"{path}.{key}", "missing: the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
     for key in known_materials:
         if key in table:
             numbers_si[key] = material(f"{path}.{key}", table[key], errors)
+    numbers_si |= {f"{seat}_interference": nan for seat in FITTED if f"{seat}_fit" in table}
+    for seat, fit in fits.items():
+        numbers_si |= {f"{seat}_fit": fit, f"{seat}_interference": fit.mean}
     effect: RingEffect | None = made(lambda: _RING_EFFECTS[name](**numbers_si), errors)
     return effect if len(errors) == before else None
 

@@ -14,6 +14,7 @@ from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.limits import LARGEST_FILE
+from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -121,7 +122,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(document, errors)
+    document, thermal = heated(with_preload_class(document, errors), errors)
     document = with_printed(document)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)

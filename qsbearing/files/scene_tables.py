@@ -95,8 +95,6 @@ def _bearing(bearing: BallBearing) -> Tables:
     if bearing.inferred is not None:
         tables = sheet_tables(bearing) | {side: _material(getattr(bearing, side)) for side in MATERIALS}
         return tables | _outline(bearing, None)
-    if np.any(bearing.radial_interference):
-        raise _without_key("bearing.radial_interference", "other effects than these have changed the bearing")
     entry = entry_of(bearing)
     table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
     table["ball_count"] = int(table["ball_count"])
@@ -116,6 +114,11 @@ def _outline(bearing: BallBearing, entry: catalogue.Entry | None) -> Tables:
 def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, float]:
     """The free contact angle, or the clearance that it was made from."""
     angle, clearance = BEARING[5:]
+    if np.any(bearing.radial_interference):
+        wedged = _single(clearance, bearing.radial_interference)
+        about = -2.0 * wedged / clearance.size
+        found = _read_as(wedged, about, lambda given: -0.5 * clearance.si(given), NEIGHBOURS)
+        return {clearance.name: about if found is None else found}
     value, distance = _single(angle, bearing.free_contact_angle), bearing.groove_centre_distance
     near = {angle: value / angle.size, clearance: float(bearing.diametral_clearance) / clearance.size}
     read = {angle: angle.si, clearance: lambda given: float(free_angle_from_clearance(clearance.si(given), distance))}
@@ -159,6 +162,10 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
         if isinstance(effect, ElasticRings):
             tables[effect.name] = _elastic_rings(effect, tables[effect.name])
             continue
+        for seat, fit in getattr(effect, "fits", {}).items():
+            if getattr(effect, f"{seat}_interference") == fit.mean:  # else it was changed since
+                del tables[effect.name][f"{seat}_interference_um"]
+                tables[effect.name] |= {f"{seat}_fit": fit.name, "tolerance_class": fit.tolerance_class}
         seats = {side: getattr(effect, side, None) for side in SEAT_MATERIALS}
         tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
     return tables

@@ -10,6 +10,7 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
@@ -49,7 +50,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(document, errors)
+    document, thermal = heated(with_preload_class(document, errors), errors)
     document = with_housing_diameter(with_printed(document))
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None

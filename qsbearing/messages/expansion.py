@@ -22,14 +22,13 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
         return np.broadcast_to(np.asarray(values, float), solution.shape).reshape(-1)[part]
 
     wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
-    yield (
-        wedged < 0.0,
-        lambda i: check_data(
-            f"The expansion is larger than the diametral clearance by {-wedged[i]:.4g} µm: the balls are wedged "
-            "between the rings.",
-            HEAT,
-        ),
-    )
+    before = cases(solution.scene.bearing.diametral_clearance)
+
+    def wedge(i: int) -> str:
+        by = "The expansion is larger than the diametral clearance" if before[i] >= 0.0 else "The clearance is negative"
+        return check_data(f"{by} by {-wedged[i]:.4g} µm: the balls are wedged between the rings.", HEAT)
+
+    yield wedged < 0.0, wedge
     effect = solution.scene.ring_expansion
     if effect is None:
         return

@@ -195,6 +195,9 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
                 number = key.in_file(float(value))
                 is_found = each.name in of_nodes
                 origin = "heat balance" if is_found else _origin(bearing, effect.name, key.name, number)
+                if isinstance(effect, RingExpansion) and (fit := effect.fit_of(each.name)) is not None:
+                    limits = " to ".join(_text(key.in_file(float(limit))) for limit in (fit.least, fit.most))
+                    origin = f"mean of {fit.name} and class {fit.tolerance_class}, {limits}"
                 text = (digits_of if is_found else _text)(number)
                 found.append((f"{effect.name}.{key.name}", text, printed_unit(key.unit), origin))
             elif isinstance(value, str):

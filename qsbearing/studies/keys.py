@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from qsbearing.files.file_keys import numbers, sections
 from qsbearing.files.thermal_keys import SECTIONS as THERMAL_SECTIONS
 from qsbearing.files.usual_words import usual
-from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
 from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.validation import near
 
@@ -67,6 +67,8 @@ def _all() -> dict[str, StudyKey]:
             found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
     for name in COEFFICIENTS:
         found[name] = StudyKey(name, ("bearing", name), "1", _beside(name))
+    for key in RACEWAYS:
+        found[key.name] = StudyKey(key.name, ("bearing", key.name), key.unit)
     for radius in ("inner_groove_radius_mm", "outer_groove_radius_mm"):
         found[radius] = replace(found[radius], replaces=_beside(radius))
     return found

@@ -158,7 +158,7 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     operation = {field.name for field in dataclasses.fields(qs.Operation)}
     assert {key.field for key in scene_keys.OPERATION} == operation
     bearing = {field.name for field in dataclasses.fields(qs.BallBearing)} - {"ball_material", "ring_material"}
-    # A radial interference is what ring effects leave of a bearing; no file gives one. Its outline is printed numbers.
+    # A radial interference is a negative clearance in a file. The outline is printed numbers.
     numbers = bearing - {"kind", "name", "radial_interference", "outline"} | {"diametral_clearance"}
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
@@ -188,6 +188,43 @@ def test_clearance_defines_the_angle(load: Any) -> None:
     expected = np.arccos(1 - 0.4826 / (2 * (2 * 11.6281 - 22.225)))
     assert scene.bearing.free_contact_angle == pytest.approx(expected, rel=1e-12)
     assert scene.bearing.free_contact_angle / qs.deg == pytest.approx(40.004, abs=5e-4)
+
+
+def test_a_negative_clearance_wedges_the_balls(load: Any) -> None:
+    bearing = load(scene_text({"free_contact_angle_deg": None, "diametral_clearance_mm": "-0.02"})).bearing
+    assert bearing.free_contact_angle == 0.0
+    assert bearing.radial_interference == pytest.approx(10 * qs.um, rel=1e-12)
+    assert bearing.diametral_clearance == pytest.approx(-20 * qs.um, rel=1e-12)
+
+
+RACEWAYS = {"inner_raceway_diameter_mm": "102.7938", "outer_raceway_diameter_mm": "147.7264"}
+"""Of the 218 bearing of the literature, of 0.4826 mm clearance."""
+BY_RACEWAYS = {"free_contact_angle_deg": None, "pitch_diameter_mm": None, **RACEWAYS}
+
+
+def test_raceway_diameters_make_clearance_and_pitch(load: Any) -> None:
+    bearing = load(scene_text(BY_RACEWAYS)).bearing
+    assert bearing.diametral_clearance == pytest.approx(0.4826 * qs.mm, rel=1e-9)
+    assert bearing.pitch_diameter == pytest.approx(0.5 * (102.7938 + 147.7264) * qs.mm, rel=1e-12)
+    unequal = {"outer_groove_radius_mm": "11.9", "inner_raceway_diameter_mm": "103.2", "ball_diameter_mm": "22.225"}
+    for given in (BY_RACEWAYS, BY_RACEWAYS | unequal, BY_RACEWAYS | {"inner_raceway_diameter_mm": "103.3"}):
+        made = load(scene_text(given)).bearing
+        bottom = 2 * (made.inner_groove_centre_radius - made.inner_groove_radius)
+        outer = 2 * (made.outer_groove_centre_radius + made.outer_groove_radius)
+        assert bottom == pytest.approx(float(given["inner_raceway_diameter_mm"]) * qs.mm, rel=1e-12)
+        assert outer == pytest.approx(float(given["outer_raceway_diameter_mm"]) * qs.mm, rel=1e-12)
+    wider = load('[bearing]\nname = "B218"\ninner_raceway_diameter_mm = 102.7\nouter_raceway_diameter_mm = 147.7264\n'
+                 "[operation]\naxial_load_N = 1000\n").bearing  # fmt: skip
+    assert wider.diametral_clearance == pytest.approx(0.5764 * qs.mm, rel=1e-9)
+
+
+def test_raceway_diameters_that_say_too_little_or_too_much(errors: Any) -> None:
+    one = errors(scene_text({**BY_RACEWAYS, "outer_raceway_diameter_mm": None}))
+    assert list(one) == ["bearing.outer_raceway_diameter_mm"]
+    twice = errors(scene_text(RACEWAYS))
+    assert set(twice) == {"bearing.pitch_diameter_mm", "bearing.free_contact_angle_deg"}
+    far = errors(scene_text({**BY_RACEWAYS, "inner_raceway_diameter_mm": "112"}))
+    assert far["bearing.diametral_clearance_mm"].note == "from the raceway diameters"
 
 
 def test_angle_and_clearance_that_agree_within_their_digits(load: Any) -> None:
@@ -611,12 +648,12 @@ def test_materials_that_nothing_is_made_of(errors: Any, numbers: tuple[float, ..
     assert cause in found[f"bearing.ball_material.{key}"].cause
 
 
-@pytest.mark.parametrize("clearance", ["-0.01", "2.5"])
+@pytest.mark.parametrize("clearance", ["-0.45", "2.5"])
 def test_clearances_that_these_grooves_do_not_have(errors: Any, clearance: str) -> None:
     found = errors(scene_text({"free_contact_angle_deg": None, "diametral_clearance_mm": clearance}))
     error = found["bearing.diametral_clearance_mm"]
     assert list(found) == ["bearing.diametral_clearance_mm"]
-    assert error.allowed == pytest.approx((0, 2 * 1.0312 * (1 - np.cos(np.radians(85)))), rel=1e-6)
+    assert error.allowed == pytest.approx((-0.02 * 22.225, 2 * 1.0312 * (1 - np.cos(np.radians(85)))), rel=1e-6)
 
 
 def test_a_clearance_in_micrometres(errors: Any) -> None:

@@ -29,6 +29,7 @@ _DIMENSIONS = {
     "bore_diameter_mm": "d_mm", "outside_diameter_mm": "D_mm", "width_mm": "B_mm",
     "inner_shoulder_diameter_mm": "d1_mm", "outer_shoulder_diameter_mm": "D1_mm",
     "dynamic_load_rating_N": "C", "static_load_rating_N": "C0", "oil_speed_limit_rpm": "n_oil",
+    "preload_light_N": "FvL", "preload_medium_N": "FvM", "preload_heavy_N": "FvS",
 }  # fmt: skip
 
 

@@ -85,6 +85,22 @@ class BodyTemperature(NamedTuple):
 RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
 """The ring on or in a seat, whose temperature the seat has where its own is left out."""
 
+
+class Fit(NamedTuple):
+    """A fit by its name, and the interferences that it allows, negative where loose [m]."""
+
+    name: str
+    """Of the seat: k5, JS6."""
+    tolerance_class: str
+    """Of the bearing: normal, P4."""
+    least: Any
+    most: Any
+
+    @property
+    def mean(self) -> Any:
+        return 0.5 * (self.least + self.most)
+
+
 Seat = tuple[NDArray, NDArray]
 
 
@@ -150,6 +166,9 @@ class RingExpansion:
     """At which all dimensions hold [K]."""
     yield_strength: float = 1700e6
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
+    shaft_fit: Fit | None = field(default=None, compare=False, repr=False)
+    housing_fit: Fit | None = field(default=None, compare=False, repr=False)
+    """Of which the interference is the mean. No solve looks at them: they tell what the limits of a fit do."""
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     """Set by the solver: 1 where the balls close the gap of elastic rings, 0 where they do not."""
@@ -211,6 +230,25 @@ class RingExpansion:
     def _ring_strains(self, bearing: BallBearing) -> tuple[Any, Any]:
         inner, outer = (_strain(bearing.ring_material, self._warmer(f"{side}_ring")) for side in ("inner", "outer"))
         return inner, outer
+
+    @property
+    def fits(self) -> dict[str, Fit]:
+        """Those that are named, by their seat."""
+        found = {"shaft": self.shaft_fit, "housing": self.housing_fit}
+        return {seat: fit for seat, fit in found.items() if fit is not None}
+
+    def fit_of(self, name: str) -> Fit | None:
+        """The named fit whose mean this field is."""
+        seat, _, what = name.partition("_")
+        return self.fits.get(seat) if what == "interference" else None
+
+    @property
+    def at_limits(self) -> RingExpansion:
+        """With the least and the largest interference of each named fit, as two cases."""
+        limits: dict[str, Any] = {
+            f"{seat}_interference": np.stack([fit.least, fit.most]) for seat, fit in self.fits.items()
+        }
+        return replace(self, **limits)
 
     @property
     def without_heat(self) -> RingExpansion:

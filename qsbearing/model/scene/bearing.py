@@ -77,21 +77,25 @@ class BallBearing:
     def from_diametral_clearance(cls, *, diametral_clearance: ArrayLike, **fields: Any) -> BallBearing:
         """The bearing whose free contact angle follows from its diametral clearance Pd [m].
 
-        cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`.
+        cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`. A negative clearance is
+        a radial interference, at a free contact angle of zero.
         """
         inner, outer, ball = (
             numeric("", fields[name], LENGTH)[0]
             for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
         )
         errors = []
-        angle: ArrayLike = 0.0  # stands in while the other fields are checked
+        angle: ArrayLike = 0.0  # stands in, as no interference does, while the other fields are checked
+        interference: ArrayLike = 0.0
         if inner is not None and outer is not None and ball is not None:
             distance = inner + outer - ball
-            errors = clearance_errors(diametral_clearance, distance)
+            errors = clearance_errors(diametral_clearance, distance, ball)
             if not errors and (distance > 0.0).all():
-                angle = free_angle_from_clearance(diametral_clearance, distance)
+                clearance = np.asarray(diametral_clearance, float)
+                angle = free_angle_from_clearance(np.maximum(clearance, 0.0), distance)
+                interference = np.maximum(-0.5 * clearance, 0.0)
         try:
-            bearing = cls(free_contact_angle=angle, **fields)
+            bearing = cls(free_contact_angle=angle, radial_interference=interference, **fields)
         except SceneError as error:
             raise SceneError([*error.errors, *errors]) from None
         raise_if_any(errors)
@@ -220,3 +224,19 @@ def free_angle_from_clearance(diametral_clearance: ArrayLike, groove_centre_dist
     ratio = np.asarray(diametral_clearance, float) / (4.0 * np.asarray(groove_centre_distance, float))
     with np.errstate(invalid="ignore"):
         return 2.0 * np.arcsin(np.sqrt(ratio))
+
+
+def pitch_and_clearance(
+    inner_raceway: Any, outer_raceway: Any, ball_diameter: Any, inner_radius: Any, outer_radius: Any
+) -> tuple[Any, Any]:
+    """dm and Pd by the diameters at the bottoms of both grooves, in the unit of the lengths.
+
+    Pd = do - di - 2 D; dm as `groove_centre_radius` has it, which is (di + do)/2 where both groove radii are equal.
+    """
+    clearance = outer_raceway - inner_raceway - 2.0 * ball_diameter
+    distance = inner_radius + outer_radius - ball_diameter
+    room, wedged = np.maximum(clearance, 0.0), np.maximum(-clearance, 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        from_cosine = np.where(distance > 0.0, 0.5 * room / np.asarray(distance), 0.0)
+    pitch = inner_raceway + ball_diameter - wedged + (2.0 * inner_radius - ball_diameter) * from_cosine
+    return pitch[()], clearance

@@ -26,24 +26,31 @@ LARGEST_USUAL_F = 0.6
 FREE_ANGLE_MAX = 85.0 * pi / 180.0
 
 
-def clearance_errors(diametral_clearance: ArrayLike, groove_centre_distance: NDArray) -> list[ErrorDetail]:
-    """Errors of a clearance, which must leave a free contact angle between 0 and its greatest."""
+LARGEST_INTERFERENCE = 0.02
+"""Of a negative clearance over the ball diameter: contacts of steel would then carry some 7 GPa."""
+
+
+def clearance_errors(
+    diametral_clearance: ArrayLike, groove_centre_distance: NDArray, ball: NDArray
+) -> list[ErrorDetail]:
+    """Errors of a clearance: below zero it wedges the balls, above it must leave a possible free contact angle."""
     field = "bearing.diametral_clearance"
     clearance, errors = numeric(field, diametral_clearance, LENGTH)
     if clearance is None:
         return errors
+    least = -LARGEST_INTERFERENCE * ball
     most = 4.0 * groove_centre_distance * np.sin(0.5 * FREE_ANGLE_MAX) ** 2
-    bad = (groove_centre_distance > 0.0) & ((clearance < 0.0) | (clearance > most))
+    bad = (groove_centre_distance > 0.0) & ((clearance < least) | (clearance > most))
     if not bad.any():
         return []
-    found, limit = first(bad, clearance, most)
+    found, low, high = first(bad, clearance, least, most)
     problem = (
-        "is negative: balls wedged between the grooves have no free contact angle"
+        f"is so far below zero that it wedges the balls by more than {LARGEST_INTERFERENCE:.0%} of their diameter"
         if found < 0.0
         else "is larger than these grooves allow: the free contact angle would pass "
         f"{np.degrees(FREE_ANGLE_MAX):.0f} degrees"
     )
-    return [ErrorDetail(field, problem, found, LENGTH, (0.0, limit), unit_mistake(found, LENGTH, 0.0, limit), bad)]
+    return [ErrorDetail(field, problem, found, LENGTH, (low, high), unit_mistake(found, LENGTH, low, high), bad)]
 
 
 def bearing_errors(bearing: Any) -> list[ErrorDetail]:

@@ -60,6 +60,10 @@ COEFFICIENTS = {
     "groove_radius_coefficient": ("inner_groove_radius_mm", "outer_groove_radius_mm"),
 }
 """f = r/D of a groove, or of both, with the ball diameter of the same bearing; each stands for these radii."""
+RACEWAYS = tuple(
+    Key(f"{side}_raceway_diameter_mm", f"{side}_raceway_diameter", "mm", mm, LENGTH) for side in ("inner", "outer")
+)
+"""At the bottom of each groove; both together stand for the pitch diameter and the clearance."""
 DIAMETERS = (
     Key("bore_diameter_mm", "bore_diameter", "mm", mm, LENGTH),
     Key("outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),
@@ -79,7 +83,7 @@ DATA_SHEET = (
 )
 SHEET_WORDS = ("maker", "rating_practice")
 """What of a data sheet tells the balls and grooves that it does not print."""
-IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *PRINTED, *DATA_SHEET)
+IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *DATA_SHEET)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL = (
@@ -214,6 +218,8 @@ SET_NUMBERS = {
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
+SEAT_FITS = ("shaft_fit", "housing_fit", "tolerance_class")
+"""Words: of each seat in place of its interference, and of the bearing."""
 EFFECT_TABLES = {
     "ring_expansion": RING_EXPANSION,
     "ball_expansion": BALL_EXPANSION,
@@ -276,7 +282,7 @@ NUMBERED = {
 """What one of several tables is called in errors, its number following; and its table."""
 
 EFFECT_SECTIONS = {
-    name: (*(key.name for key in keys), *(SEAT_MATERIALS if name == "ring_expansion" else ()))
+    name: (*(key.name for key in keys), *((*SEAT_MATERIALS, *SEAT_FITS) if name == "ring_expansion" else ()))
     for name, keys in EFFECT_TABLES.items()
 }
 EFFECT_SECTIONS["elastic_rings"] += (*SEATS, *(key.name for key in RING_COMPLIANCES))

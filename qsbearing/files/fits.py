@@ -1,0 +1,150 @@
+"""Fits by name: the interference of k5, JS6, ... with a bearing of a tolerance class, by ISO 286 and ISO 492."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.table_checks import Errors
+from qsbearing.model.effects.ring_expansion import Fit
+from qsbearing.model.units import mm, um
+from qsbearing.model.validation import near
+
+FITTED = {"shaft": "bore", "housing": "outside"}
+"""What of a bearing each seat is fitted to."""
+NORMAL = "normal"
+_NAME = re.compile(r"([a-zA-Z]{1,2})(\d+)")
+
+
+@cache
+def _facts() -> dict[str, Any]:
+    return tomllib.loads(files("qsbearing.files").joinpath("fits.toml").read_text("utf-8"))
+
+
+@cache
+def names(seat: str) -> tuple[str, ...]:
+    """The fits that are known of a shaft, in small letters, or of a housing's bore, in capitals."""
+    facts = _facts()["seat"]
+    grades = [int(grade) for grade in facts["grade"] if grade != "3"]
+    letters = [letter for letter in (*facts["upper"], *facts["lower"], "js") if letter.isalpha()]
+    found = [f"{letter}{grade}" for letter in letters for grade in grades]
+    if seat == "shaft":
+        return (*found, *(name for name in facts["lower"] if not name.isalpha()))
+    return (*map(str.upper, found), *(name for name in facts["hole_upper"] if name.startswith("J")))
+
+
+def classes() -> tuple[str, ...]:
+    """The tolerance classes of a bearing, by all their names."""
+    return (*(name for name in _facts()["bearing"]["bore"] if name != "up_to_mm"), *_facts()["class"])
+
+
+def deviations(name: str, diameter: Any) -> tuple[NDArray, NDArray]:
+    """Lower and upper deviation of a shaft (k5) or a hole (JS6) of this diameter [mm], in micrometres.
+
+    NaN beyond the tables' 500 mm. Of a hole, ES = -ei + IT(n) - IT(n - 1) above 3 mm for K, M, N and P.
+    """
+    facts = _facts()["seat"]
+    letter, grade = _parts(name)
+    place = _places(facts, diameter)
+    width = _at(facts["grade"][str(grade)], place)
+    if letter.lower() == "js":
+        return -0.5 * width, 0.5 * width
+    if not letter.isupper():
+        if letter in facts["upper"]:
+            upper = _at(facts["upper"][letter], place)
+            return upper - width, upper
+        lower = _at(facts["lower"].get(letter) or facts["lower"][name], place)
+        return lower, lower + width
+    own = _at(facts["hole_upper"].get(name, [np.nan] * len(facts["up_to_mm"])), place)
+    if letter.lower() in facts["upper"]:
+        lower = -_at(facts["upper"][letter.lower()], place)
+        return lower, lower + width
+    if letter == "J":
+        return own - width, own
+    finer = np.where(place > 0, width - _at(facts["grade"][str(grade - 1)], place), 0.0)
+    upper = np.where(np.isnan(own), finer - _at(facts["lower"][letter.lower()], place), own)
+    return upper - width, upper
+
+
+def fit(seat: str, name: str, tolerance_class: str, diameter: Any) -> Fit:
+    """The fit of a seat: shaft or housing.
+
+    Args:
+        diameter: bore or outside diameter of the bearing [m].
+    """
+    bearing = _facts()["bearing"][FITTED[seat]]
+    size = np.asarray(diameter, float) / mm
+    low, high = deviations(name, size)
+    below = _at(bearing[_facts()["class"].get(tolerance_class, tolerance_class)], _places(bearing, size))
+    least, most = (low, high + below) if seat == "shaft" else (-below - high, -low)
+    return Fit(name, tolerance_class, (least * um)[()], (most * um)[()])
+
+
+def _parts(name: str) -> tuple[str, int]:
+    match = _NAME.fullmatch(name)
+    assert match is not None, name
+    return match[1], int(match[2])
+
+
+def _places(facts: dict[str, Any], diameter: Any) -> NDArray:
+    """In which step of diameters; the last step but one of a table, of NaN, beyond it."""
+    steps = np.asarray(facts["up_to_mm"], float)
+    return np.searchsorted(steps, np.round(np.asarray(diameter, float), 9))
+
+
+def _at(values: list[float], place: NDArray) -> NDArray:
+    return np.asarray([*values, np.nan], float)[place]
+
+
+def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], dict[str, Fit]]:
+    """The table of ring expansion without the words of its fits, and the fit of each seat that has one.
+
+    A seat's interference is the mean one.
+    """
+    rest = {key: value for key, value in table.items() if key not in (*(f"{seat}_fit" for seat in FITTED), CLASS)}
+    tolerance = table.get(CLASS, NORMAL)
+    before = len(errors)
+    if tolerance not in classes():
+        cause = f"One of {', '.join(classes())}. P4Y, P3, SP and UP have limits of their own: give the interference"
+        errors.append(FileErrorDetail(f"{path}.{CLASS}", "is no tolerance class", tolerance, cause=cause))
+    named = {seat: table[f"{seat}_fit"] for seat in FITTED if f"{seat}_fit" in table}
+    if CLASS in table and not named:
+        cause = "It is of use with shaft_fit or housing_fit"
+        errors.append(FileErrorDetail(f"{path}.{CLASS}", "is given without a fit", tolerance, cause=cause))
+    found: dict[str, Fit] = {}
+    for seat, name in named.items():
+        _check(path, seat, name, rest, errors)
+        diameter = rest.get(f"{FITTED[seat]}_diameter_mm")
+        if len(errors) > before or not isinstance(diameter, int | float | np.ndarray) or isinstance(diameter, bool):
+            continue  # a diameter that is missing or none is told of besides
+        made = fit(seat, name, tolerance, np.asarray(diameter, float) * mm)
+        if np.isnan(made.mean).any():
+            problem = f"has no limits in the tables for this {FITTED[seat]} diameter"
+            cause = "They go to 250 mm of bore and 400 mm outside: give the interference"
+            errors.append(FileErrorDetail(f"{path}.{seat}_fit", problem, name, cause=cause))
+        else:
+            found[seat] = made
+    return rest, found
+
+
+CLASS = "tolerance_class"
+
+
+def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors) -> None:
+    field = f"{path}.{seat}_fit"
+    if f"{seat}_interference_um" in rest:
+        cause = "Keep one: the fit makes the interference"
+        errors.append(FileErrorDetail(field, f"is given together with {seat}_interference_um", name, cause=cause))
+    elif name not in names(seat):
+        known = names(seat)
+        kind, other = ("a shaft", "capitals mean holes") if seat == "shaft" else ("a hole", "small letters mean shafts")
+        meant = near(str(name).swapcase(), known, 1.0) or near(str(name), known, 0.6)
+        cause = f"Did you mean {meant}? ({other})" if meant else f"Known are {', '.join(known)}"
+        errors.append(FileErrorDetail(field, f"is no fit of {kind} that is known", name, cause=cause))
