@@ -96,8 +96,9 @@ def _one_of(found: InferredBearing) -> str:
     numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
     lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
     return (
-        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one, and give it ball_material and "
-        f"ring_material: the ratings fit best with {lines}, which often is not the true one"
+        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one, "
+        "with ball_material and ring_material: "
+        f"the ratings fit best with {lines}, which often is not the true one"
     )
 
 
