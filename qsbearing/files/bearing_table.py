@@ -69,8 +69,9 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
+    by_sheet = is_data_sheet({*good, *unusable})
     good = designated(good, unusable)
-    if is_data_sheet({*good, *unusable}) and ("name" not in good or catalogue.named(good["name"]) is None):
+    if by_sheet and ("name" not in good or catalogue.named(good["name"]) is None):
         return bearing_of_sheet(good, label, _outline(good), errors, may_infer) if len(errors) == before else None
     errors += without_sheet(good)
     # Which the model does not need: `with_printed` has handed them on.

@@ -238,7 +238,7 @@ NUMBERS = {
 """The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
-    "bearing": ("name", "kind", *SHEET_WORDS, *(key.name for key in (*BEARING, *IN_PLACE)), *MATERIALS),
+    "bearing": ("name", "kind", *(key.name for key in (*BEARING, *IN_PLACE)), *SHEET_WORDS, *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
     "preload": tuple(key.name for key in PRELOAD),
     "effects": (
