@@ -12,6 +12,7 @@ import numpy as np
 
 import qsbearing
 from fem_check import meshing
+from fem_check.independent import finite_bodies
 from fem_check.independent.contact_problem import QUANTITIES
 from fem_check.independent.groove import RACES, BallInGroove
 from fem_check.independent.references import HERTZ_SOURCE, hertz
@@ -21,6 +22,7 @@ from fem_check.meshing import MeshError
 from fem_check.product.scenes import drawing_at_rest, groove_contact, load_scene, operating_loads, ring_sections
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
+from fem_check.solids import true_statics
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle, room, with_room
 
 FINEST = {Level.QUICK: 6, Level.RELEASE: 8}
@@ -64,6 +66,8 @@ class Solved:
     """All contacts of the run, over which scatter is pooled; none: this alone."""
     finest: CondensedContact | None = None
     """The bodies on the finest mesh, where asked for."""
+    ring_doubt: float = 0.0
+    """Of the approach over Hertz's, where dimensions of the ring are assumed."""
 
     @property
     def case(self) -> str:
@@ -129,6 +133,15 @@ def meshed(
     )
     balls = round(float(np.asarray(bearing.bearing.ball_count).ravel()[0]))
     return [TrueContact(groove, balls, load, count, profile) for count in elements]
+
+
+def ring_doubt(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float) -> float:
+    """Of the approach over Hertz's, how far it may be off where dimensions of the ring are assumed."""
+    sections, drawing, needs = ring_sections(bearing, source), drawing_at_rest(bearing, source), room(groove, load)
+    balls = round(float(np.asarray(bearing.bearing.ball_count).ravel()[0]))
+    usual = sections.profile(drawing, groove.race_name, needs)
+    others = sections.alternatives(drawing, groove.race_name, needs)
+    return finite_bodies.ring_doubt(groove, balls, usual, others, load) / hertz(groove.problem(load)).approach
 
 
 def solve(made: list[TrueContact], loads: tuple[float, ...], progress: Progress) -> list[Solved]:
@@ -231,6 +244,9 @@ def true_rows(solved: Solved) -> list[Row]:
             if name == "approach"
             else solved.ratio("surface", "parabola", name)
         )
+        if name == "approach" and solved.ring_doubt:
+            parts.append(f"assumed dimensions of the ring ± {100.0 * solved.ring_doubt:.2g} %")
+            uncertainty += solved.ring_doubt
         rows.append(
             Row(
                 f"{solved.case}: true contact",
@@ -247,26 +263,17 @@ def true_rows(solved: Solved) -> list[Row]:
     return rows
 
 
-def compliance_rows(solved: Solved) -> list[Row]:
-    """What each body adds to the approach of its half-space, over the load: findings."""
-    hertzian = hertz(solved.groove.problem(solved.load)).approach / solved.load
-    rows = []
-    for body, parts in zip(("ball", "ring"), zip(*solved.added, strict=True), strict=True):
-        found, uncertainty = solved.estimate(list(parts))
-        rows.append(
-            Row(
-                f"{solved.case}: approach over load",
-                f"Hertz plus what the {body} adds",
-                "m/N",
-                hertzian,
-                HERTZ_SOURCE,
-                hertzian + found,
-                100.0 * uncertainty / hertzian,
-                None,
-                f"a finding: the {body} adds {1e9 * found:+.4f} ± {1e9 * uncertainty:.4f} µm/kN",
-            )
-        )
-    return rows
+def body_rows(solved: Solved, level: Level) -> list[Row]:
+    """Both bodies by statics, and what they make of the approach by methods of their own."""
+    if solved.finest is None:
+        return []
+    case = f"{solved.case}: finite bodies"
+    added = [solved.estimate(list(parts)) for parts in zip(*solved.added, strict=True)]
+    approach = solved.estimate([each["approach"] for each in solved.surface])
+    return [
+        *true_statics.rows(case, solved.finest, solved.load),
+        *true_statics.approach_rows(case, solved.finest, solved.load, added, approach, level),
+    ]
 
 
 def refused_rows(groove: BallInGroove, load: float, problem: Exception) -> list[Row]:
@@ -319,10 +326,11 @@ def single(
         lambda mesh_load: solve(meshed(bearing, source, groove, mesh_load, sequence(elements)), (load,), progress)[0],
         load,
     )
-    before = gap_rows(solved)
+    solved = replace(solved, ring_doubt=ring_doubt(bearing, source, groove, load))
+    before = [*gap_rows(solved), *body_rows(solved, Level.QUICK)]
     rows = decided(before)
     undecided = [row for row, first in zip(rows, before, strict=True) if row is not first]
-    return [*rows, *true_rows(solved), *compliance_rows(solved)], undecided, solved
+    return [*rows, *true_rows(solved)], undecided, solved
 
 
 def decided(rows: list[Row]) -> list[Row]:
@@ -371,7 +379,9 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     refused: list[Row] = []
     for race, mesh_load, loads in loads_of(scene, level):
         try:
-            found += solve(contacts(scene, race, mesh_load, sequence(FINEST[level])), loads, progress)
+            own = solve(contacts(scene, race, mesh_load, sequence(FINEST[level])), loads, progress)
+            of = load_scene(scene)
+            found += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
         except (MeshError, ContactError) as problem:
             refused += refused_rows(groove_contact(scene, race), mesh_load, problem)
     if not found:
@@ -380,8 +390,8 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     every: dict[str, list[Solved]] = {}
     for each in (replace(one, alike=tuple(found)) for one in found):
         every.setdefault(each.groove.race_name, []).append(each)
-        of_gap = gap_rows(each) if scene == EXAMPLE else decided(gap_rows(each))
-        rows += [*of_gap, *true_rows(each), *compliance_rows(each)]
+        judged = [*gap_rows(each), *body_rows(each, level)]
+        rows += [*(judged if scene == EXAMPLE else decided(judged)), *true_rows(each)]
     last = list(every.values())[-1][-1]
     pictures = {race: series(solved) for race, solved in every.items()}
     return Findings([*rows, *refused], mesh_entry(last, FINEST[level]), last.solver, {"true_geometry": pictures}, NOTES)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import acos, cos, degrees, radians
 
 from fem_check.independent.drawing import Drawing
@@ -19,6 +19,12 @@ BESIDE = radians(4.0)
 """Groove left beside a contact's elements where the shoulder is assumed."""
 HIGHEST = radians(85.0)
 """No assumed shoulder ends farther round the groove."""
+
+BACK_SPREAD, WIDTH_SPREAD = (0.787, 1.26), (1.5, 2.52)
+"""Distance of bore or outside diameter from the pitch circle, and width, of the catalogue's 145 spindle bearings, in
+ball diameters: where an assumed one may lie (of the outside diameter and the width, 19 in 20)."""
+SHOULDER_SPREAD = radians(10.0)
+"""Either way, of an assumed shoulder, as far as the contact leaves room."""
 
 DIMENSIONS = {
     "bore_diameter": "bore",
@@ -105,6 +111,26 @@ class RingSections:
             self._shoulder(drawing, race, "open", contact),
         )
 
+    def alternatives(self, drawing: Drawing, race: str, contact: tuple[float, float]) -> list[list[RingProfile]]:
+        """Beside `profile`, what a ring may look like: of each assumed dimension, both ends of its usual range."""
+        usual = self.profile(drawing, race, contact)
+        side, ball = (-1.0 if race == "inner" else 1.0), drawing.ball_diameter
+        found = []
+        if ("bore_diameter" if race == "inner" else "outside_diameter") not in self.known:
+            backs = (0.5 * drawing.pitch_diameter + side * offset * ball for offset in BACK_SPREAD)
+            found.append([replace(usual, back_radius=back) for back in backs if back > 0.0])
+        if "width" not in self.known:
+            found.append([replace(usual, width=width * ball) for width in WIDTH_SPREAD])
+        angle, reach = contact
+        for which, name, needed in (
+            ("shoulder", "high_shoulder", angle + reach),
+            ("open", "low_shoulder", reach - angle),
+        ):
+            if self._given_shoulder(race, which) is None:
+                ends = (getattr(usual, name) + step for step in (-SHOULDER_SPREAD, SHOULDER_SPREAD))
+                found.append([replace(usual, **{name: min(max(end, needed), HIGHEST)}) for end in ends])
+        return found
+
     def _given_shoulder(self, race: str, side: str) -> float | None:
         """A shoulder's diameter; of a symmetric ring, the other one's will do."""
         other = {"shoulder": "open", "open": "shoulder"}[side]
@@ -145,7 +171,10 @@ class RingSections:
                     assumed.append(f"{DIMENSIONS[f'{race}_{side}_diameter']} {diameter:.4g} ({degrees(angle):.0f}°)")
         parts = [f"{', '.join(values)} mm {source}" for source, values in by_source.items()]
         if assumed:
-            parts.append(f"assumed: {', '.join(assumed)} mm (proportions of the 218 series)")
+            parts.append(
+                f"assumed: {', '.join(assumed)} mm (proportions of the 218 series; the true bodies' "
+                "uncertainty holds the range of these dimensions among spindle bearings)"
+            )
         return "Rings: " + "; ".join(parts) + "."
 
 

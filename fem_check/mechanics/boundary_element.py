@@ -202,7 +202,7 @@ def solve(
     return pressure, float(((displacement(pressure) + gap) * pressure).sum() / total)
 
 
-def normal_influence(x: Array, y: Array, width: float, height: float) -> Array:
+def normal_influence(x: Array, y: Array, width: float | Array, height: float) -> Array:
     """Displacement at (x, y) of a half-space of E* = 1 under unit pressure on a rectangle about the origin."""
     return _over_rectangle(
         lambda u, v: u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v)), x, y, width, height
@@ -214,6 +214,8 @@ def lengthwise_influence(x: Array, y: Array, width: float, height: float) -> Arr
     return _over_rectangle(lambda u, v: v * np.arcsinh(u / np.abs(v)), x, y, width, height)
 
 
-def _over_rectangle(corner: Callable[[Array, Array], Array], x: Array, y: Array, width: float, height: float) -> Array:
+def _over_rectangle(
+    corner: Callable[[Array, Array], Array], x: Array, y: Array, width: float | Array, height: float
+) -> Array:
     left, right, low, high = x - 0.5 * width, x + 0.5 * width, y - 0.5 * height, y + 0.5 * height
     return (corner(right, high) - corner(left, high) - corner(right, low) + corner(left, low)) / np.pi

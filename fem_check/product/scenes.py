@@ -194,7 +194,8 @@ def _ring_growth(
 
 
 def ring_sections(scene: qsbearing.Scene, name: str) -> RingSections:
-    """The bearing's ring sections as far as they are known: by option, by the scene's own tables, by the catalogue.
+    """The bearing's ring sections as far as they are known: by option, by the scene's own tables, by the catalogue,
+    by a data sheet or designation.
 
     Raises:
         SceneProblemError: they make no rings of this bearing.
@@ -212,8 +213,9 @@ def ring_sections(scene: qsbearing.Scene, name: str) -> RingSections:
     is_symmetric = scene.bearing.kind is qsbearing.BearingKind.DEEP_GROOVE
     of_catalogue = _of_catalogue(drawing)
     sections = RingSections.of(
-        ("option", RING_OPTIONS.get()), ("scene", own), ("catalogue", of_catalogue), is_symmetric=is_symmetric
-    )
+        ("option", RING_OPTIONS.get()), ("scene", own), ("catalogue", of_catalogue),
+        ("data sheet or designation", _of_outline(scene)), is_symmetric=is_symmetric,
+    )  # fmt: skip
     try:
         return sections.checked(drawing)
     except SectionError as problem:
@@ -231,6 +233,14 @@ def _of_catalogue(drawing: Drawing) -> dict[str, float]:
     )
     known = {name: entry.dimensions.get(f"{name}_mm") for name in DIMENSIONS}
     return {name: value * qsbearing.mm for name, value in known.items() if value is not None} if same else {}
+
+
+def _of_outline(scene: qsbearing.Scene) -> dict[str, float]:
+    """Of a bearing that is not the catalogue's, whose outline it would keep when changed."""
+    outline = scene.bearing.outline
+    if outline is None or catalogue.find((scene.bearing.name or "").removesuffix(MODIFIED)) is not None:
+        return {}
+    return {name: float(np.ravel(value)[0]) for name, value in vars(outline).items() if value is not None}
 
 
 def beyond_thrust(solution: qsbearing.Solution) -> list[str]:

@@ -17,7 +17,7 @@ from fem_check.independent.drawing import Drawing
 from fem_check.independent.references import hertz
 from fem_check.rows.agreement import Row
 from fem_check.solids.bearing_sector import BearingSector, Sector, SectorLoad, SectorResults
-from fem_check.solids.bodies import HIGH_SHOULDER, LOW_SHOULDER, RingSection
+from fem_check.solids.bodies import RingSection
 
 FORCE_TOLERANCE = 0.1
 """Per cent."""
@@ -67,14 +67,14 @@ def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResu
     per_ball = load.axial_load / sector.geometry.bearing.ball_count
     scale = max(per_ball, results.centrifugal_force)
     found = [
-        _force(case, "axial force of the bore on the inner ring", per_ball, float(held["inner"][0])),
-        _force(case, "axial force of the seat on the outer ring", per_ball, -float(held["outer"][0])),
-        _force(case, "force left on the ball, over the largest", 0.0, float(np.abs(held["ball"]).max()) / scale, "1"),
+        force(case, "axial force of the bore on the inner ring", per_ball, float(held["inner"][0])),
+        force(case, "axial force of the seat on the outer ring", per_ball, -float(held["outer"][0])),
+        force(case, "force left on the ball, over the largest", 0.0, float(np.abs(held["ball"]).max()) / scale, "1"),
     ]
     if load.speed:
         expected = inertia(sector, load, results).centrifugal_force
         radial = -float(held["inner"][1] + held["outer"][1])
-        found.append(_force(case, "centrifugal force, from both rings' supports", expected, radial))
+        found.append(force(case, "centrifugal force, from both rings' supports", expected, radial))
     return found + inertia_rows(case, sector, load, results) + _stiffness(case, sector)
 
 
@@ -88,14 +88,14 @@ def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorRes
     rubbing = sector.geometry.frames[1].friction_resultants @ results.friction
     of = inertia(sector, load, results)
     balancing = float((inner + outer - rubbing)[1])
-    found = [_force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
+    found = [force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
     if load.gyroscopic_moment:
         moment = sector.geometry.bearing.ball_radius * hypot(*rubbing)
-        found.append(_force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
+        found.append(force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
     return found
 
 
-def _force(case: str, name: str, reference: float, found: float, unit: str = "N") -> Row:
+def force(case: str, name: str, reference: float, found: float, unit: str = "N") -> Row:
     source = "statics, from the drawing"
     return Row(case, name, unit, reference, source, found, None, FORCE_TOLERANCE, WHY_FORCE)
 
@@ -136,7 +136,7 @@ def dilation_work(material: ElasticConstants, volume: float) -> float:
 
 def section_moment(section: RingSection) -> float:
     """Radius integrated over a ring's section [m3]: its volume per angle, by Green's theorem round the outline."""
-    angles = np.linspace(HIGH_SHOULDER, -LOW_SHOULDER, 4001)
+    angles = np.linspace(section.high_shoulder, -section.low_shoulder, 4001)
     arc = section.groove_centre + section.groove_radius * section.side * np.stack([np.sin(angles), np.cos(angles)], 1)
     half = 0.5 * section.side * section.width
     left, right = section.groove_centre[0] - half, section.groove_centre[0] + half

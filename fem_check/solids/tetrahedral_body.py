@@ -54,6 +54,13 @@ class TetrahedralBody:
         """[N/m], shape (dof, dof)."""
         return self.material.elastic_modulus * elastic_body.stiffness(self.space, self.material.poisson_ratio)
 
+    @property
+    def volume(self) -> float:
+        """Of the curved elements [m3]."""
+        from skfem import CellBasis, ElementTetP0
+
+        return float(CellBasis(self.mesh, ElementTetP0(), intorder=CURVED_TETRAHEDRA.volume_order).dx.sum())
+
     @cached_property
     def mass(self) -> sp.csr_matrix:
         """Mass matrix of unit density [m3], shape (dof, dof)."""

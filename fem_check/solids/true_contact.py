@@ -140,21 +140,25 @@ class TrueContact:
             compliances[0] / sum(compliances),
         )
 
+    @property
+    def ring_profile(self) -> RingProfile:
+        """The ring's, given or assumed."""
+        groove = self.groove
+        offset = -BORE_BELOW_PITCH if groove.race_name == "inner" else OUTSIDE_ABOVE_PITCH
+        return self.profile or RingProfile(
+            0.5 * groove.pitch_diameter + offset * groove.ball_diameter, WIDTH * groove.ball_diameter
+        )
+
     @cached_property
     def section(self) -> RingSection:
         """The ring's section."""
-        groove = self.groove
-        is_inner = groove.race_name == "inner"
-        offset = -BORE_BELOW_PITCH if is_inner else OUTSIDE_ABOVE_PITCH
-        profile = self.profile or RingProfile(
-            0.5 * groove.pitch_diameter + offset * groove.ball_diameter, WIDTH * groove.ball_diameter
-        )
+        groove, profile = self.groove, self.ring_profile
         return RingSection(
             self.frame.groove.centre,
             groove.groove_radius,
             profile.back_radius,
             profile.width,
-            is_inner,
+            groove.race_name == "inner",
             profile.high_shoulder,
             profile.low_shoulder,
         )
@@ -234,7 +238,12 @@ class TrueContact:
                 True: half.flexibility[surface, surface] + segment.flexibility[surface, surface],
                 False: half.flexibility[axis, axis] + segment.flexibility[axis, axis],
             },
-            (half.flexibility[axis, axis], segment.flexibility[axis, axis]),
+            (
+                BodyAlone(half.flexibility[surface, surface], half.held[:, surface], half.dilation, ball.volume),
+                BodyAlone(
+                    segment.flexibility[surface, surface], segment.held[:, surface], segment.dilation, ring.volume
+                ),
+            ),
             half.flexibility[-1, surface],
             half.dofs + segment.dofs,
             half.solver,
@@ -294,14 +303,28 @@ def _loads(frame: ContactFrame, body: TetrahedralBody, further: Array | None, *,
 
 
 @dataclass(frozen=True)
+class BodyAlone:
+    """One of the two bodies, half of it as it is meshed."""
+
+    flexibility: Array
+    """(basis, basis)"""
+    held: Array
+    """Force of what holds it, per pressure; (axial, radial, tangential) by basis."""
+    dilation: float
+    """See `CondensedSolid`."""
+    volume: float
+    """[m3]"""
+
+
+@dataclass(frozen=True)
 class CondensedContact:
     """Both bodies under every pressure basis function; then any load near the mesh's takes milliseconds."""
 
     contact: TrueContact
     flexibility: dict[bool, Array]
     """Of both bodies, with the pressure along the surfaces' normal (True) or the contact's axis (False)."""
-    bodies: tuple[Array, Array]
-    """Ball's and ring's alone, along the axis."""
+    bodies: tuple[BodyAlone, BodyAlone]
+    """Ball and ring, pressed along the surfaces' normal."""
     bulge: Array
     """By how much each basis function pushes the ball's equator out, across the groove [m/Pa]."""
     dofs: int
@@ -373,20 +396,24 @@ class CondensedContact:
         return a, b, central_pressure(x / a, y / b, area, at)
 
     def added_compliances(self, load: float) -> tuple[float, float]:
-        """What ball and ring each add to the approach of a half-space under the same pressure, over the load [m/N]."""
-        groove = self.contact.groove
-        problem = groove.problem(load)
-        pressure, _ = self._pressure(load, follows_surface=False, parabola=True)
+        """What ball and ring each add to the approach of a half-space under Hertz's gap, over the load [m/N].
+
+        The difference of twice the energies, work along the displacement and along the gap: at the solution it is
+        stationary, so that the mesh's error in the pressure counts squared.
+        """
+        problem = self.contact.groove.problem(load)
+        pressure, _ = self._pressure(load, follows_surface=True, parabola=True)
         exact = ellipse(problem)
-        # Mean displacement under Hertz's pressure, of which <x^2> = a^2/5; each half-space has its compliance's share.
-        lower = (
+        # Means over Hertz's pressure, of which <x^2> = a^2/5; each half-space has its compliance's share of all.
+        along_gap = (
             0.1 * problem.curvature_x * exact.semi_major_axis**2 + 0.1 * problem.curvature_y * exact.semi_minor_axis**2
         )
+        basis = self.contact.frame.basis
+        force = float(basis.forces @ pressure)
+        rest = exact.approach + along_gap - 2.0 * float(basis.weighted(problem.parabolic_gap) @ pressure) / force
+        ball, ring = (float(pressure @ body.flexibility @ pressure) / force for body in self.bodies)
         share = self.contact.frame.ball_share
-        force = float(self.contact.frame.basis.forces @ pressure)
-        ball, ring = (float(pressure @ body @ pressure) / force for body in self.bodies)
-        mean = exact.approach - lower
-        return (ball - share * mean) / load, (ring - (1.0 - share) * mean) / load
+        return (ball - share * rest) / load, (ring - (1.0 - share) * rest) / load
 
     def bulges(self, load: float) -> tuple[float, float]:
         """By how much the ball's equator moves out, across the groove: finite elements, exact sphere [m]."""

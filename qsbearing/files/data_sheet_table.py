@@ -12,7 +12,7 @@ from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, material, si
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.inference.infer import InferredBearing, infer_bearing
-from qsbearing.model.scene.bearing import BallBearing, Outline
+from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,

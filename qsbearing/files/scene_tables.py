@@ -15,9 +15,10 @@ from qsbearing.files.data_sheet_table import sheet_tables
 from qsbearing.files.effects_table import AUTO
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
+from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.material import BY_NAME, Material
-from qsbearing.model.scene.bearing import BallBearing, free_angle_from_clearance
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     BEARING,
@@ -34,7 +35,6 @@ from qsbearing.model.scene.keys import (
     SEATS,
     Key,
 )
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.sets.bearing_set import BearingSet, Row

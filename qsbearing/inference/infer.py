@@ -15,8 +15,8 @@ from qsbearing.inference.narrowing import Range, range_of, shares_removed
 from qsbearing.inference.practice import ACCEPTED, FACTORS, HOW_TO_STATE, ISO, OWN_GROOVE, RatingPractice, practice_of
 from qsbearing.inference.ratings_fit import Fitted, fitted, joined
 from qsbearing.inference.rigidity import grooves_of_rigidity, pair_rigidity
+from qsbearing.model.bearing import BallBearing, BearingKind, Outline
 from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline
 from qsbearing.model.validation import ErrorDetail, SceneError, raise_if_any
 
 PAGE = "data_sheet"
@@ -153,7 +153,8 @@ def _no_set(sheet: DataSheet, kind: RatingPractice) -> ErrorDetail:
         RatingPractice.OWN_GROOVE: "with grooves of f = 0.508 to 0.535",
         RatingPractice.SERIES_FACTORS: "by ISO 281 and ISO 76 times the factors",
     }[kind]
-    known = ", ".join(name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None)
+    given = [name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None]
+    known = ", ".join(name.replace("_", " ") for name in given)
     problem = f"no ball set between these rings has these ratings {how}{f', with this {known}' if known else ''}"
     cause = (
         "Of one row, in newtons? Series of light balls, such as GMN's KH, follow neither: "

@@ -19,15 +19,15 @@ from math import copysign, cos, nan, sin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.ranked_warning import wrong_model
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm
-from qsbearing.model.validation import LENGTH, ErrorDetail, first, numeric
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
@@ -70,8 +70,9 @@ class OverrunArguments:
         """No shoulder at all, and those of the bearing that make no groove."""
         errors: list[ErrorDetail] = []
         if self.inner_shoulder_diameter is None and self.outer_shoulder_diameter is None:
-            cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
-            errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
+            inner, outer = Field("inner_shoulder_diameter"), Field("outer_shoulder_diameter")
+            cause = Sentence("Give {inner} or {outer}", inner=inner, outer=outer)
+            errors.append(ErrorDetail(inner, "missing", cause=cause, detail="no shoulder is given"))
         for name, value in vars(self).items():
             if value is not None and bearing is not None:
                 errors += _shoulder_errors(bearing, INNER if name.startswith("inner") else OUTER, name, value)

@@ -125,6 +125,18 @@ def test_ring_expansion_and_readings_of_a_scene_give_dimensions():
     assert found.sources["width"] == "catalogue"
 
 
+def test_a_designation_gives_boundary_dimensions(tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text(
+        '[bearing]\nname = "6205"\nkind = "deep_groove"\nball_count = 9\nball_diameter_mm = 7.938\n'
+        "pitch_diameter_mm = 39\ninner_groove_radius_mm = 4.088\nouter_groove_radius_mm = 4.088\n"
+        'diametral_clearance_mm = 0.01\nball_material = "steel"\nring_material = "steel"\n'
+        "[operation]\naxial_load_N = 500\n"
+    )
+    known = ring_sections(qs.load_scene(file), "mine").known
+    assert known == pytest.approx({"bore_diameter": 0.025, "outside_diameter": 0.052, "width": 0.015})
+
+
 def test_a_bearing_of_other_size_is_not_the_catalogues():
     scene = qs.load_scene("b218")
     larger = replace(scene, bearing=replace(scene.bearing, pitch_diameter=130 * qs.mm, name="B218, modified"))

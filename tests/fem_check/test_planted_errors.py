@@ -81,6 +81,24 @@ PLANTED = {
         "fixed[np.abs(frame.normal @ offset) < NEAR] = True",
         "true_geometry",
     ),
+    "the ring twice as many degrees wide": (
+        "fem_check/solids/true_contact.py",
+        "return pi / self.ball_count",
+        "return 2.0 * pi / self.ball_count",
+        "true_geometry",
+    ),
+    "what the bodies add to the approach x 2": (
+        "fem_check/solids/true_contact.py",
+        "return (ball - share * rest) / load, (ring - (1.0 - share) * rest) / load",
+        "return 2.0 * (ball - share * rest) / load, 2.0 * (ring - (1.0 - share) * rest) / load",
+        "true_geometry",
+    ),
+    "what the ring adds to the approach x 2": (
+        "fem_check/solids/true_contact.py",
+        "return (ball - share * rest) / load, (ring - (1.0 - share) * rest) / load",
+        "return (ball - share * rest) / load, 2.0 * (ring - (1.0 - share) * rest) / load",
+        "true_geometry",
+    ),
     "gap +1 %": (
         "fem_check/mechanics/contact.py",
         "gaps = basis.weighted(",
@@ -215,7 +233,7 @@ PLANTED = {
         SOLUTION,
     ),
     "free angle of a clearance": (
-        "qsbearing/model/scene/bearing.py",
+        "qsbearing/model/bearing.py",
         "/ (4.0 * np.asarray(groove_centre_distance, float))",
         "/ (4.01 * np.asarray(groove_centre_distance, float))",
         SOLUTION,

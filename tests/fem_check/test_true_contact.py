@@ -14,7 +14,7 @@ from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
 from fem_check.rows.agreement import Level
-from fem_check.solids import true_contact
+from fem_check.solids import true_contact, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
 
@@ -211,3 +211,35 @@ def test_the_whole_seat_is_held(contact):
     # A bore of its own radius, to a hundredth of the smallest element; its meshes are kept in single precision.
     seat = np.abs(np.hypot(y, z) - contact.section.back_radius) < 1e-6
     assert seat.sum() > 100 and fixed[seat].all()
+
+
+def rows_of_the_bodies(condensed, factor=1.0):
+    added = [(factor * each, 0.0) for each in condensed.added_compliances(LOAD)]
+    approach = condensed.over_hertz(LOAD, follows_surface=True)["approach"]
+    return [
+        *true_statics.rows("a case", condensed, LOAD),
+        *true_statics.approach_rows("a case", condensed, LOAD, added, (approach, 0.0), Level.QUICK),
+    ]
+
+
+def failed(rows):
+    return [row.quantity for row in rows if row.verdict == "fail"]
+
+
+def test_bodies_hold_statics_and_their_approach_is_the_independent_one(condensed):
+    assert failed(rows_of_the_bodies(condensed)) == []
+
+
+def test_planted_doubled_compliances_are_seen(condensed):
+    assert failed(rows_of_the_bodies(condensed, 2.0)) == [
+        "Hertz plus what the ball adds",
+        "Hertz plus what the ring adds",
+    ]
+
+
+def test_planted_ring_twice_as_wide_is_seen(condensed):
+    planted = replace(condensed, contact=replace(condensed.contact, ball_count=condensed.contact.ball_count // 2))
+    assert set(failed(true_statics.rows("a case", planted, LOAD))) == {
+        "work of a uniform dilation, ring",
+        "mass over density, ring",
+    }
