@@ -114,8 +114,8 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
         errors.append(ErrorDetail(f"bearing.{field}", "missing", cause=cause))
     elif None not in (sheet.free_contact_angle, sheet.diametral_clearance):
         cause = "One follows from the other and the grooves, which are inferred: keep one"
-        beside = Sentence("is given beside {angle}", angle=Field("free_contact_angle"))
-        errors.append(ErrorDetail("bearing.diametral_clearance", beside, cause=cause))
+        both = Sentence("is given together with {angle}", angle=Field("free_contact_angle"))
+        errors.append(ErrorDetail("bearing.diametral_clearance", both, cause=cause))
     for one, other in (("pair_preload", "pair_rigidity"), ("pair_rigidity", "pair_preload")):
         if given[one] is None and given[other] is not None:
             errors.append(ErrorDetail(f"bearing.{one}", "missing", cause="A rigidity belongs to its preload"))
