@@ -157,13 +157,17 @@ def test_what_a_designation_lacks_is_asked_for_once() -> None:
 
 
 def test_a_designation_gives_its_dimensions_and_what_is_left_out() -> None:
-    numbers = {key: value for key, value in OWN.items() if key not in ("diametral_clearance_mm", "ball_material")}
-    given = scene(**{**numbers, "name": "SKF 7205 CD/HC", "ring_material": "steel"}, ball_material="steel").bearing
+    lengths = ("ball_count", "ball_diameter_mm", "pitch_diameter_mm", "groove_radius_coefficient")
+    numbers = {key: OWN[key] for key in lengths}
+    given = scene(**numbers, name="SKF 7205 CD/HC").bearing
     assert given.free_contact_angle == pytest.approx(15 * deg)
-    assert given.ball_material.name == "steel", "what is given stays"
-    assert (given.outline.bore_diameter, given.outline.outside_diameter, given.outline.width) == pytest.approx(
-        (25 * mm, 52 * mm, 15 * mm)
-    )
+    assert (given.ball_material.name, given.ring_material.name) == ("silicon nitride", "steel")
+    size = (given.outline.bore_diameter, given.outline.outside_diameter, given.outline.width)
+    assert size == pytest.approx((25 * mm, 52 * mm, 15 * mm))
+    own = scene(**numbers, name="SKF 7205 CD/HC", ball_material="M50", free_contact_angle_deg=14.5).bearing
+    assert own.ball_material.name == "M50" and own.free_contact_angle == pytest.approx(14.5 * deg)
+    deep = scene(**numbers, name="6205-2RS", diametral_clearance_mm=0.01).bearing
+    assert deep.kind == "deep_groove" and deep.ball_material.name == "steel"
 
 
 def test_a_complete_bearing_may_have_any_name() -> None:

@@ -69,10 +69,11 @@ class Designation:
 
     @property
     def given(self) -> dict[str, Any]:
-        """What it says in the words of a file's [bearing]."""
+        """What it says in the words of a file's [bearing]; rings, and balls of which it says nothing, are of steel."""
         found = {
             "kind": self.kind, "bore_diameter_mm": self.bore, "outside_diameter_mm": self.outside,
-            "width_mm": self.width, "free_contact_angle_deg": self.angle, "ball_material": self.ball_material or None,
+            "width_mm": self.width, "free_contact_angle_deg": self.angle,
+            "ball_material": self.ball_material or "steel", "ring_material": "steel",
         }  # fmt: skip
         return {key: value for key, value in found.items() if value is not None}
 
