@@ -174,20 +174,18 @@ def _of_data_sheet(scene: Scene) -> Found:
     """Results as ranges; in JSON beside those of the set whose ratings fit best."""
     from dataclasses import replace
 
-    from qsbearing import messages
     from qsbearing.results.json_record import record
     from qsbearing.results.readings_record import Readings, all_columns, taken
     from qsbearing.studies import inferred
 
     solution = _solved(scene, None)
-    warnings = [*inferred.said(solution), *messages.warnings(solution)]
 
     def with_ranges(solution: Solution, _: Readings) -> dict[str, Any]:
         best = _solved(replace(scene, bearing=scene.bearing.inferred.at(0)), None)
-        return record(best, taken(best)) | {"warnings": warnings} | inferred.inferred_record(solution)
+        return record(best, taken(best), said=inferred.said(solution)) | inferred.inferred_record(solution)
 
     def blocks(solution: Solution, _: Readings) -> list[Block]:
-        return inferred.inferred_tables(solution, warnings)
+        return inferred.inferred_tables(solution)
 
     return _found(solution, scene, taken(solution), all_columns, with_ranges, blocks)
 

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.inference.infer import InferredBearing
 from qsbearing.inference.narrowing import Range
-from qsbearing.model.ranked_warning import RankedWarning, check_data
 from qsbearing.model.solution.result_keys import printed_unit, split
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
-from qsbearing.results.tables import digits_of, remarks
+from qsbearing.remarks.remark import Remark, in_order, remark
+from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.results.tables import digits_of
 from qsbearing.studies.design.compare import main_results
 from qsbearing.studies.results import read
 
@@ -58,11 +59,12 @@ def ranges(solution: Solution) -> list[Ranged]:
     return out
 
 
-def said(solution: Solution) -> list[RankedWarning]:
-    """What to beware of in the list itself."""
-    unsolved = int((~solution.converged).sum())
-    lost = f"{unsolved} of {solution.converged.size} bearings of the list are not solved, and in no range"
-    return [*solution.scene.bearing.inferred.remarks, *([check_data(lost, "data_sheet")] if unsolved else [])]
+def said(solution: Solution) -> list[Remark]:
+    """What to beware of, in the list itself and in the results of its bearings."""
+    bearings, unsolved = solution.converged.size, int((~solution.converged).sum())
+    lost = [remark("sheet_not_solved", unsolved=unsolved, bearings=bearings)] if unsolved else []
+    of_list = [each.remark for each in solution.scene.bearing.inferred.remarks]
+    return in_order([*of_list, *lost, *every_remark(solution)])
 
 
 def inferred_record(solution: Solution) -> dict[str, Any]:
@@ -96,7 +98,7 @@ def _sets(found: InferredBearing) -> list[tuple[int, float, float, float, float]
     return [(c[0], bearing.ball_count[c[0]], bearing.ball_diameter[c[0]], f[c].min(), f[c].max()) for c in cases]
 
 
-def inferred_tables(solution: Solution, warnings: list[RankedWarning]) -> list[Block]:
+def inferred_tables(solution: Solution) -> list[Block]:
     """The ranges and the sets for people."""
     found: InferredBearing = solution.scene.bearing.inferred
     every, numbers = ranges(solution), found.set_number
@@ -134,5 +136,5 @@ def inferred_tables(solution: Solution, warnings: list[RankedWarning]) -> list[B
         Table(columns, sets, "rrrrrl", title),
         Table(heading, rows, "llrrrr" + "r" * len(others), result),
         Paragraph(note, is_apart=True),
-        *remarks(warnings, is_apart=True),
+        *blocks(said(solution), is_apart=True),
     ]
