@@ -188,12 +188,12 @@ def entry_of(bearing: BallBearing) -> catalogue.Entry | None:
 
 
 def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
-    """What a bearing is called of which a file gives an entry's name and these keys beside it."""
+    """What a bearing is called of which a file gives an entry's name and these keys with it."""
     return f"{entry.name}{MODIFIED}" if changed_keys(entry, given) else entry.name
 
 
 def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
-    """Which of the keys that a file gives beside an entry's name have another value than the entry."""
+    """Which of the keys that a file gives with an entry's name have another value than the entry."""
     numbers = {key: value for key, value in given.items() if key != "name"}
     return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
 

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
 
 STUDY_TABLES = ("vary", "study")
-"""What a study file has beside the tables of a scene."""
+"""What a study file has in addition to the tables of a scene."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
 

@@ -214,7 +214,7 @@ SET_NUMBERS = {
     "supports": SHAFT_SUPPORT,
     "housing_stiffness": HOUSING_STIFFNESS,
 }
-"""The keys that hold numbers in what a file of a set has beside the tables of a scene."""
+"""The keys that hold numbers in what a file of a set has in addition to the tables of a scene."""
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
