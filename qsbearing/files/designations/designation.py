@@ -93,7 +93,7 @@ class Designation:
         parts = [
             self.arrangement and f"set {self.arrangement}: one row is described, [[rows]] makes a set",
             self.preload and f'preload class: write preload = "{self.preload}" or [preload]',
-            self.tolerance_class and f'{self.tolerance_class}: tolerance_class = "{self.tolerance_class}" beside fits',
+            self.tolerance_class and f"{self.tolerance_class}, except for fits by name",
             self.ignored,
         ]
         return "; ".join(part for part in parts if part)
@@ -166,7 +166,7 @@ def _completed(
         text, maker=maker, prefix=prefix, series=series, dimension_series=dimension_series, kind=kind, bore=bore,
         outside=outside, width=width, angle=angle, angles=angles, ball_material="silicon nitride" * is_ceramic,
         arrangement=arrangement, preload=meant.pop() if len(meant) == 1 else "",
-        tolerance_class=tolerance[0] if tolerance else "", ignored=ignored,
+        tolerance_class=tolerance[0].replace("-", "") if tolerance else "", ignored=ignored,
         is_plain=maker in ("", "GMN") and prefix in _PLAIN and ignored in ("", "TA"),
     )  # fmt: skip
 
