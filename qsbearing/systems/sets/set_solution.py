@@ -65,7 +65,7 @@ class SetSolution(Plotted):
         self.outcome = outcome
         """How the flattened cases ended, and where."""
         self.sides = sides
-        """Of a preload given as a force: the rows of either direction alone, at rest and cold, by their numbers from 0."""
+        """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
         self._unloaded = unloaded
         self._solve = solve
         self.seconds = seconds
