@@ -7,6 +7,7 @@ from fem_check.checks import (
     bearing_sector,
     body_size,
     conformity,
+    contact_at_the_edge,
     convergence_order,
     elastic_ring,
     hertz_formula,
@@ -38,6 +39,7 @@ ALL = {
         solution_contacts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
+        contact_at_the_edge.CHECK,
         bearing_sector.CHECK,
         elastic_ring.CHECK,
     )

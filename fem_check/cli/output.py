@@ -35,7 +35,7 @@ def require(extra: str, *packages: str, what: str = "this") -> None:
     """Refuse a command, or what of it is named, of which packages are missing, and say how to install them."""
     missing = [name for name in packages if importlib.util.find_spec(name) is None]
     if missing:
-        from qsbearing.messages.installation import pip_install  # not at the start of every command
+        from qsbearing.documents.installation import pip_install  # not at the start of every command
 
         refuse(f"{what} needs {', '.join(missing)}: {pip_install(extra)}")
 

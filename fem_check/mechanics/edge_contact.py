@@ -31,8 +31,8 @@ FIRST, GROWTH, LARGEST, ACROSS = 0.01, 1.3, 0.036, 16
 semi-minor axis has across."""
 WIDER = 1.3
 """Half-width of the grid: the cut contact is as wide as the uncut one but for its end at the edge."""
-NEAR_EDGE = (0.05, 0.6)
-"""Distances from the edge within which the pressure's intensity is read."""
+NEAR_EDGE = (0.02, 0.15)
+"""Distances from the edge within which the intensity is read; rectangles of half the size give 1 % less."""
 
 
 @dataclass(frozen=True)
@@ -102,21 +102,18 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
     pressure = _pressed(x, y, width, height, unit, edge, radius)
     area = 2.0 * height * width
     force = area * pressure
-    near = np.flatnonzero((y < height) & (x < edge))[::-1]
-    along = np.cumsum((pressure * width)[near])
-    of_edge = intensity(edge - x[near] + 0.5 * width[near], along)
+    # K and how it changes, from p sqrt(d); each rectangle has the mean of its d^-1/2.
+    distance = edge - x
+    near = (y < height) & (distance > NEAR_EDGE[0]) & (distance < NEAR_EDGE[1])
+    ends = distance[near] - 0.5 * width[near], distance[near] + 0.5 * width[near]
+    root = 2.0 * (np.sqrt(ends[1]) - np.sqrt(ends[0])) / width[near]
+    of_edge = float(np.polyfit(distance[near], pressure[near] / root, 1)[1])
     return Cut(
         float(force.sum()) / unit.load,
         -float(force @ x) / float(force.sum()) / ellipticity,
         of_edge,
         float(pressure.max()),
     )
-
-
-def intensity(distance: Array, pressed: Array) -> float:
-    """K, from the pressure along the axis integrated from the edge to each distance: 2 K sqrt(d) (1 + c d + ...)."""
-    chosen = (distance > NEAR_EDGE[0]) & (distance < NEAR_EDGE[1])
-    return float(np.polyfit(distance[chosen], 0.5 * pressed[chosen] / np.sqrt(distance[chosen]), 2)[2])
 
 
 def _pressed(x: Array, y: Array, width: Array, height: float, unit: Unit, edge: float, radius: float | None) -> Array:

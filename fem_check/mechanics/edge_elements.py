@@ -14,7 +14,7 @@ import numpy as np
 from fem_check.elements.elastic_body import HeldBlock, Support
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.independent.contact_problem import Array, GapFunction
-from fem_check.mechanics.edge_contact import Cut, Unit, fixed_approach, graded, intensity, opened
+from fem_check.mechanics.edge_contact import Cut, Unit, fixed_approach, graded, opened
 
 POISSON_RATIO = 0.3
 FIRST, GROWTH = 0.015, 1.5
@@ -23,6 +23,8 @@ LARGEST = 0.08
 """Along the contact, over a."""
 DEPTH = 6.0
 """Of the block below the contact, and beside it."""
+NEAR_EDGE = (0.05, 0.6)
+"""Distances from the edge up to which the pressure is integrated for its intensity."""
 PATCH = 1.4
 """Half-width of the patch that may carry pressure."""
 
@@ -63,20 +65,22 @@ class Block:
         on_axis = np.flatnonzero(basis.points[1] == 0.0)
         at, along = basis.points[0, on_axis], pressure[on_axis]
         means = 0.5 * (along[1:] + along[:-1])
-        near = intensity(at[1:], np.cumsum(means * np.diff(at)))
-        return Cut(load / unit.load, moment / load / ellipticity, near, float(means.max()))
+        # K from the pressure integrated from the edge, 2 K sqrt(d) (1 + ...): single values swing about it.
+        distance, pressed = at[1:], np.cumsum(means * np.diff(at))
+        near = (distance > NEAR_EDGE[0]) & (distance < NEAR_EDGE[1])
+        of_edge = np.polyfit(distance[near], 0.5 * pressed[near] / np.sqrt(distance[near]), 2)[2]
+        return Cut(load / unit.load, moment / load / ellipticity, float(of_edge), float(means.max()))
 
 
-def block(ellipticity: float, elements: int, largest_share: float = 0.95) -> Block:
+def block(ellipticity: float, elements: int) -> Block:
     """For contacts of an ellipticity.
 
     Args:
         elements: per semi-minor axis across.
-        largest_share: of the major axis that any contact has within the groove.
     """
     from skfem import MeshHex
 
-    inside = graded(2.05 * ellipticity * largest_share, FIRST, GROWTH, LARGEST * ellipticity)
+    inside = graded(2.05 * ellipticity, FIRST, GROWTH, LARGEST * ellipticity)
     across = np.linspace(0.0, PATCH, round(PATCH * elements) + 1)
     lines = inside, across, np.zeros(1)
     firsts = inside[-1] - inside[-2], across[1], 0.6 / elements

@@ -36,7 +36,7 @@ def missing(*modules: str) -> list[str]:
 
 def how_to_install(extra: str) -> str:
     """The command that does, for this copy."""
-    from qsbearing.messages.installation import pip_install  # not at the start of every command
+    from qsbearing.documents.installation import pip_install  # not at the start of every command
 
     return pip_install(extra)
 

@@ -12,14 +12,14 @@ from qsbearing.files import catalogue
 from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
-from qsbearing.model.scene.bearing import (
+from qsbearing.model.bearing import (
     BallBearing,
     BearingKind,
     Outline,
     free_angle_from_clearance,
     pitch_and_clearance,
 )
-from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX
+from qsbearing.model.bearing_errors import FREE_ANGLE_MAX
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,

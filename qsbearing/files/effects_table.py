@@ -144,7 +144,7 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     if not is_table:
         return None
     missing = [key for key in _needed(name) if key not in good and key not in unusable]
-    errors += [FileErrorDetail(f"{path}.{key}", "missing: the effect needs it") for key in missing]
+    errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
     for key in known_materials:
         if key in table:

@@ -33,8 +33,19 @@ class FileErrorDetail:
     """Where the value came from, if not from the file itself."""
     where: NDArray | None = field(default=None, compare=False, repr=False)
     """Which cases of a study it concerns; None: all of them."""
+    detail: str = ""
+    """More of the problem, such as its numbers."""
 
     def __str__(self) -> str:
+        return "\n    ".join(map(printable, self._parts()))
+
+    @property
+    def line(self) -> str:
+        """All of it on one line, for use within another sentence."""
+        return ". ".join(map(printable, self._parts()))
+
+    def _parts(self) -> list[str]:
+        """The problem, the range and the cause, as far as there are any."""
         head = self.key
         if self.value is not None:
             text = shown(self.value)
@@ -43,14 +54,10 @@ class FileErrorDetail:
                 head += f" {printed_unit(self.unit)}"
         if self.note:
             head += f" ({self.note})"
-        lines = [f"{head}: {self.problem}" if head else self.problem]
+        parts = [": ".join(filter(None, (head, self.problem, self.detail)))]
         if self.allowed is not None:
-            lines.append(
-                f"    allowed: {self.allowed[0]:.6g} to {self.allowed[1]:.6g} {printed_unit(self.unit)}".rstrip()
-            )
-        if self.cause:
-            lines.append(f"    {self.cause}")
-        return "\n".join(map(printable, lines))
+            parts.append(f"allowed: {self.allowed[0]:.6g} to {self.allowed[1]:.6g} {printed_unit(self.unit)}".rstrip())
+        return [*parts, self.cause] if self.cause else parts
 
 
 class SceneFileError(SceneError):

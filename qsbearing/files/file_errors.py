@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from qsbearing.files.errors import MOST_SHOWN, FileErrorDetail, SceneFileError, refused
-from qsbearing.files.file_keys import find, path_in_file, with_file_keys
+from qsbearing.files.file_keys import find, path_in_file, spelled
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import printed_unit
-from qsbearing.model.validation import ErrorDetail, unit_mistake
+from qsbearing.model.validation import ErrorDetail, Field, Sentence, UnitAdvice
 
 __all__ = ["MOST_SHOWN", "FileErrorDetail", "SceneFileError", "refused", "translate"]
 
@@ -14,17 +14,23 @@ __all__ = ["MOST_SHOWN", "FileErrorDetail", "SceneFileError", "refused", "transl
 def translate(error: ErrorDetail) -> FileErrorDetail:
     """An error of the Python objects as the file's reader needs it."""
     key = find(error.field) or Key("", "")
-    value, allowed, cause = error.value, error.allowed, error.cause
-    is_number = isinstance(value, float | int) and not isinstance(value, bool)
-    # Python's advice on units is about SI; the file's unit needs its own. A more particular cause stays.
-    if allowed is not None and error.quantity is not None and is_number:
-        for_python = unit_mistake(value, error.quantity, *allowed)
-        cause = _unit_mistake(key, key.in_file(value), allowed) if cause == for_python else cause
+    value, allowed = error.value, error.allowed
+    value = key.in_file(value) if isinstance(value, float | int) and not isinstance(value, bool) else value
+    problem, detail, cause = (_written(each, error.field) for each in (error.problem, error.detail, error.cause))
     if allowed is not None:
+        cause = _unit_mistake(key, value, allowed) if isinstance(error.cause, UnitAdvice) else cause
         allowed = (key.in_file(allowed[0]), key.in_file(allowed[1]))
-    value = key.in_file(value) if is_number else value
-    problem, cause = (with_file_keys(sentence, error.field) for sentence in (error.problem, cause))
-    return FileErrorDetail(path_in_file(error.field), problem, value, key.unit, allowed, cause, where=error.where)
+    path = path_in_file(error.field)
+    return FileErrorDetail(path, problem, value, key.unit, allowed, cause, where=error.where, detail=detail)
+
+
+def _written(sentence: str, path: str) -> str:
+    """A sentence on a path, its fields spelled as the file's keys and errors within it told in the file's units."""
+
+    def spell(value: Field | ErrorDetail) -> str:
+        return translate(value).line if isinstance(value, ErrorDetail) else spelled(value, path)
+
+    return sentence.written(spell) if isinstance(sentence, Sentence) else sentence
 
 
 def _unit_mistake(key: Key, value: float, allowed: tuple[float, float]) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from functools import cache
 from typing import TYPE_CHECKING
 
 from qsbearing.files import thermal_keys
@@ -27,6 +25,7 @@ if TYPE_CHECKING:
     from qsbearing.readings.entry import Table
 
 _EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
+_OF_EFFECTS = {"ball_effects": "ball"}
 
 
 def reading_tables() -> dict[str, Table]:
@@ -69,7 +68,7 @@ def find(path: str) -> Key | None:
 def path_in_file(path: str) -> str:
     """A Python path as the file spells it: `bearing.ball_diameter` is `bearing.ball_diameter_mm`."""
     if path in _EFFECTS:
-        return f"effects.{_key_of_field(False).get(path, path)}"
+        return f"effects.{_OF_EFFECTS.get(path, path)}"
     key = find(path)
     if key is BALL_DEVIATIONS:
         return f"effects.{key.name}"
@@ -81,21 +80,15 @@ def path_in_file(path: str) -> str:
     return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
 
 
-def with_file_keys(sentence: str, path: str) -> str:
-    """A sentence on a path with every Python name replaced by the file's key, but for words in quotation marks.
+def spelled(name: str, path: str) -> str:
+    """A name within a sentence on a path as the file spells it: `axial_load` of `operation.speed` is `axial_load_N`.
 
-    A name that is also an ordinary word, such as spring, counts as a name after a dot only: preload.spring.
+    A name with its table, such as `preload.spring`, keeps the table.
     """
-    keys = _key_of_field(_is_of_reading(path))
-    names = "|".join(name if "_" in name else rf"(?<=\.){name}" for name in sorted(keys, key=len, reverse=True))
-    return re.sub(rf'(?<!")\b({names})\b(?!")', lambda match: keys[match.group()], sentence)
+    table = name.rpartition(".")[0]
+    key = find(name if table else f"{path.rpartition('.')[0]}.{name}")
+    return (f"{table}.{key.name}" if table else key.name) if key else name
 
 
 def _is_of_reading(path: str) -> bool:
     return ".readings." in f".{path}"
-
-
-@cache
-def _key_of_field(of_readings: bool) -> dict[str, str]:
-    tables = numbers() if of_readings else NUMBERS
-    return {key.field: key.name for keys in tables.values() for key in keys} | {"ball_effects": "ball"}

@@ -9,10 +9,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from qsbearing.documents.installation import pip_install
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.raw import check_regular
-from qsbearing.messages.installation import pip_install
 
 WHAT = "a netCDF file"
 

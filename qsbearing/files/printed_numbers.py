@@ -17,8 +17,8 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, designated, entry_of, kept
 from qsbearing.files.effects_table import flattened
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import ElasticRings
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     BEARING,

@@ -9,7 +9,7 @@ from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, si, table_model
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import near
+from qsbearing.model.validation import Field, Sentence, near
 
 
 @cache  # a search reads a file's tables a thousand times
@@ -23,8 +23,8 @@ def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[s
     """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any."""
     table = document.get("readings", {})
     if not isinstance(table, dict):
-        cause = "Write it as [readings], one table for each: [readings.life]"
-        errors.append(FileErrorDetail("readings", "is not a table", table, cause=cause))
+        how = Sentence("Write it as [{table}], one table for each: [{table}.life]", table=Field("readings"))
+        errors.append(FileErrorDetail("readings", "is not a table", table, cause=how))
         return {}
     before = len(errors)
     asked: dict[str, dict[str, Any]] = {}

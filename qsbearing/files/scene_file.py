@@ -28,6 +28,7 @@ from qsbearing.files.table_checks import (
     unknown_key,
 )
 from qsbearing.files.toml import read_toml
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.keys import (
     EFFECT_SECTIONS,
     OPERATION,
@@ -35,8 +36,7 @@ from qsbearing.model.scene.keys import (
     SECTIONS,
     SET_SECTIONS,
 )
-from qsbearing.model.scene.operation import CHANNELS, Operation
-from qsbearing.model.scene.preload import Preload, beside_preload
+from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import SceneError, near, printable
 
@@ -214,12 +214,12 @@ def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
 
 
 def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
-    """The preload of a file's table [preload], where it has one; with an operation given, judged beside it."""
+    """The preload of a file's table [preload], where it has one; checked together with an operation that is given."""
     if document.get("preload") is None:
         return None
     good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
     if operation is not None:
-        errors += map(translate, beside_preload(operation))
+        errors += map(translate, axial_channel_errors(operation))
     if not isinstance(document["preload"], dict):
         return None
     return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)

@@ -14,9 +14,10 @@ from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
 from qsbearing.files.effects_table import AUTO
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
+from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.material import BY_NAME, Material
-from qsbearing.model.scene.bearing import BallBearing, free_angle_from_clearance
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     BEARING,
@@ -33,7 +34,6 @@ from qsbearing.model.scene.keys import (
     SEATS,
     Key,
 )
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.sets.bearing_set import BearingSet, Row

@@ -18,7 +18,7 @@ from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_h
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
-from qsbearing.model.validation import ErrorDetail, SceneError, near
+from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
 from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
@@ -166,7 +166,7 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
         replace(
             each,
             key=f"{path}.{each.key.removeprefix('effects.')}",
-            cause=each.cause.replace("Write it as [", "Write it as [rows."),
+            cause=each.cause.written(lambda table: f"rows.{table}") if isinstance(each.cause, Sentence) else each.cause,
         )
         for each in errors
     ]

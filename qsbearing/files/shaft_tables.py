@@ -48,6 +48,8 @@ from qsbearing.systems.sets.shaft import (
     Spacer,
 )
 
+_ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
+_RIGID = ". A rigid shaft takes its loads in [operation], without "
 WITHIN_SHAFT = ("sections", "loads", "supports", "points")
 _MATERIAL = {"material": as_it_is}
 _SHAFT = table_model("shaft", SHAFT)
@@ -81,8 +83,7 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
         found["shaft"] = _shaft(table, numbers, errors)
     elif numbers:
-        cause = "They make it elastic: [[shaft.sections]] with length_mm and outer_diameter_mm"
-        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=cause))
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
     if "housing" in document:
         found["housing"] = _housing(document["housing"], errors)
     found["spacers"] = tuple(_listed(document, "spacers", "spacer", "spacer", errors))
@@ -169,6 +170,9 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
             errors.append(FileErrorDetail(f"shaft.points.{name}", "is not a position", value, "mm", cause=cause))
         else:
             named[name.removesuffix("_mm")] = value * 1e-3
+    if not parts["sections"] and len(errors) == before:
+        given = " and ".join(f"[[shaft.{name}]]" for name in WITHIN_SHAFT[1:3] if name in table)
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=f"{_ELASTIC}{given and _RIGID + given}"))
     return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
 
 

@@ -10,8 +10,8 @@ import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.table_checks import Errors, checked, table_model
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
-from qsbearing.model.scene.operation import Operation
 from qsbearing.model.scene.scene import Scene
 
 if TYPE_CHECKING:

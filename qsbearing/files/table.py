@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from qsbearing.documents.installation import pip_install
 from qsbearing.files.cells import check_size, is_empty
 from qsbearing.files.csv_rows import rows_of_csv
 from qsbearing.files.errors import SceneFileError, refused
 from qsbearing.files.limits import LARGEST_SHEET, LARGEST_TABLE
 from qsbearing.files.raw import decoded, read_bytes
-from qsbearing.messages.installation import pip_install
 
 ENDINGS = (".csv", ".xlsx", ".parquet")
 Columns = dict[str, list[Any]]

@@ -14,13 +14,14 @@ import numpy as np
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
+from qsbearing.files.usual_words import other_kind
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
-from qsbearing.model.scene.bearing import BearingKind
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
-from qsbearing.model.validation import ErrorDetail, SceneError, comma_advice, near
+from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, comma_advice, near
 
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
 """The keys of a file whose words are those of a choice."""
@@ -102,7 +103,7 @@ _MATERIAL = table_model("material", MATERIAL)
 def checked(model: TableModel, path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
     """The table's usable values; and the keys that have none although the file tries to give one."""
     if not isinstance(table, dict):
-        cause = f"Write it as [{path}], keys below it"
+        cause = Sentence("Write it as [{table}], keys below it", table=Field(path))
         errors.append(FileErrorDetail(path, "is not a table", table, cause=cause))
         return {}, set()
     unusable: set[str] = set()
@@ -139,7 +140,8 @@ def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) 
 def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
     if name in CHOICES_OF_FILES:
         names = list(CHOICES_OF_FILES[name])
-        cause = did_you_mean(value, names) or f"One of {', '.join(names)}"
+        cause = other_kind(value) if name == "kind" else ""
+        cause = cause or did_you_mean(value, names) or f"One of {', '.join(names)}"
         return FileErrorDetail(path, "is none of the choices", value, cause=cause)
     if name == "ball":
         cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'
@@ -152,11 +154,10 @@ def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
         return FileErrorDetail(path, "is not a word in quotation marks", value)
     if isinstance(value, int | float) and not isinstance(value, bool):
         return FileErrorDetail(path, "is not a finite number (floats end at 1.8e308)", value, key.unit)
-    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}, without quotation marks"
+    cause = f"A number{f' in {printed_unit(key.unit)}' if key.unit else ''}"
+    cause += "" if isinstance(value, bool) else ", without quotation marks"
     if advice := comma_advice(value):
         cause += f". {advice}"
-    elif isinstance(value, bool):
-        cause = cause.partition(", ")[0]
     return FileErrorDetail(path, "is not a number", value, key.unit, cause=cause)
 
 

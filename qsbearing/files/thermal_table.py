@@ -100,7 +100,7 @@ def _nodes(table: dict[str, Any]) -> set[str]:
 def _oil(table: Any, errors: Errors) -> OilFlow | None:
     good, unusable = checked(_OIL, "thermal.oil", table, errors)
     missing = [key.name for key in OIL if key.name not in good and key.name not in unusable]
-    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing: a flow of oil needs it") for name in missing]
+    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing", detail="a flow of oil needs it") for name in missing]
     return None if missing or unusable else OilFlow(**si(OIL, good))
 
 

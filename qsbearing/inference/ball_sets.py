@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.inference.data_sheet import DataSheet
-from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.units import mm
 
 INCH_SIZES = 25.4 * mm * np.concatenate([np.arange(2, 37) / 64.0, np.arange(19, 96) / 32.0])

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from qsbearing.inference.practice import RatingPractice, practice_errors
+from qsbearing.model.bearing import BearingKind
+from qsbearing.model.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
 from qsbearing.model.material import STEEL, Material, material_errors
-from qsbearing.model.scene.bearing import BearingKind
-from qsbearing.model.scene.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
 from qsbearing.model.units import N, mm, um
 from qsbearing.model.validation import ANGLE, COUNT, FORCE, LENGTH, RATIO, ErrorDetail, Quantity, choose, within
 

@@ -15,8 +15,8 @@ from qsbearing.inference.narrowing import Range, range_of, shares_removed
 from qsbearing.inference.practice import ACCEPTED, FACTORS, HOW_TO_STATE, ISO, OWN_GROOVE, RatingPractice, practice_of
 from qsbearing.inference.ratings_fit import Fitted, fitted, joined
 from qsbearing.inference.rigidity import grooves_of_rigidity, pair_rigidity
+from qsbearing.model.bearing import BallBearing, BearingKind, Outline
 from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know
-from qsbearing.model.scene.bearing import BallBearing, BearingKind, Outline
 from qsbearing.model.validation import ErrorDetail, SceneError, raise_if_any
 
 PAGE = "data_sheet"

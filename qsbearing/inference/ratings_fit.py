@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.inference.ball_sets import INCH_SIZES, METRIC_SIZES, BallSets, possible_sets
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.inference.practice import Practice, RatingPractice
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.material import STEEL, Material
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.dynamic_rating import Rating, dynamic_load_rating
 from qsbearing.readings.static_rating import static_load_rating

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.inference.ratings_fit import secants
-from qsbearing.model.scene.bearing import BallBearing
-from qsbearing.model.scene.operation import Operation
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solver import solve
 

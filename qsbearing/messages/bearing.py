@@ -11,6 +11,7 @@ from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings,
 from qsbearing.messages.expansion import expansion_warnings, give_warnings
 from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import preload_warnings
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
@@ -24,9 +25,8 @@ from qsbearing.model.kernel.admissibility import (
     UNLOADED_RING,
     UNSUPPORTED,
 )
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
-from qsbearing.model.scene.bearing import BearingKind
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, lines_to_add

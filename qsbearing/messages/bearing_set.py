@@ -2,60 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from qsbearing.messages import bearing
 from qsbearing.messages.equal_warnings import together
 from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import excessive, lost, reduced
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.ranked_warning import RankedWarning, capital, check_data, in_order, ranked, said_of, wrong_model
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads, PreloadState
-from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE
-
-if TYPE_CHECKING:
-    from qsbearing.systems.heat.state import ThermalState
-    from qsbearing.systems.sets.bearing_set import BearingSet, Row
-    from qsbearing.systems.sets.outcome import Outcome
-
-
-class SetSolution(Protocol):
-    """What is read here of a set's solution, which lies above: its methods hand on what is said here."""
-
-    set: BearingSet
-    shape: tuple[int, ...]
-    thermal: ThermalState | None
-    _outcome: Outcome
-
-    @property
-    def _sides(self) -> Mapping[tuple[int, ...], SetSolution]: ...
-    @property
-    def rows(self) -> tuple[Solution, ...]: ...
-    @property
-    def control_is_consistent(self) -> Any: ...
-    @property
-    def preload_loads(self) -> PreloadLoads | None: ...
-    @property
-    def preload_unmounted(self) -> NDArray | None: ...
-    @property
-    def preload_mounted(self) -> NDArray | None: ...
-    @property
-    def mounted(self) -> SetSolution | None: ...
-    def _flat_index(self, index: Index) -> int: ...
-
-
-def row_name(row: Row, number: int) -> str:
-    """A row as sentences name it; rows count from 1."""
-    name = f"{row.bearing.name}, " if row.bearing.name else ""
-    return f"row {number + 1} ({name}carries {row.carries})"
+from qsbearing.systems.sets.bearing_set import row_name
+from qsbearing.systems.sets.set_solution import SetSolution
 
 
 def message(solution: SetSolution, index: Index = None) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from math import pi
@@ -62,6 +62,45 @@ RATIO = Quantity("-")
 COUNT = Quantity("balls")
 
 
+class Field(str):
+    """The name of a field within a sentence, as Python has it: of the same table alone, of another with its table."""
+
+
+class Sentence(str):
+    """A sentence with what it names in braces. As a string it is Python's; `written` is for other readers."""
+
+    template: str
+    values: dict[str, Any]
+
+    def __new__(cls, template: str, **values: Any) -> Sentence:
+        made = super().__new__(cls, _filled(template, values, str))
+        made.template, made.values = template, values
+        return made
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
+        return (self.template,), self.values
+
+    def written(self, spell: Callable[[Any], str]) -> str:
+        """The sentence with its fields, and errors within it, spelled by this function."""
+        return _filled(self.template, self.values, spell)
+
+
+def _filled(template: str, values: dict[str, Any], spell: Callable[[Any], str]) -> str:
+    def said(value: Any) -> Any:
+        if isinstance(value, tuple):
+            return ("; " if any(isinstance(each, ErrorDetail) for each in value) else ", ").join(map(said, value))
+        return spell(value) if isinstance(value, Field | ErrorDetail) else value
+
+    return template.format(**{name: said(value) for name, value in values.items()})
+
+
+class UnitAdvice(str):
+    """The likely mistake is one of unit: a sentence for Python, empty where no unit explains it.
+
+    Whoever prints the value in another unit works it out again, from the value and the range.
+    """
+
+
 @dataclass(frozen=True)
 class ErrorDetail:
     """One thing wrong with one field."""
@@ -69,7 +108,7 @@ class ErrorDetail:
     field: str
     """The field's name in Python, e.g. `bearing.ball_diameter`."""
     problem: str
-    """A sentence."""
+    """A sentence, the same for all values; its fields, as those of `detail` and `cause`, may be named (`Sentence`)."""
     value: Any = None
     """The offending value, SI; the first one of an array."""
     quantity: Quantity | None = None
@@ -79,13 +118,15 @@ class ErrorDetail:
     """What is likely meant, or what to write instead."""
     where: NDArray | None = dataclasses.field(default=None, compare=False, repr=False)
     """Which cases it concerns, broadcasting to the case axes; None: all of them."""
+    detail: str = ""
+    """More of the problem, such as its numbers."""
 
     def __str__(self) -> str:
         unit = f" {self.quantity.unit}" if self.quantity and self.quantity.unit != "-" else ""
         text = self.field
         if self.value is not None:
             text += f" = {shown(self.value)}{unit if isinstance(self.value, float | int) else ''}"
-        text += f": {self.problem}"
+        text += f": {self.problem}" + (f": {self.detail}" if self.detail else "")
         if self.allowed is not None:
             text += f" (allowed: {self.allowed[0]:g} to {self.allowed[1]:g}{unit})"
         return text + (f". {self.cause}" if self.cause else "")
@@ -210,16 +251,17 @@ def on_side(field: str, value: Any, limit: Any, outward: float, what: str) -> li
     if not bad.any():
         return []
     wrong, least = first(bad, found, other)
-    allowed = (least, 20.0) if outward > 0.0 else (0.0, least)
-    return [ErrorDetail(field, f"is not {what}, {least / mm:.6g} mm", wrong, LENGTH, allowed, where=bad)]
+    allowed, cause = ((least, 20.0), unit_mistake(wrong, LENGTH, least, 20.0)) if outward > 0.0 else ((0.0, least), "")
+    return [ErrorDetail(field, f"is not {what}, {least / mm:.6g} mm", wrong, LENGTH, allowed, cause, bad)]
 
 
-def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> str:
+def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> UnitAdvice:
     """A sentence naming the unit in which an out-of-range SI value would be in range; empty where none would."""
     for _, name, size in quantity.units:
         if size != 1.0 and low <= value * size <= high:
-            return f"Given in {name}? Python takes SI and radians: multiply by the unit, as in 22.225 * qs.mm"
-    return ""
+            said = f"Given in {name}? Python takes SI and radians: multiply by the unit, as in 22.225 * qs.mm"
+            return UnitAdvice(said)
+    return UnitAdvice("")
 
 
 def near(word: str, known: Any, cutoff: float) -> str:

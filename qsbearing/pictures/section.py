@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.scene.bearing import BearingKind
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mm

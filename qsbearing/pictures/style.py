@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
-from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.raceway_contacts import RacewayContacts

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.contact.hertz import point_contact
-from qsbearing.model.scene.bearing import BallBearing, BearingKind
 from qsbearing.model.units import deg
 
 INNER, OUTER = -1.0, 1.0

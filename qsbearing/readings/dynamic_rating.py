@@ -24,7 +24,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.units import mm
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 

@@ -14,7 +14,7 @@ from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar
 
 from numpy.typing import NDArray
 
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution

@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.units import deg, mm
 from qsbearing.readings.bearing_numbers import BearingNumbers
 

@@ -33,9 +33,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry, kernel
 from qsbearing.model.ranked_warning import check_data, good_to_know, wrong_model
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown

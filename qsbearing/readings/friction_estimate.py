@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.ranked_warning import good_to_know, wrong_model
-from qsbearing.model.scene.bearing import BallBearing, BearingKind
 from qsbearing.model.scene.keys import DIAMETERS, Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -139,7 +139,7 @@ class EstimateArguments:
         if self.lubrication_factor is not None:
             errors += within("lubrication_factor", self.lubrication_factor, RATIO, 0.1, 20.0)
             if self.static_load_rating is None:
-                errors.append(ErrorDetail("static_load_rating", "missing: Palmgren's estimate needs it"))
+                errors.append(ErrorDetail("static_load_rating", "missing", detail="Palmgren's estimate needs it"))
         if self.speed_rating is not None:
             errors += within("speed_rating", self.speed_rating, SPEED, 1e-3, 1e6)
         return errors

@@ -12,7 +12,7 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.validation import RATIO, ErrorDetail, raise_if_any, within
 from qsbearing.readings.entry import Reading

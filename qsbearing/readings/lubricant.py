@@ -17,7 +17,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.scene.keys import Key, celsius
 from qsbearing.model.units import GPa, kg_m3, mm
-from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, Quantity, SceneError, raise_if_any, within
+from qsbearing.model.validation import (
+    DENSITY,
+    RATIO,
+    ErrorDetail,
+    Field,
+    Quantity,
+    SceneError,
+    Sentence,
+    raise_if_any,
+    within,
+)
 from qsbearing.readings.entry import Table
 
 FREEZING = 273.15
@@ -255,8 +265,11 @@ def oil_of(numbers: Mapping[str, Any]) -> tuple[OilState | None, list[ErrorDetai
         errors.append(ErrorDetail("oil_temperature", "missing"))
     by_points = cold is not None and hot is not None
     if (grade is None) == (cold is None and hot is None) or (grade is None and not by_points):
-        cause = "Give iso_viscosity_grade, or viscosity_at_40 and viscosity_at_100"
-        errors.append(ErrorDetail("iso_viscosity_grade", "does not make one oil", cause=cause))
+        either = Sentence(
+            "Give {grade}, or {cold} and {hot}",
+            grade=Field("iso_viscosity_grade"), cold=Field("viscosity_at_40"), hot=Field("viscosity_at_100"),
+        )  # fmt: skip
+        errors.append(ErrorDetail("iso_viscosity_grade", "does not make one oil", cause=either))
     elif index is not None and grade is None:
         cause = "Leave it out: two viscosities make the index"
         errors.append(ErrorDetail("viscosity_index", "is given together with two viscosities", cause=cause))

@@ -12,10 +12,10 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution

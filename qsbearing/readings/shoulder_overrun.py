@@ -22,16 +22,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mm
-from qsbearing.model.validation import LENGTH, ErrorDetail, first, numeric, within
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
@@ -91,8 +91,9 @@ class OverrunArguments:
         """No shoulder at all, and those of the bearing that make no groove."""
         errors: list[ErrorDetail] = []
         if self.inner_shoulder_diameter is None and self.outer_shoulder_diameter is None:
-            cause = "Give inner_shoulder_diameter or outer_shoulder_diameter"
-            errors.append(ErrorDetail("inner_shoulder_diameter", "missing: no shoulder is given", cause=cause))
+            inner, outer = Field("inner_shoulder_diameter"), Field("outer_shoulder_diameter")
+            cause = Sentence("Give {inner} or {outer}", inner=inner, outer=outer)
+            errors.append(ErrorDetail(inner, "missing", cause=cause, detail="no shoulder is given"))
         if self.edge_radius is not None:
             errors += within("edge_radius", self.edge_radius, LENGTH, 1e-6, 0.1)
         for name, value in vars(self).items():

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.preload import FORCES, Preload
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution

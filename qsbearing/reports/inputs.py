@@ -16,9 +16,9 @@ from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import ElasticRings, RingExpansion
 from qsbearing.model.material import BY_NAME, Material
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.scene.keys import (
     BEARING,
     COEFFICIENTS,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
 from qsbearing.messages.equal_warnings import rows_together
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.reports.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from qsbearing import messages
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section, Table
-from qsbearing.messages.bearing_set import row_name, warnings_by_rows
+from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.messages.equal_warnings import rows_together
 from qsbearing.model.ranked_warning import capital
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
@@ -19,6 +19,7 @@ from qsbearing.results.readings_record import Readings, taken, warnings_of
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.shaft_report import DEFLECTION
 from qsbearing.results.tables import remarks
+from qsbearing.systems.sets.bearing_set import row_name
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
 

@@ -10,9 +10,9 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.material import SILICON_NITRIDE
-from qsbearing.model.scene.bearing import BearingKind
 from qsbearing.model.units import MPa, deg
 from qsbearing.reports.conditions import (
     NOTHING,

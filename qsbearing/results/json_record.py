@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing import messages
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.result_keys import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.messages.bearing_set import row_name, warnings_by_rows
+from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import rpm
@@ -30,6 +30,7 @@ from qsbearing.results.report import (
 from qsbearing.results.set_record import set_record
 from qsbearing.results.shaft_report import shaft_tables
 from qsbearing.results.tables import digits_of, remarks
+from qsbearing.systems.sets.bearing_set import row_name
 from qsbearing.systems.sets.set_solution import SetSolution
 
 

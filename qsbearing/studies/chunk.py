@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
+from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from qsbearing.files.file_keys import numbers, sections
 from qsbearing.files.thermal_keys import SECTIONS as THERMAL_SECTIONS
 from qsbearing.files.usual_words import usual
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.validation import near
 
 _EITHER = (
@@ -66,15 +66,15 @@ def _all() -> dict[str, StudyKey]:
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
             found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
     for name in COEFFICIENTS:
-        found[name] = StudyKey(name, ("bearing", name), "1", _beside(name))
+        found[name] = StudyKey(name, ("bearing", name), "1", _replaced(name))
     for key in RACEWAYS:
         found[key.name] = StudyKey(key.name, ("bearing", key.name), key.unit)
     for radius in ("inner_groove_radius_mm", "outer_groove_radius_mm"):
-        found[radius] = replace(found[radius], replaces=_beside(radius))
+        found[radius] = replace(found[radius], replaces=_replaced(radius))
     return found
 
 
-def _beside(name: str) -> tuple[str, ...]:
+def _replaced(name: str) -> tuple[str, ...]:
     """Paths of the keys that say the same of a groove: of a radius its coefficient, of a coefficient what it covers."""
     radii = COEFFICIENTS.get(name, ())
     covered = [each for each, own in COEFFICIENTS.items() if own == (name,) or (len(own) < len(radii))]

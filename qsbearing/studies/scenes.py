@@ -68,7 +68,7 @@ def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> Pos
             numbers = np.flatnonzero(possible)
             for each in wrong:
                 concerned = numbers[np.broadcast_to(np.asarray(each.where), numbers.shape)]
-                text = f"{each.key}: {each.problem.partition(':')[0]}"
+                text = f"{each.key}: {each.problem}"
                 if text not in reasons:
                     reasons.append(text)
                 fresh = concerned[possible[concerned]]
@@ -153,7 +153,9 @@ def check(study: Study) -> Scene | BearingSet | None:
 
 def _in_short(error: SceneFileError) -> str:
     first = error.errors[0]
-    return f"{first.key}: {first.problem}" if isinstance(first, FileErrorDetail) else str(first)
+    if not isinstance(first, FileErrorDetail):
+        return str(first)
+    return ": ".join(filter(None, (first.key, first.problem, first.detail)))
 
 
 def check_base(study: Study) -> None:

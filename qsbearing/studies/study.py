@@ -18,7 +18,7 @@ from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.toml import check_tables
 from qsbearing.model.above import Plotted
-from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
+from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.solution import quantities
 from qsbearing.model.validation import near
 from qsbearing.model.version import __version__

@@ -31,8 +31,8 @@ WITHOUT_WORKERS = 60.0
 LOOK = 2.0
 """Seconds between two looks at a cluster's workers."""
 
-AHEAD = 4
-"""Chunks per worker that wait or are under way: enough that none idles, few enough to bound the memory."""
+CHUNKS_PER_WORKER = 4
+"""Chunks that wait or are under way: enough that none idles, few enough to bound the memory."""
 
 
 def sweep(
@@ -135,7 +135,7 @@ def _through(plan: Plan, numbers: list[int], executor: Executor, workers: int) -
         while True:
             for number in waiting:
                 running[executor.submit(solve_chunk, plan, number)] = number
-                if len(running) >= AHEAD * workers:
+                if len(running) >= CHUNKS_PER_WORKER * workers:
                     break
             if not running:
                 return

@@ -19,10 +19,10 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.documents.installation import pip_install
 from qsbearing.files import output_file
 from qsbearing.files.catalogue import find
 from qsbearing.files.csv_table import csv_bytes
-from qsbearing.messages.installation import pip_install
 from qsbearing.systems.sets.bearing_set import Direction
 
 COMBINED = """

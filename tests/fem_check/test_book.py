@@ -26,9 +26,9 @@ from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.report.files import write_book
 from fem_check.report.rows import as_read
 from fem_check.running import records_store
+from qsbearing.model import bearing as scene_bearing
 from qsbearing.model.compiler.compiled import COMPILED
 from qsbearing.model.effects import ring_compliance
-from qsbearing.model.scene import bearing as scene_bearing
 from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
 from qsbearing.studies.design import optimum

@@ -20,6 +20,7 @@ ROOT = Path(__file__).parents[2]
 # What is planted: file, line as it stands, line as it is made, the check that sees it.
 SOLUTION = "solution_contacts"
 GROOVE = "ball_in_inner_groove"
+EDGE = "contact_at_the_edge"
 PLANTED = {
     "raceway curvature sign swapped": (
         "qsbearing/model/contact/hertz.py",
@@ -98,6 +99,36 @@ PLANTED = {
         "return (ball - share * rest) / load, (ring - (1.0 - share) * rest) / load",
         "return (ball - share * rest) / load, 2.0 * (ring - (1.0 - share) * rest) / load",
         "true_geometry",
+    ),
+    "load lost at the edge x 1.05": (
+        "qsbearing/readings/cut_contact.py",
+        '"load_loss": (0.16078,',
+        '"load_loss": (0.20957,',
+        EDGE,
+    ),
+    "the edge's part of the major axis halved": (
+        "qsbearing/readings/cut_contact.py",
+        "log_t, log_k = np.log(np.maximum(t, LEAST))",
+        "log_t, log_k = np.log(np.maximum(0.5 * t, LEAST))",
+        EDGE,
+    ),
+    "pressure at the edge by the root of the radius": (
+        "qsbearing/readings/cut_contact.py",
+        "1.07 * np.cbrt(",
+        "1.07 * np.sqrt(",
+        EDGE,
+    ),
+    "the odd half of a pressure even": (
+        "fem_check/elements/boussinesq.py",
+        "total[axis] += sign_x * part if is_odd else part",
+        "total[axis] += part",
+        EDGE,
+    ),
+    "an edge as sharp as without its radius": (
+        "fem_check/mechanics/edge_contact.py",
+        "(x - edge) ** 2 / (2.0 * radius)",
+        "(x - edge) ** 2 / (4.0 * radius)",
+        EDGE,
     ),
     "gap +1 %": (
         "fem_check/mechanics/contact.py",
@@ -233,7 +264,7 @@ PLANTED = {
         SOLUTION,
     ),
     "free angle of a clearance": (
-        "qsbearing/model/scene/bearing.py",
+        "qsbearing/model/bearing.py",
         "/ (4.0 * np.asarray(groove_centre_distance, float))",
         "/ (4.01 * np.asarray(groove_centre_distance, float))",
         SOLUTION,

@@ -13,12 +13,10 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files import bearing_table, effects_table, scene_file
-from qsbearing.files.file_errors import translate
 from qsbearing.files.file_keys import sections
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.usual_words import WORDS
 from qsbearing.model.scene import keys as scene_keys
-from qsbearing.model.validation import ErrorDetail
 
 BEARING = {
     "ball_count": "16",
@@ -785,15 +783,7 @@ def test_the_text_of_a_error_says_field_value_unit_range_and_cause(errors: Any) 
 def test_a_bad_value_does_not_hide_that_its_channel_is_doubled(load: Any) -> None:
     with pytest.raises(qs.SceneFileError) as caught:
         load(scene_text(operation={"axial_load_N": "nan", "axial_displacement_um": "3"}))
-    problems = [error.problem for error in caught.value.errors]
+    problems = [f"{error.problem}: {error.detail}" for error in caught.value.errors]
     assert len(problems) == 2
     assert "finite" in problems[0]
     assert "never both" in problems[1]
-
-
-def test_words_of_a_sentence_are_no_keys() -> None:
-    """A name of Python is told as the file's key; the same word in a sentence stays a word."""
-    error = ErrorDetail("preload.spring", "is less than the spring allows", cause="Give preload.spring or axial_load")
-    assert str(translate(error)) == (
-        "preload.spring_N: is less than the spring allows\n    Give preload.spring_N or axial_load_N"
-    )

@@ -12,8 +12,8 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.messages.equal_warnings import both_raceways, in_ranges, numbered, rows_together, together
+from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.ranked_warning import check_data, good_to_know, wrong_model
-from qsbearing.model.scene.operation import STRAIGHT
 from qsbearing.results.tables import remarks
 from tests.systems.sets.arrangements import PAIR_FILE
 

@@ -17,8 +17,8 @@ import sys
 before = set(sys.modules)  # what an environment loads at its start
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.material import STEEL
-from qsbearing.model.scene.bearing import BallBearing
-from qsbearing.model.scene.operation import Operation
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import deg, mm, rpm

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import COMPILED
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 
 LIMIT = 10.0 if COMPILED else 120.0
 """Seconds of the processor for one example: a solve takes a thousandth of one, the slowest refusals some tenths."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import STRAIGHT
+from qsbearing.model.operation import STRAIGHT
 from qsbearing.reports.inputs import bearing_lines
 from qsbearing.results import report
 from qsbearing.results.thermal_report import _course_table

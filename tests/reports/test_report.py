@@ -13,7 +13,7 @@ from click.testing import CliRunner, Result
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.cli.report import _refuse_another
-from qsbearing.messages.installation import pip_install
+from qsbearing.documents.installation import pip_install
 from qsbearing.readings.asked import take_asked
 from qsbearing.studies.chooser.explain import explain
 from tests.documents.browser import Browser, installed, layout_faults

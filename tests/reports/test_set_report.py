@@ -17,7 +17,7 @@ from qsbearing import messages
 from qsbearing.cli import cli
 from qsbearing.documents.model import Group, Table
 from qsbearing.messages.bearing_set import warnings_by_rows
-from qsbearing.model.scene.operation import STRAIGHT
+from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
 from qsbearing.reports import evidence, set_curves, set_inputs
 from qsbearing.systems.heat.network import Conductance, Thermal

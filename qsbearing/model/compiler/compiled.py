@@ -1,10 +1,9 @@
 """How the kernel runs: as the plain Python that stands in the source, or compiled, whichever answers sooner.
 
 A usual case takes plain Python some hundredths of a second: less than numba takes to be imported, and a hundredth of
-what it takes to compile. So the first cases of a process run plain, with the same digits. As with skis that are rented
-until the rent has come to their price, numba is loaded when plain Python has taken as long as loading takes, and the
-kernel is compiled when it has taken as long as one may wait for that. What a known number of cases would still take
-counts as taken.
+what it takes to compile. So the first cases of a process run plain, with the same digits. numba is loaded when plain
+Python has taken as long as loading takes, and the kernel is compiled when it has taken as long as one may wait for
+that. What a known number of cases would still take counts as taken.
 
 `kernel` marks the functions of the solver, `inlined` the small ones on each ball's path, `formula` those that Python
 calls too, `entry` the few through which Python solves. All names stay plain functions but for the entries, which
@@ -16,8 +15,8 @@ Environment variables:
     everything runs plain.
 ``QSBEARING_COMPILED=1``
     nothing does.
-``QSBEARING_COMPILE_AHEAD=0``
-    no process is started that compiles beside this one (`compile_ahead`).
+``QSBEARING_BACKGROUND_COMPILER=0``
+    no second process is started that compiles (`compile_in_background`).
 """
 
 from __future__ import annotations
@@ -59,7 +58,7 @@ class _Work(threading.local):
 
     cases = 1
     """In the call at hand."""
-    ahead = 0.0
+    to_come = 0.0
     """Seconds of plain Python that the cases to come would take, this call's included."""
     plain = 0.0
     """Seconds of plain Python so far."""
@@ -69,7 +68,7 @@ class _Process:
     """What holds for the process."""
 
     always = ALWAYS
-    compiles_ahead = False
+    compiles_in_background = False
     """Whether a process may be started that compiles."""
     fault = ""
     """Why numba cannot be loaded."""
@@ -128,7 +127,7 @@ class Entry:
                 return self.plain(*args)
             except (ArithmeticError, ValueError):
                 # What numba gives without a word, plain Python may refuse: a number that is none.
-                if not self.take_up(args):
+                if not self.use_compiled(args):
                     raise
         return (self._compiled or self.plain)(*args)
 
@@ -157,31 +156,31 @@ class Entry:
             _say_slow()
             return True
         if _process.always:
-            return not self.take_up(args)
+            return not self.use_compiled(args)
         if not self._pays(LOADING_MORE if "numba" in sys.modules else LOADING):
             return True
         if self.load(args):
             return False
-        if self._compiles_beside(args):
+        if self._compiles_in_background(args):
             return True
-        return not (self._pays(COMPILING) and self.take_up(args))
+        return not (self._pays(COMPILING) and self.use_compiled(args))
 
     def load(self, args: tuple[Any, ...]) -> bool:
-        """Take it up if it was compiled before; whether it is taken up."""
+        """Use the compiled form if it was compiled before; whether it is used from now on."""
         if self._compiled is None and can_compile():
             from qsbearing.model.compiler.compiled_files import is_kept
 
             if is_kept(self.name):
-                self._take_up(args, False)
+                self._use_compiled(args, False)
         return self._compiled is not None
 
-    def take_up(self, args: tuple[Any, ...]) -> bool:
+    def use_compiled(self, args: tuple[Any, ...]) -> bool:
         """Load or compile it for such arguments; False where numba cannot be loaded."""
         if self._compiled is None and can_compile():
-            self._take_up(args, True)
+            self._use_compiled(args, True)
         return self._compiled is not None
 
-    def _take_up(self, args: tuple[Any, ...], compiles: bool) -> None:
+    def _use_compiled(self, args: tuple[Any, ...], compiles: bool) -> None:
         with _process.lock:
             if self._compiled is not None:
                 return
@@ -197,28 +196,28 @@ class Entry:
         """Whether plain Python has cost as much, or would with what is known to come."""
         if _work.cases >= MANY or (self._plain == 0.0 and _work.cases > FEW):
             return True
-        own = self._plain * (1.0 + _work.ahead / _process.plain if _process.plain else 1.0)
-        return _process.plain + _work.ahead >= price and own >= SHARE * price
+        own = self._plain * (1.0 + _work.to_come / _process.plain if _process.plain else 1.0)
+        return _process.plain + _work.to_come >= price and own >= SHARE * price
 
-    def _compiles_beside(self, args: tuple[Any, ...]) -> bool:
+    def _compiles_in_background(self, args: tuple[Any, ...]) -> bool:
         """Whether another process compiles it, or is about to, while this one can go on."""
-        if not _process.compiles_ahead or _work.ahead >= COMPILING or _work.cases >= MANY:
+        if not _process.compiles_in_background or _work.to_come >= COMPILING or _work.cases >= MANY:
             return False
-        from qsbearing.model.compiler import compile_ahead
+        from qsbearing.model.compiler import background_compiler
 
         with _process.lock:
-            return compile_ahead.is_compiling(self.name, args)
+            return background_compiler.is_compiling(self.name, args)
 
 
 @contextmanager
-def cases(count: int, ahead: float = 0.0) -> Iterator[None]:
+def cases(count: int, to_come: float = 0.0) -> Iterator[None]:
     """What is called within is for so many cases at once; plain Python would take so many seconds more in all."""
-    before = _work.cases, _work.ahead
-    _work.cases, _work.ahead = count, ahead
+    before = _work.cases, _work.to_come
+    _work.cases, _work.to_come = count, to_come
     try:
         yield
     finally:
-        _work.cases, _work.ahead = before
+        _work.cases, _work.to_come = before
 
 
 def plain_seconds() -> float:
@@ -246,9 +245,9 @@ def always_compiled() -> None:
     _process.always = COMPILED
 
 
-def compile_ahead() -> None:
-    """From now on a process beside this one may compile what this one will need: for those who go on solving."""
-    _process.compiles_ahead = COMPILED and os.environ.get("QSBEARING_COMPILE_AHEAD", "1") != "0"
+def compile_in_background() -> None:
+    """From now on a second process may compile what this one will need: for those who go on solving."""
+    _process.compiles_in_background = COMPILED and os.environ.get("QSBEARING_BACKGROUND_COMPILER", "1") != "0"
 
 
 def _say_slow() -> None:

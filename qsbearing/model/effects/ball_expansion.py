@@ -13,21 +13,19 @@ Example       BallExpansion(ball_temperature=70 + zero_celsius)
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.changed_geometry import change_by, geometry_errors
 from qsbearing.model.effects.entry import Entry, Errors, effect, error_in
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
+from qsbearing.model.operation import Operation
 from qsbearing.model.units import zero_celsius
-from qsbearing.model.validation import ErrorDetail, raise_if_any
-
-if TYPE_CHECKING:
-    from qsbearing.model.scene.bearing import BallBearing
-    from qsbearing.model.scene.operation import Operation
+from qsbearing.model.validation import ErrorDetail, Field, Sentence, raise_if_any
 
 
 @dataclass(frozen=True)
@@ -54,7 +52,8 @@ class BallExpansion:
             return []
         cause = "12e-6 per kelvin for bearing steel, 3.2e-6 for silicon nitride"
         field = "bearing.ball_material.thermal_expansion"
-        return [ErrorDetail(field, "missing: ball_temperature is given", cause=cause)]
+        detail = Sentence("{given} is given", given=Field("ball_expansion.ball_temperature"))
+        return [ErrorDetail(field, "missing", cause=cause, detail=detail)]
 
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing with its balls expanded."""

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from qsbearing.model.effects.ring_compliance import MOST_HARMONICS
-from qsbearing.model.validation import LENGTH, MODULUS, RATIO, ErrorDetail, on_side, within
+from qsbearing.model.validation import LENGTH, MODULUS, RATIO, ErrorDetail, Field, Sentence, on_side, within
 
 
 class Grooves(NamedTuple):
@@ -55,13 +55,7 @@ def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
     given += [f"{seat}_{name}" for name, value in constants.items() if value is not None]
     given += [] if word is None else [seat]
     if table is not None:
-        cause = f"Leave out {', '.join(given)}: the compliances replace them"
-        beside = (
-            [ErrorDetail(f"{path}.{given[0]}", f"is given together with {side}_compliance", cause=cause)]
-            if given
-            else []
-        )
-        return beside + _table_errors(f"{path}.{side}_compliance", table)
+        return _replaced_errors(path, side, given) + _table_errors(f"{path}.{side}_compliance", table)
     if not given:
         return []
     errors = []
@@ -74,19 +68,23 @@ def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
         errors += within(f"{path}.{seat}_poisson_ratio", constants["poisson_ratio"], RATIO, 0.0, 0.499)
     for name in () if word == "rigid" else (diameter, width):
         if lengths[name] is None:
-            errors.append(ErrorDetail(f"{path}.{name}", "missing: the stiffness of the ring depends on it"))
+            detail = "the stiffness of the ring depends on it"
+            errors.append(ErrorDetail(f"{path}.{name}", "missing", detail=detail))
     shoulder, opposite = SHOULDERS[side]
     if lengths[shoulder] is None and lengths[opposite] is not None:
-        errors.append(ErrorDetail(f"{path}.{shoulder}", f"missing: {opposite} is given"))
+        detail = Sentence("{opposite} is given", opposite=Field(opposite))
+        errors.append(ErrorDetail(f"{path}.{shoulder}", "missing", detail=detail))
     if word is not None and str(word) not in words:
         errors.append(ErrorDetail(f"{path}.{seat}", f"is not one of {_quoted(words)}", str(word)))
     has_body = lengths[seat_diameter] is not None
     if word is None and not has_body:
         cause = f"One of {_quoted(words)}, or the diameter of the {seat}"
-        errors.append(ErrorDetail(f"{path}.{seat}", "missing: how the ring is held", cause=cause))
+        errors.append(ErrorDetail(f"{path}.{seat}", "missing", cause=cause, detail="how the ring is held"))
     if word is not None and has_body:
-        cause = f"Leave one of the two out: {seat_diameter} describes the {seat}"
-        errors.append(ErrorDetail(f"{path}.{seat}", f"is given together with {seat_diameter}", str(word), cause=cause))
+        own, other = f"{path}.{seat}", Field(seat_diameter)
+        cause = Sentence("Leave one of the two out: {other} describes the {seat}", other=other, seat=seat)
+        problem = Sentence("is given together with {other}", other=other)
+        errors.append(ErrorDetail(own, problem, str(word), cause=cause))
     if not has_body and str(word) != "solid":
         errors += [
             ErrorDetail(f"{path}.{seat}_{name}", f"is given, but the {seat} is not elastic")
@@ -94,6 +92,14 @@ def _side_errors(effect: Any, side: str) -> list[ErrorDetail]:
             if value is not None
         ]
     return errors
+
+
+def _replaced_errors(path: str, side: str, given: list[str]) -> list[ErrorDetail]:
+    if not given:
+        return []
+    cause = Sentence("Leave out {given}: the compliances replace them", given=tuple(map(Field, given)))
+    problem = Sentence("is given together with {compliance}", compliance=Field(f"{side}_compliance"))
+    return [ErrorDetail(f"{path}.{given[0]}", problem, cause=cause)]
 
 
 def _quoted(words: tuple[str, ...]) -> str:

@@ -23,11 +23,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
 from qsbearing.model.effects.entry import (
@@ -53,12 +54,8 @@ from qsbearing.model.effects.ring_compliance import (
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_section import bending_height
 from qsbearing.model.material import STEEL, Material
+from qsbearing.model.operation import Operation
 from qsbearing.model.validation import ErrorDetail, raise_if_any
-
-if TYPE_CHECKING:
-    from qsbearing.model.scene.bearing import BallBearing
-    from qsbearing.model.scene.operation import Operation
-
 
 RIGID, FREE, SOLID = "rigid", "free", "solid"
 """What holds a ring, where that is no body of some diameter: it is rigid; nothing; a solid shaft."""

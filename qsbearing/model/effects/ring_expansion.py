@@ -26,24 +26,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_expansion_errors import expansion_errors, section_errors
+from qsbearing.model.material import Material
+from qsbearing.model.operation import Operation
 from qsbearing.model.units import MPa, zero_celsius
 from qsbearing.model.validation import LENGTH, ErrorDetail, first, raise_if_any
-
-if TYPE_CHECKING:
-    from qsbearing.model.material import Material
-    from qsbearing.model.scene.bearing import BallBearing
-    from qsbearing.model.scene.operation import Operation
 
 
 class Body(NamedTuple):
@@ -187,14 +185,13 @@ class RingExpansion:
             if state.seat_pressure is not None and beyond.any():
                 fit_given = np.asarray(getattr(self, f"{seat}_interference"), float)
                 found, pressure, stress = first(beyond, fit_given, state.seat_pressure, state.equivalent_stress)
-                problem = (
-                    f"makes the {ring} ring yield: a seat pressure of {pressure / MPa:.4g} MPa stresses its bore by "
-                    f"{stress / MPa:.5g} MPa, beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
+                detail = (
+                    f"a seat pressure of {pressure / MPa:.4g} MPa stresses its bore by {stress / MPa:.5g} MPa, "
+                    f"beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
                 )
-                most = found * self.yield_strength / stress
-                errors.append(
-                    ErrorDetail(f"{self.name}.{seat}_interference", problem, found, LENGTH, (-most, most), "", beyond)
-                )
+                field, most = f"{self.name}.{seat}_interference", found * self.yield_strength / stress
+                problem = f"makes the {ring} ring yield"
+                errors.append(ErrorDetail(field, problem, found, LENGTH, (-most, most), "", beyond, detail))
         return errors
 
     def states(self, bearing: BallBearing, operation: Operation) -> tuple[RingState, RingState]:

@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.material import Material, material_errors
 from qsbearing.model.units import zero_celsius
-from qsbearing.model.validation import LENGTH, PRESSURE, TEMPERATURE, ErrorDetail, numeric, on_side, within
-
-if TYPE_CHECKING:
-    from qsbearing.model.scene.bearing import BallBearing
-
+from qsbearing.model.validation import (
+    LENGTH,
+    PRESSURE,
+    TEMPERATURE,
+    ErrorDetail,
+    Field,
+    Sentence,
+    numeric,
+    on_side,
+    within,
+)
 
 LARGEST_FIT = 0.01
 """Of the seat's diameter: ten times any press fit; it catches mistakes of unit."""
@@ -56,21 +63,24 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
     if effect.housing_outside_diameter is not None:
         errors += within(f"{path}.housing_outside_diameter", effect.housing_outside_diameter, LENGTH, 1e-4, 20.0)
     elif effect.housing_interference is not None:
-        cause = "It determines how stiffly the housing holds the ring"
-        errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing: a housing is given", cause=cause))
+        cause, detail = "It determines how stiffly the housing holds the ring", "a housing is given"
+        errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing", cause=cause, detail=detail))
     given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
     for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
         errors += temperature_errors(f"{path}.{name}", temperature)
     unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
     if not given and unused.any():
-        problem, cause = "is given, but no other temperature is", f"Give {', '.join(TEMPERATURES)}"
+        problem = "is given, but no other temperature is"
+        cause = Sentence("Give {temperatures}", temperatures=tuple(map(Field, TEMPERATURES)))
         errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
     return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
 
 
 def _unused(field: str, seat: str) -> ErrorDetail:
-    cause = f"Give {seat}_interference (0 for a fit line to line), or leave this out"
-    return ErrorDetail(field, f"is given, but without {seat}_interference the {seat} has no effect", cause=cause)
+    fit = Field(f"{seat}_interference")
+    cause = Sentence("Give {fit} (0 for a fit line to line), or leave this out", fit=fit)
+    problem = Sentence("is given, but without {fit} the {seat} has no effect", fit=fit, seat=seat)
+    return ErrorDetail(field, problem, cause=cause)
 
 
 def _interference_errors(field: str, interference: ArrayLike, diameter: ArrayLike) -> list[ErrorDetail]:
@@ -111,9 +121,9 @@ def _expansion_missing(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
         field = "bearing.ring_material" if material is None else f"{effect.name}.{seat}_material"
         known, before = asked.get(field, (material, False))
         asked[field] = (known, before or is_warm)
-    problem = "missing: temperatures are given"
+    detail, cause = "temperatures are given", "12e-6 per kelvin for bearing steel"
     return [
-        ErrorDetail(f"{field}.thermal_expansion", problem, cause="12e-6 per kelvin for bearing steel")
+        ErrorDetail(f"{field}.thermal_expansion", "missing", cause=cause, detail=detail)
         for field, (material, is_needed) in asked.items()
         if is_needed and material.thermal_expansion is None
     ]

@@ -16,20 +16,18 @@ Example       BallDiameterDeviations(deviations=[0.5 * um] + 15 * [0.0])
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import kernel
 from qsbearing.model.effects.entry import QUANTITIES, Entry, Errors, effect, error_in
 from qsbearing.model.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
-from qsbearing.model.validation import LENGTH, ErrorDetail, first, numeric, raise_if_any, unit_mistake
-
-if TYPE_CHECKING:
-    from qsbearing.model.scene.bearing import BallBearing
-    from qsbearing.model.scene.operation import Operation
+from qsbearing.model.operation import Operation
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, raise_if_any, unit_mistake
 
 LARGEST_DEVIATION = 0.01
 """Of the ball diameter: a hundred times the worst lot of balls; it catches mistakes of unit."""
@@ -52,7 +50,8 @@ class BallDiameterDeviations:
         field = f"{self.name}.deviations"
         array, errors = numeric(field, self.deviations, LENGTH)
         if array is not None and array.ndim == 0:
-            cause = "One number for each ball; if all balls differ alike, change ball_diameter"
+            same = "One number for each ball; if all balls differ alike, change {diameter}"
+            cause = Sentence(same, diameter=Field("bearing.ball_diameter"))
             errors.append(ErrorDetail(field, "is a single number", float(array), LENGTH, cause=cause))
         raise_if_any([_of_cases(error) for error in errors])
 
@@ -74,11 +73,11 @@ class BallDiameterDeviations:
         diameter = np.asarray(bearing.ball_diameter, float)[..., None]
         groove = np.minimum(bearing.inner_groove_radius, bearing.outer_groove_radius)
         widest = (2.0 * np.asarray(groove, float))[..., None] - diameter
-        for limit, problem in (
-            (LARGEST_DEVIATION * diameter, f"is more than {LARGEST_DEVIATION:.0%} of the ball diameter"),
-            (np.maximum(widest, 0.0), "makes a ball as wide as a groove"),
+        for size, limit, problem in (
+            (np.abs(array), LARGEST_DEVIATION * diameter, f"is more than {LARGEST_DEVIATION:.0%} of the ball diameter"),
+            (array, np.maximum(widest, 0.0), "makes a ball as wide as a groove"),
         ):
-            beyond = (np.abs(array) if problem.startswith("is more") else array) >= limit
+            beyond = size >= limit
             if beyond.any():
                 worst, most = first(beyond, array, limit)
                 cause = unit_mistake(worst, LENGTH, -most, most)
@@ -97,7 +96,7 @@ def _of_cases(error: ErrorDetail) -> ErrorDetail:
     if error.where is None:
         return error
     where = np.asarray(error.where.any(axis=-1))
-    return ErrorDetail(error.field, error.problem, error.value, error.quantity, error.allowed, error.cause, where)
+    return replace(error, where=where)
 
 
 @kernel

@@ -181,7 +181,7 @@ def is_thrust_like(case: recarray) -> bool:
 
 
 @kernel
-def is_load_ahead(case: recarray, work: recarray) -> bool:
+def is_load_dominant(case: recarray, work: recarray) -> bool:
     """Whether loads shape the balls' equilibrium at speed more than inertia does."""
     s, c = case.sin_free, case.cos_free
     fc, _, _, mg, _, _ = inertia(case, work, INNER if case.control == INNER else OUTER, s, c, s, c)

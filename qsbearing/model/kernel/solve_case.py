@@ -31,7 +31,7 @@ from qsbearing.model.kernel.initial_guess import (
     guess_closed_form,
     guess_from_rest,
     guess_ring_at_rest,
-    is_load_ahead,
+    is_load_dominant,
     is_thrust_like,
     split_contacts,
 )
@@ -206,7 +206,7 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
         if found >= CONTRADICTED:
             return found
     is_contradicted, is_refused = False, False
-    is_rest_first = not is_thrust_like(case) and is_load_ahead(case, work)
+    is_rest_first = not is_thrust_like(case) and is_load_dominant(case, work)
     for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
         for start in range(2):
             set_controls(case, work, balls, control)

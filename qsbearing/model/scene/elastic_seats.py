@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import ElasticRings, RingExpansion
-from qsbearing.model.scene.bearing import BallBearing
-from qsbearing.model.scene.operation import Operation
-from qsbearing.model.units import GPa, um
-from qsbearing.model.validation import LENGTH, MODULUS, RATIO, ErrorDetail, first
+from qsbearing.model.operation import Operation
+from qsbearing.model.units import GPa, mm, um
+from qsbearing.model.validation import LENGTH, MODULUS, RATIO, ErrorDetail, Field, Sentence, first
 
 _SEATS = (
     ("shaft", "bore_diameter", "shaft_bore_diameter", 0),
@@ -36,7 +36,8 @@ def seat_errors(rings: ElasticRings, expansion: RingExpansion, bearing: BallBear
         if interference is None or word == "rigid":
             continue
         if word == "free":
-            cause = f"Describe the {seat} here too, or leave out {seat}_interference there"
+            fit = Field(f"{expansion.name}.{seat}_interference")
+            cause = Sentence("Describe the {seat} here too, or leave out {fit}", seat=seat, fit=fit)
             field = f"{rings.name}.{seat}"
             errors.append(ErrorDetail(field, f"is free, but ring_expansion fits it to a {seat}", "free", cause=cause))
         elif has_body:
@@ -83,7 +84,8 @@ def _differing(rings: ElasticRings, expansion: RingExpansion, name: str) -> list
     if not bad.any():
         return []
     found, other = first(bad, here, there)
-    problem = f"is another than ring_expansion.{name}, {other / 1e-3:.8g} mm"
+    there = Field(f"{expansion.name}.{name}")
+    problem = Sentence("is another than {there}, {other:.8g} mm", there=there, other=other / mm)
     return [ErrorDetail(f"{rings.name}.{name}", problem, found, LENGTH, cause="One body has one diameter", where=bad)]
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from qsbearing.model.validation import FORCE, LENGTH, ErrorDetail, raise_if_any, within
+from qsbearing.model.validation import FORCE, LENGTH, ErrorDetail, Field, Sentence, raise_if_any, within
 
 KINDS = ("spring", "rigid", "mounted", "axial_displacement")
 FORCES = ("spring", "rigid", "mounted")
@@ -60,24 +60,27 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
     """Every error of a preload."""
     given = [kind for kind in KINDS if getattr(preload, kind) is not None]
     if len(given) != 1:
-        first, *others = (f"preload.{kind}" for kind in given or KINDS)
-        problem = f"is given together with {', '.join(others)}" if given else "is missing"
-        cause = f"Give one of {', '.join(f'preload.{kind}' for kind in KINDS)}"
+        first, *others = (Field(f"preload.{kind}") for kind in given or KINDS)
+        problem = Sentence("is given together with {others}", others=tuple(others)) if given else "is missing"
+        cause = Sentence("Give one of {kinds}", kinds=tuple(Field(f"preload.{kind}") for kind in KINDS))
         return [ErrorDetail(first, problem, cause=cause)]
     (kind,) = given
     if kind == "axial_displacement":
         return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)
     errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
     if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
-        cause = "A preload acts in +x; for -x, give axial_load or axial_displacement of the operation instead"
+        cause = Sentence(
+            "A preload acts in +x; for -x, give {load} or {displacement} instead",
+            load=Field("operation.axial_load"), displacement=Field("operation.axial_displacement"),
+        )  # fmt: skip
         return [
             ErrorDetail(f"preload.{kind}", "is negative", errors[0].value, FORCE, (0.0, 1e8), cause, errors[0].where)
         ]
     return errors
 
 
-def beside_preload(operation: object) -> list[ErrorDetail]:
-    """Errors of an operation that has an axial load or displacement of its own beside a preload."""
+def axial_channel_errors(operation: object) -> list[ErrorDetail]:
+    """Errors of an operation that has an axial load or displacement of its own in addition to a preload."""
     problem = "is given together with a preload, which sets the axial channel"
     cause = "Keep one of the two: with both, the load of the ring is not defined"
     return [

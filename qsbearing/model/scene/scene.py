@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.above import InNotebooks
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.case_axes import clash_errors, shapes_of
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import (
     BallDiameterDeviations,
@@ -29,17 +31,16 @@ from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
-from qsbearing.model.scene.bearing import BallBearing
-from qsbearing.model.scene.case_axes import clash_errors, shapes_of
+from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.elastic_seats import seat_errors
-from qsbearing.model.scene.operation import STRAIGHT, Operation
-from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, beside_preload
+from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, axial_channel_errors
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import (
     RATIO,
     SPEED,
     ErrorDetail,
     SceneError,
+    Sentence,
     all_where,
     choose,
     raise_if_any,
@@ -100,7 +101,7 @@ class Scene(InNotebooks):
                 errors += wrong
         errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
         if self.preload is not None:
-            errors += _beside(self.preload, self.operation)
+            errors += _preload_errors(self.preload, self.operation)
         clashes = clash_errors(shapes_of(self._parts()))
         raise_if_any([*errors, *clashes] if clashes else [])  # what follows takes them together
         wrong = ring_effect_errors(self.ring_effects, self.bearing)
@@ -134,8 +135,8 @@ class Scene(InNotebooks):
             try:
                 bearing = effect.reshape(bearing, self.operation)
             except SceneError as error:
-                problem = f"leaves no bearing: {'; '.join(map(str, error.errors))}"
-                raise SceneError([ErrorDetail(effect.name, problem, where=all_where(error.errors))]) from None
+                why, where = Sentence("{reasons}", reasons=error.errors), all_where(error.errors)
+                raise SceneError([ErrorDetail(effect.name, "leaves no bearing", where=where, detail=why)]) from None
         return bearing
 
     @property
@@ -197,9 +198,9 @@ class Scene(InNotebooks):
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
 
 
-def _beside(preload: object, operation: Operation) -> list[ErrorDetail]:
+def _preload_errors(preload: object, operation: Operation) -> list[ErrorDetail]:
     if isinstance(preload, Preload):
-        return beside_preload(operation)
+        return axial_channel_errors(operation)
     return [ErrorDetail("preload", "is not a preload", preload, cause=NOT_A_PRELOAD)]
 
 
@@ -218,10 +219,10 @@ def effect_errors(
         errors.append(ErrorDetail("ball_effects", "names an effect twice", names))
     if names and raceway_control is None:
         need = f"{names[0]} needs" if len(names) == 1 else f"{' and '.join(names)} need"
-        problem = f"missing: {need} the balls' motion, which raceway control sets"
+        detail = f"{need} the balls' motion, which raceway control sets"
         *others, last = RacewayControl
         cause = f"Give raceway_control: {', '.join(others)} or {last}"
-        errors.append(ErrorDetail("raceway_control", problem, cause=cause))
+        errors.append(ErrorDetail("raceway_control", "missing", cause=cause, detail=detail))
     if raceway_control is not None and not names:
         problem = "is given, but no ball effect needs it"
         cause = "Leave it out, or ask for centrifugal_force or gyroscopic_moment"
@@ -263,10 +264,8 @@ def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail
             worst = parameter.argmax()
             most = float(SPEED_PARAMETER_MAX * rpm * mm / pitch.flat[worst])
             found = float(value.flat[worst])
-            problem = (
-                f"is too fast: dm n = {parameter.flat[worst]:.3g} mm rpm is beyond any bearing "
-                f"({SPEED_PARAMETER_MAX:g})"
-            )
+            fast = parameter.flat[worst]
+            detail = f"dm n = {fast:.3g} mm rpm is beyond any bearing ({SPEED_PARAMETER_MAX:g})"
             cause = unit_mistake(found, SPEED, -most, most)
-            errors.append(ErrorDetail(name, problem, found, SPEED, (-most, most), cause, too_fast))
+            errors.append(ErrorDetail(name, "is too fast", found, SPEED, (-most, most), cause, too_fast, detail))
     return errors

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import (
     BEARING,
     EFFECT_TABLES,
@@ -18,7 +19,6 @@ from qsbearing.model.scene.keys import (
     PRELOAD,
     SEAT_MATERIALS,
 )
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.quantities import ALL, Quantity, Solution
 from qsbearing.model.units import deg

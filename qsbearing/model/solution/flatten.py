@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
 from qsbearing.model.effects.elastic_ring_errors import Grooves
@@ -22,8 +23,7 @@ from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.kernel.case import CASE, OWN_BALL
 from qsbearing.model.kernel.workspace import MOST_WAVES
 from qsbearing.model.material import Material
-from qsbearing.model.scene.bearing import BearingKind, ball_mass, groove_centre_radius
-from qsbearing.model.scene.operation import CHANNELS, Channel
+from qsbearing.model.operation import CHANNELS, Channel
 from qsbearing.model.scene.scene import Scene
 
 

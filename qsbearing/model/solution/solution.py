@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.above import Plotted, above
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
-from qsbearing.model.scene.bearing import BearingKind
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import preload_state, ring_stiffness
 from qsbearing.model.solution.case_index import Index, Place, place_of

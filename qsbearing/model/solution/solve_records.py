@@ -73,4 +73,4 @@ def _solve(
             array[...] = as_it_was
         if entry.load(args):
             break
-    return entry(*args) if entry.take_up(args) else entry.plain(*args)
+    return entry(*args) if entry.use_compiled(args) else entry.plain(*args)

@@ -67,7 +67,7 @@ def jumps(results: Dataset, along: str) -> DataArray:
             angle, load = results[name], results.get(name.replace("angle", "load"))
             angle = angle if load is None or load.dims != angle.dims else angle.where(load > 0.0)
             step = abs(angle.diff(along, label="lower"))
-            far = (step > STANDS_OUT * _beside(step, along)) & (step > SMALLEST)
+            far = (step > STANDS_OUT * _larger_neighbour(step, along)) & (step > SMALLEST)
             stands_out = stands_out | (far.any("ball") if "ball" in far.dims else far)
     cause = cause.where(~(both & stands_out), int(Cause.UNKNOWN))
     if "balls_off_inner" in results:
@@ -86,7 +86,7 @@ def _pair(values: DataArray, along: str) -> tuple[DataArray, DataArray]:
     return before, values.isel({along: slice(1, None)}).assign_coords({along: before[along]})
 
 
-def _beside(step: DataArray, along: str) -> DataArray:
+def _larger_neighbour(step: DataArray, along: str) -> DataArray:
     """The larger of the steps before and after each step; infinite at both ends of the axis, where a step has one
     neighbour only and cannot be told from a bend."""
     axis = step.get_axis_num(along)

@@ -14,7 +14,7 @@ import numpy as np
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, PRELOAD, SHAFT_LOAD, Key
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities

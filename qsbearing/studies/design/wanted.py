@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.model.scene.bearing_errors import BALL_COUNT_RANGE
+from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.validation import comma_advice
 from qsbearing.studies import keys
 

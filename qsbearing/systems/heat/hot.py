@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import BallExpansion, RingEffect, RingExpansion
-from qsbearing.model.scene.operation import Operation
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import NODES
 from qsbearing.model.solution.solution import Solution

@@ -21,6 +21,7 @@ from qsbearing.model.validation import (
     within,
 )
 
+PALMGREN_NEEDS = "Palmgren's model needs it"
 READING_OF = {"contacts": "friction", "skf": "friction_estimate", "palmgren": "friction_estimate"}
 """The models of friction, and the reading whose arguments each takes."""
 
@@ -147,7 +148,7 @@ class Thermal:
         elif self.friction == "palmgren":
             for name in ("static_load_rating", "lubrication_factor"):
                 if readings[needed].get(name) is None:
-                    errors.append(ErrorDetail(f"readings.{needed}.{name}", "missing: Palmgren's model needs it"))
+                    errors.append(ErrorDetail(f"readings.{needed}.{name}", "missing", detail=PALMGREN_NEEDS))
         return errors
 
     def _structure_errors(self) -> list[ErrorDetail]:

@@ -64,9 +64,9 @@ class Heated:
             factor: on the speeds; shape (*states, *cases).
         """
         shape = temperatures.shape[1:]
-        ahead = shape[: len(shape) - len(self.system.shape)]
+        of_states = shape[: len(shape) - len(self.system.shape)]
         is_first = not self.solved
-        self.solved += int(np.prod(ahead))
+        self.solved += int(np.prod(of_states))
         try:
             solution = self.system.solve(self.balance.named(temperatures), np.asarray(factor, float))
         except SceneError:

@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import RingEffect, RingExpansion
-from qsbearing.model.scene.bearing import BallBearing
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.readings.asked import LUBRICANT
 from qsbearing.readings.static_rating import static_load_rating
-from qsbearing.systems.heat.network import READING_OF
+from qsbearing.systems.heat.network import PALMGREN_NEEDS, READING_OF
 
 PALMGREN = "palmgren"
 ESTIMATE = READING_OF[PALMGREN]
@@ -59,7 +59,7 @@ def _readings(
         if own.get(name) is None and rings is not None:
             own[name] = getattr(rings, name)
         if own.get(name) is None:
-            raise SceneError([ErrorDetail(f"readings.{ESTIMATE}.{name}", "missing: Palmgren's model needs it")])
+            raise SceneError([ErrorDetail(f"readings.{ESTIMATE}.{name}", "missing", detail=PALMGREN_NEEDS)])
     if own.get("lubrication_factor") is None:
         own["lubrication_factor"] = OIL_BATH
         assumed[f"f0 = {OIL_BATH:g} (oil bath)"] = None

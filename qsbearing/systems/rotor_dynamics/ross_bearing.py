@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.messages.installation import pip_install
+from qsbearing.documents.installation import pip_install
 from qsbearing.model.solution.status import Status
 from qsbearing.model.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
 from qsbearing.systems.rotor_dynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations

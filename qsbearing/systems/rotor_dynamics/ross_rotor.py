@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.installation import pip_install
+from qsbearing.documents.installation import pip_install
 from qsbearing.model.material import Material
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.rotor_dynamics.ross_bearing import to_ross

@@ -6,24 +6,25 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.above import InNotebooks
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
-from qsbearing.model.scene.bearing import BallBearing
+from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
-from qsbearing.model.scene.operation import Operation
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import LENGTH, ErrorDetail, SceneError, choose, raise_if_any, within
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, choose, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.systems.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
 
@@ -35,6 +36,8 @@ FARTHEST = 10.0
 
 WIDEST_OFFSET = 0.01
 """Metres; likewise."""
+SAME_PLACE = 0.01
+"""Of the ball diameter: rows that are nearer have the same balls (chosen: more than any clearance parts them)."""
 
 
 class Direction(StrEnum):
@@ -70,6 +73,12 @@ class Row:
     def sign(self) -> float:
         """1 for a row that carries load in +x, -1 for one that carries it in -x."""
         return 1.0 if self.carries == Direction.PLUS else -1.0
+
+
+def row_name(row: Row, number: int) -> str:
+    """A row as sentences name it; rows count from 1."""
+    name = f"{row.bearing.name}, " if row.bearing.name else ""
+    return f"row {number + 1} ({name}carries {row.carries})"
 
 
 @dataclass(frozen=True)
@@ -272,8 +281,15 @@ class BearingSet(InNotebooks):
         return len({row.carries for row in self.rows}) == 2
 
     @property
+    def has_shared_places(self) -> bool:
+        """Whether two rows stand at one place, as in a four-point bearing."""
+        return any(_share_place(row, other) for row, other in combinations(self.rows, 2))
+
+    @property
     def arrangement(self) -> str:
         """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest."""
+        if self.has_shared_places and len(self.rows) == 2:
+            return "four-point contact (two opposed rows at one place)"
         order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
         pair = tuple(row.carries for row in order)
         names = {
@@ -332,11 +348,40 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
             errors += outside(of.shaft, [("reference", of.reference_position)])
     for number, row in enumerate(of.rows, 1):
         for before, other in enumerate(of.rows[: number - 1], 1):
-            if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
-                cause = "Give the position of the balls of each row along the shaft"
-                problem = f"is the position of row {before} too"
-                errors.append(ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause))  # type: ignore[arg-type]
+            if _share_place(row, other):
+                errors += _shared_place_errors(of, number, before)
     return errors
+
+
+def _share_place(row: Row, other: Row) -> bool:
+    """Whether two rows are so near each other that they can only have the same balls."""
+    if np.ndim(row.position) or np.ndim(other.position) or not isinstance(row.bearing, BallBearing):
+        return False
+    apart = abs(float(row.position) - float(other.position))  # type: ignore[arg-type]
+    return apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
+
+
+def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[ErrorDetail]:
+    """Two rows at one place are a four-point bearing, whose balls each row has for itself: right at rest only."""
+    row, other = of.rows[number - 1], of.rows[before - 1]
+    effects = [effect.name for each in (row, other) for effect in each.ring_effects or of.ring_effects]
+    turns = any(np.any(each) for each in (of.operation.speed, of.operation.outer_speed) if each is not None)
+    beyond = {"are ball effects": of.ball_effects, "is a speed": turns, "are elastic rings": "elastic_rings" in effects}
+    problem = f"is the position of row {before} too"
+    if {row.carries, other.carries} != set(Direction):
+        cause = (
+            "Give the position of the balls of each row along the shaft. Only two rows that carry opposite directions "
+            "may share one: they are a four-point bearing at rest"
+        )
+    elif given := [what for what, there in beyond.items() if there]:
+        problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
+        cause = (
+            "At rest, without ball effects and elastic rings, it is exact; beyond, a ball with three or four contacts "
+            "is not modelled. Lives in revolutions need no speed"
+        )
+    else:
+        return []
+    return [ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause)]  # type: ignore[arg-type]
 
 
 def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
@@ -349,8 +394,8 @@ def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
         cause = "Give sprung = true to each row whose outer ring slides and is preloaded"
         errors.append(ErrorDetail("preload.spring", "is given, but no row is sprung", cause=cause))
     if kind != "spring" and sprung:
-        cause = "Give preload.spring, or leave sprung out"
-        errors.append(ErrorDetail("preload.spring", "missing: a row is sprung", cause=cause))
+        cause = Sentence("Give {spring}, or leave sprung out", spring=Field("preload.spring"))
+        errors.append(ErrorDetail("preload.spring", "missing", cause=cause, detail="a row is sprung"))
     if len({str(row.carries) for row in sprung}) > 1:
         cause = "Spring only rows that carry in one direction; the other rows react against them"
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
@@ -374,9 +419,10 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
             for body in ("shaft", "housing"):
                 own, its = getattr(rings, f"{body}_temperature", None), getattr(getattr(of, body), "temperature", None)
                 if own is not None and its is not None and np.any(np.asarray(own) != np.asarray(its)):
-                    cause = f"Give {body}.temperature only: the rows take it from there"
+                    there = Field(f"{body}.temperature")
+                    cause = Sentence("Give {there} only: the rows take it from there", there=there)
                     path = f"row {number}.ring_expansion.{body}_temperature"
-                    errors.append(ErrorDetail(path, f"differs from {body}.temperature", cause=cause))
+                    errors.append(ErrorDetail(path, Sentence("differs from {there}", there=there), cause=cause))
     return errors
 
 

@@ -82,8 +82,8 @@ class Deflection:
     def inner_forces(self, positions: ArrayLike) -> NDArray:
         """What the shaft beyond a position, in +x, does to what is before it; shape (case, position, 5) [N, N m]."""
         arms = self.places.arms(list(np.atleast_1d(np.asarray(positions, float))))
-        ahead = self._at[:, None, :] - arms[..., None]
-        carried = rigid_motion(ahead).swapaxes(-1, -2) * (ahead > 0.0)[..., None, None]
+        lever = self._at[:, None, :] - arms[..., None]
+        carried = rigid_motion(lever).swapaxes(-1, -2) * (lever > 0.0)[..., None, None]
         return np.asarray(np.einsum("kpaij,kaj->kpi", self._cases(carried), self._forces))
 
     def _cases(self, array: NDArray) -> NDArray:

@@ -247,9 +247,9 @@ def is_beyond_springs(s: Stretch, which: NDArray) -> NDArray:
     found = np.zeros(which.size, bool)
     rigid = np.s_[: s.rigid]
     load, held = s.load[which, rigid], s.held[which, rigid]
-    for ahead in product((1.0, -1.0), (0.0, 1.0), *[(0.0, 1.0)] * (s.rigid - UNKNOWNS)):
+    for sign in product((1.0, -1.0), (0.0, 1.0), *[(0.0, 1.0)] * (s.rigid - UNKNOWNS)):
         motion = np.zeros(s.rigid)
-        motion[0], motion[SLIDE], motion[UNKNOWNS:] = ahead[0], -ahead[1], ahead[0] * np.array(ahead[2:])
+        motion[0], motion[SLIDE], motion[UNKNOWNS:] = sign[0], -sign[1], sign[0] * np.array(sign[2:])
         stays = (held & (motion != 0.0)).any(axis=1)
         for row in s.rows:
             along = row.matrix[which][:, 0, rigid] @ motion

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.preload_state import PreloadState
 from qsbearing.model.units import rpm, um
 from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, within

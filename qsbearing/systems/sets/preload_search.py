@@ -10,12 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.bearing_set import row_name
 from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadState
 from qsbearing.model.solution.status import Status
 from qsbearing.model.validation import ErrorDetail, SceneError
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.bearing_set import BearingSet, row_name
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
 

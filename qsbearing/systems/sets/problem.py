@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.model.kernel.case import OWN_BALL
-from qsbearing.model.scene.operation import CHANNELS, Operation
+from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet, Row

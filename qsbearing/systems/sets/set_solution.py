@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.messages import bearing_set
-from qsbearing.model.above import Plotted
+from qsbearing.model.above import Plotted, above
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.ranked_warning import RankedWarning
-from qsbearing.model.scene.operation import CHANNELS
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.preload_state import PreloadLoads
@@ -25,7 +24,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.sets.axial_growth import SHAFT
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.bearing_set import BearingSet, row_name
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
 from qsbearing.systems.sets.outcome import Outcome
@@ -109,7 +108,7 @@ class SetSolution(Plotted):
             lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
         for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
             largest = self.rows[number].inner.load.max()
-            name = bearing_set.row_name(row, number)
+            name = row_name(row, number)
             lines.append(f"  {name}: axial load {load:.6g} N, largest ball load {largest:.6g} N")
         return "\n".join(lines)
 
@@ -120,7 +119,8 @@ class SetSolution(Plotted):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return bearing_set.message(self, index)
+        said: str = above("message")(self, index)
+        return said
 
     def warnings(self, index: Index = None) -> list[RankedWarning]:
         """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
@@ -129,7 +129,8 @@ class SetSolution(Plotted):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        return bearing_set.warnings(self, index)
+        found: list[RankedWarning] = above("warnings")(self, index)
+        return found
 
     @property
     def converged(self) -> Any:
@@ -452,7 +453,7 @@ class SetSolution(Plotted):
 
         shaft = self.set.shaft
         if shaft is None:
-            raise SceneError([ErrorDetail("shaft", "missing: the rotor is made of its sections")])
+            raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
         if len(self.shape) > 1:
             problem = "has several axes of cases; one is wanted, that of speed"
             raise SceneError([ErrorDetail("shape", problem, self.shape)])

@@ -14,7 +14,17 @@ from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.scene.preload import Preload
 from qsbearing.model.units import zero_celsius
-from qsbearing.model.validation import FORCE, LENGTH, MOMENT, ErrorDetail, Quantity, raise_if_any, within
+from qsbearing.model.validation import (
+    FORCE,
+    LENGTH,
+    MOMENT,
+    ErrorDetail,
+    Field,
+    Quantity,
+    Sentence,
+    raise_if_any,
+    within,
+)
 
 STIFFNESS, TILT_STIFFNESS = Quantity("N/m"), Quantity("N m/rad")
 LOADS = (("axial", FORCE), ("radial_y", FORCE), ("radial_z", FORCE), ("moment_y", MOMENT), ("moment_z", MOMENT))
@@ -108,7 +118,9 @@ def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
     given = [(name, quantity) for name, quantity in springs if getattr(of, name) is not None]
     if (of.matrix is None) == (not given):
         problem = "has a matrix together with single stiffnesses" if given else "has no stiffness"
-        return [ErrorDetail("housing_stiffness", problem, cause="Give axial, radial and tilt, or the whole matrix")]
+        names = {name: Field(f"housing_stiffness.{name}") for name, _ in springs}
+        either = Sentence("Give {axial}, {radial} and {tilt}, or the whole matrix", **names)
+        return [ErrorDetail("housing_stiffness", problem, cause=either)]
     errors = []
     for name, quantity in given:
         errors += within(f"housing_stiffness.{name}", getattr(of, name), quantity, 1.0, STIFFEST)
@@ -138,7 +150,9 @@ class Housing:
     def __post_init__(self) -> None:
         errors = material_errors("housing.material", self.material) + _temperatures("housing", self)
         if self.temperature is not None and not errors and self.material.thermal_expansion is None:
-            errors.append(ErrorDetail("housing.material.thermal_expansion", "missing: the housing has a temperature"))
+            errors.append(
+                ErrorDetail("housing.material.thermal_expansion", "missing", detail="the housing has a temperature")
+            )
         raise_if_any(errors)
 
     @property
@@ -269,8 +283,8 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
             problem = "is not within the outer diameter"
             errors.append(ErrorDetail(f"{path}.inner_diameter", problem, section.inner_diameter, LENGTH))
         if of.temperature is not None and not errors and section.material.thermal_expansion is None:
-            problem = "missing: the shaft has a temperature"
-            errors.append(ErrorDetail(f"{path}.material.thermal_expansion", problem))
+            detail = "the shaft has a temperature"
+            errors.append(ErrorDetail(f"{path}.material.thermal_expansion", "missing", detail=detail))
         broken |= bool(errors)
         yield from errors
     yield from within("shaft.start", of.start, LENGTH, -FARTHEST, FARTHEST)

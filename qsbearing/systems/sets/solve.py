@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects import as_fitted, as_made
-from qsbearing.model.scene.operation import STRAIGHT, Operation
+from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.solution.solver import TOLERANCE
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give

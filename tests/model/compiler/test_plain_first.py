@@ -61,7 +61,7 @@ def command(arguments: str) -> str:
     return f"import sys\nfrom qsbearing.cli import cli\ncli({arguments.split()!r}, standalone_mode=False)\n"
 
 
-HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'qsbearing.model.compiler.compile_ahead'}"
+HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'qsbearing.model.compiler.background_compiler'}"
 LOADED = f"print(*sorted({HEAVY} & set(sys.modules)), 'loaded')"
 
 
@@ -134,47 +134,48 @@ print(done)
     assert few == [(1, False), (1, False), (2, False), (4, False), (1, False)]
 
 
-AHEAD = """
+BACKGROUND = """
 import time, probe_module as p
-from qsbearing.model.compiler import compiled, compile_ahead
+from qsbearing.model.compiler import compiled, background_compiler
 compiled.LOADING = 0.0
-compiled.compile_ahead()
+compiled.compile_in_background()
 assert p.doubled(3.0, 9) == 6.0
 {then}
 began = time.monotonic()
 while not p.doubled.is_compiled and time.monotonic() < began + {most}:
     time.sleep(0.05)
     p.doubled(3.0, 9)
-print(p.doubled.is_compiled, compile_ahead._Compiler.process.wait(60))
+print(p.doubled.is_compiled, background_compiler._Compiler.process.wait(60))
 """
 
 
-def test_a_process_beside_it_compiles_what_is_then_taken_up(probe: Path) -> None:
-    assert printed(AHEAD.format(then="", most=300), probe) == "True 0\n"
+def test_a_second_process_compiles_what_is_then_used(probe: Path) -> None:
+    assert printed(BACKGROUND.format(then="", most=300), probe) == "True 0\n"
     assert [path.suffix for path in (probe / "cache").rglob("*.kernel")] == [".kernel"]
 
 
 def test_a_compiler_that_is_killed_leaves_plain_python(probe: Path) -> None:
     """No half file is taken for a whole one, and nothing is said."""
-    killed = "time.sleep(0.3); compile_ahead._Compiler.process.kill()"
-    done = run(AHEAD.format(then=killed, most=1.0), probe)
+    killed = "time.sleep(0.3); background_compiler._Compiler.process.kill()"
+    done = run(BACKGROUND.format(then=killed, most=1.0), probe)
     assert done.stdout == f"False {-signal.SIGKILL}\n"
     assert done.stderr == ""
     assert list((probe / "cache").rglob("*.kernel")) == []
 
 
 def test_no_process_is_started_where_that_is_forbidden(probe: Path) -> None:
-    code = AHEAD.format(then="", most=0.2).rpartition("print")[0] + "print(compile_ahead._Compiler.process)"
-    assert printed(code, probe, QSBEARING_COMPILE_AHEAD="0") == "None\n"
+    code = BACKGROUND.format(then="", most=0.2).rpartition("print")[0] + "print(background_compiler._Compiler.process)"
+    assert printed(code, probe, QSBEARING_BACKGROUND_COMPILER="0") == "None\n"
 
 
 @pytest.mark.parametrize("begin", ["repr", "app"])
-def test_notebooks_and_the_app_compile_beside_themselves(tmp_path: Path, begin: str) -> None:
+def test_notebooks_and_the_app_compile_in_the_background(tmp_path: Path, begin: str) -> None:
     """Whoever else imports the package does not."""
-    code = "import qsbearing as qs; from qsbearing.model.compiler.compiled import _process as p; b = p.compiles_ahead\n"
+    code = "import qsbearing as qs; from qsbearing.model.compiler.compiled import _process as p\n"
+    code += "b = p.compiles_in_background\n"
     shown = "qs.load_scene('b218')._repr_html_()"
     code += shown if begin == "repr" else "from qsbearing.app.server import application; application('b218')"
-    assert printed(f"{code}\nprint(b, p.compiles_ahead)", tmp_path) == "False True\n"
+    assert printed(f"{code}\nprint(b, p.compiles_in_background)", tmp_path) == "False True\n"
 
 
 FORKED = """

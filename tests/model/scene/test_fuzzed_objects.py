@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from qsbearing.messages import message, warnings
 from qsbearing.model.kernel.newton import STALLED
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution import solver as solving
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.messages.installation import pip_install
+from qsbearing.documents.installation import pip_install
 from tests.systems.rotor_dynamics.scenes import spindle_bearing
 
 SPEEDS = np.array([0.0, 3_000.0, 6_000.0]) * qs.rpm

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import STRAIGHT
+from qsbearing.model.operation import STRAIGHT
 from tests.systems.sets.arrangements import S6210C
 from tests.systems.sets.test_elastic_shaft import SHAFT, spindle
 

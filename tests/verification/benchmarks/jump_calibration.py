@@ -68,7 +68,7 @@ def steps(results: Any) -> tuple[NDArray, NDArray]:
     for side in ("inner", "outer"):
         angle = results[f"{side}_angle"].where(results[f"{side}_load"] > 0.0)
         step = abs(angle.diff("speed_rpm", label="lower"))
-        ratio = (step / np.maximum(module._beside(step, "speed_rpm"), 1e-12)).values
+        ratio = (step / np.maximum(module._larger_neighbour(step, "speed_rpm"), 1e-12)).values
         ratio = np.nan_to_num(np.where(step.values > LOOKED_AT[1], ratio, 0.0))
         at = ratio.argmax(axis=1)[:, None]
         found = np.take_along_axis(np.nan_to_num(step.values), at, 1)[:, 0], np.take_along_axis(ratio, at, 1)[:, 0]

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from tests.qsbearing.scenes import BOTH, OUTER
 from tests.systems.sets.arrangements import rows, solved
 

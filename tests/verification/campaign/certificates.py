@@ -40,7 +40,7 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from tests.verification.campaign.checks import findings, tilt_lever
 from tests.verification.campaign.group import Group
 

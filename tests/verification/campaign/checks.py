@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from scipy.special import elliprd, elliprf, elliprg
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 
 MOST_IMBALANCE = 1e-10
 """Largest imbalance over the largest applied or inertial force: what a converged case promises."""

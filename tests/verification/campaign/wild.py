@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.scene.operation import CHANNELS
+from qsbearing.model.operation import CHANNELS
 from tests.verification.campaign.group import (
     DISPLACEMENT_KEYS,
     GROUP,

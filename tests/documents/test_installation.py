@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.messages.installation import pip_install
+from qsbearing.documents.installation import pip_install
 
 REQUIRES = [
     "numpy>=1.26", "starlette>=0.40; extra == 'app'", "qsbearing[plot]; extra == 'app'",

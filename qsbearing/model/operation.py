@@ -8,7 +8,19 @@ from typing import NamedTuple
 
 from numpy.typing import ArrayLike
 
-from qsbearing.model.validation import ANGLE, FORCE, LENGTH, MOMENT, SPEED, ErrorDetail, numeric, raise_if_any, within
+from qsbearing.model.validation import (
+    ANGLE,
+    FORCE,
+    LENGTH,
+    MOMENT,
+    SPEED,
+    ErrorDetail,
+    Field,
+    Sentence,
+    numeric,
+    raise_if_any,
+    within,
+)
 
 
 class Channel(NamedTuple):
@@ -97,11 +109,10 @@ def operation_errors(operation: Operation) -> list[ErrorDetail]:
     for channel in CHANNELS:
         load, displacement = getattr(operation, channel.load), getattr(operation, channel.displacement)
         if load is not None and displacement is not None:
-            problem = (
-                f"is given together with {channel.displacement}: a channel has its load or its displacement, never both"
-            )
+            problem = Sentence("is given together with {other}", other=Field(channel.displacement))
+            detail = "a channel has its load or its displacement, never both"
             cause = "Keep the one that is prescribed; the other is a result"
-            errors.append(ErrorDetail(f"operation.{channel.load}", problem, cause=cause))
+            errors.append(ErrorDetail(f"operation.{channel.load}", problem, cause=cause, detail=detail))
         # Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite.
         if load is not None:
             quantity = MOMENT if channel.is_rotation else FORCE
@@ -125,7 +136,11 @@ def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
             continue
         array, _ = numeric(f"operation.{field}", value, FORCE)  # its own errors are known already
         if array is not None and array.any():
-            problem = f"missing: {field} tilts the ring, so give its moment or its tilt (the results differ widely)"
-            cause = f"Free to tilt: {tilt.load} = 0. Fixed by a stiff shaft: {tilt.displacement} = 0"
-            errors.append(ErrorDetail(f"operation.{tilt.load}", problem, cause=cause))
+            why = "{given} tilts the ring, so give its moment or its tilt (the results differ widely)"
+            cause = Sentence(
+                "Free to tilt: {moment} = 0. Fixed by a stiff shaft: {tilt} = 0",
+                moment=Field(tilt.load), tilt=Field(tilt.displacement),
+            )  # fmt: skip
+            detail = Sentence(why, given=Field(field))
+            errors.append(ErrorDetail(f"operation.{tilt.load}", "missing", cause=cause, detail=detail))
     return errors

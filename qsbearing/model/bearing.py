@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.bearing_errors import bearing_errors, clearance_errors
 from qsbearing.model.contact.hertz import effective_modulus
 from qsbearing.model.material import STEEL, Material
-from qsbearing.model.scene.bearing_errors import bearing_errors, clearance_errors
 from qsbearing.model.validation import LENGTH, SceneError, choose, numeric, raise_if_any
 
 

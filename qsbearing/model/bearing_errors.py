@@ -8,10 +8,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.case_axes import clash_errors, shapes_of
 from qsbearing.model.material import material_errors
-from qsbearing.model.scene.case_axes import clash_errors, shapes_of
 from qsbearing.model.units import mm
-from qsbearing.model.validation import ANGLE, COUNT, LENGTH, ErrorDetail, first, numeric, unit_mistake, within
+from qsbearing.model.validation import (
+    ANGLE,
+    COUNT,
+    LENGTH,
+    ErrorDetail,
+    Field,
+    Sentence,
+    first,
+    numeric,
+    unit_mistake,
+    within,
+)
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)
@@ -44,13 +55,15 @@ def clearance_errors(
     if not bad.any():
         return []
     found, low, high = first(bad, clearance, least, most)
-    problem = (
-        f"is so far below zero that it wedges the balls by more than {LARGEST_INTERFERENCE:.0%} of their diameter"
-        if found < 0.0
-        else "is larger than these grooves allow: the free contact angle would pass "
-        f"{np.degrees(FREE_ANGLE_MAX):.0f} degrees"
-    )
-    return [ErrorDetail(field, problem, found, LENGTH, (low, high), unit_mistake(found, LENGTH, low, high), bad)]
+    problem, detail = "is larger than these grooves allow", ""
+    if found < 0.0:
+        problem = (
+            f"is so far below zero that it wedges the balls by more than {LARGEST_INTERFERENCE:.0%} of their diameter"
+        )
+    else:
+        detail = f"the free contact angle would pass {np.degrees(FREE_ANGLE_MAX):.0f} degrees"
+    advice = unit_mistake(found, LENGTH, low, high)
+    return [ErrorDetail(field, problem, found, LENGTH, (low, high), advice, bad, detail)]
 
 
 def bearing_errors(bearing: Any) -> list[ErrorDetail]:
@@ -98,7 +111,7 @@ def _interference_errors(bearing: Any, errors: list[ErrorDetail]) -> list[ErrorD
     if not bad.any():
         return []
     problem = "is given together with a free contact angle, but wedged balls have none"
-    cause = "Let free_contact_angle be 0 where there is an interference"
+    cause = Sentence("Let {angle} be 0 where there is an interference", angle=Field("free_contact_angle"))
     return [ErrorDetail(field, problem, first(bad, interference)[0], LENGTH, cause=cause, where=bad)]
 
 
@@ -111,7 +124,7 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
     as_f = next((number for number in (r / mm, r) if 0.5 < number <= LARGEST_USUAL_F), 0.0)
     given_as_f = f"Given as f = r/D? f D = {as_f:.6g} x {d / mm:.6g} mm = {as_f * d / mm:.6g} mm"
     if f <= 0.5:
-        problem = f"the groove is smaller than the ball: f = r/D = {f:.4g} must be above 0.5"
+        problem, detail = "the groove is smaller than the ball", f"f = r/D = {f:.4g} must be above 0.5"
         cause = "A groove tighter than its ball touches at two edges, not at a point; 0.515 to 0.54 is usual"
         if 0.5 < 1e3 * f <= GROOVE_COEFFICIENT_MAX:
             cause = "Given in another unit than the ball diameter?"
@@ -120,11 +133,11 @@ def _groove_errors(field: str, radius: NDArray, diameter: NDArray) -> list[Error
         elif as_f:
             cause = given_as_f
     else:
-        problem = f"the groove is far larger than the ball: f = r/D = {f:.4g} must be at most 1"
+        problem, detail = "the groove is far larger than the ball", f"f = r/D = {f:.4g} must be at most 1"
         cause = "Was the groove's diameter given, not its radius? 0.515 to 0.54 is usual for f"
         if not 0.5 < f / 2.0 <= 0.6:
             cause = given_as_f if as_f else "Given in another unit than the ball diameter?"
-    return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause, bad)]
+    return [ErrorDetail(field, problem, r, LENGTH, (0.5 * d, GROOVE_COEFFICIENT_MAX * d), cause, bad, detail)]
 
 
 def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[ErrorDetail]:
@@ -134,12 +147,11 @@ def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[Err
     if not tight.any():
         return []
     dm, d, least, balls = first(tight, pitch, diameter, room, count)
-    problem, cause = "is not larger than the ball", "Use fewer or smaller balls, or a larger pitch circle"
+    problem, detail = "is not larger than the ball", ""
+    cause = "Use fewer or smaller balls, or a larger pitch circle"
     if balls >= 2:
-        problem = (
-            f"the balls do not fit on the pitch circle: {balls:.0f} balls need a circle of more than {least / d:.4g} "
-            "ball diameters"
-        )
+        problem = "the balls do not fit on the pitch circle"
+        detail = f"{balls:.0f} balls need a circle of more than {least / d:.4g} ball diameters"
     if least < 1e3 * dm < 50.0 * least:
         cause = "Given in another unit than the ball diameter?"
-    return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause, tight)]
+    return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause, tight, detail)]

@@ -1,7 +1,8 @@
-"""Compiling beside a process that goes on in plain Python: one detached process at low priority, an entry at a time.
+"""Compiling in the background while a process goes on in plain Python: a detached process at low priority, one entry
+at a time.
 
 It is given the entry's name and arguments, compiles for such arguments into the user's cache, and ends. The process
-that started it takes up what is there when it next looks; if it ends first, the other ends its entry alone.
+that started it uses what is there when it next looks; if it ends first, the other ends its entry alone.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ class _Compiler:
 
 
 def is_compiling(name: str, args: tuple[Any, ...]) -> bool:
-    """Whether an entry is being compiled beside this process, or waits for its turn; starts it where none is.
+    """Whether an entry is being compiled in the background, or waits for its turn; starts it where none is.
 
     False where it was tried, without success, and where none can be started.
     """
@@ -66,4 +67,4 @@ def main() -> None:
         os.nice(LOWEST)
     name, args = pickle.load(sys.stdin.buffer)
     module, _, function = name.rpartition(".")
-    getattr(import_module(module), function).take_up(args)
+    getattr(import_module(module), function).use_compiled(args)
