@@ -124,7 +124,7 @@ PLANTED = {
         "total[axis] += part",
         EDGE,
     ),
-    "an edge as sharp as without its radius": (
+    "the edge's radius doubled": (
         "fem_check/mechanics/edge_contact.py",
         "(x - edge) ** 2 / (2.0 * radius)",
         "(x - edge) ** 2 / (4.0 * radius)",

@@ -128,18 +128,16 @@ def test_a_cut_contact_says_how_bad_it_is() -> None:
     found = cut_off(np.array([20e3, 50e3, 60e3, 90e3, 3000e3]), edge_radius=0.2e-3)
     inner = found.inner
     share = inner.share_beyond[:, 0]
-    a = solved(resting(axial_load=60e3)).inner.semi_major_axis[0]
+    uncut = solved(resting(axial_load=60e3)).inner
+    a, k = uncut.semi_major_axis[0], uncut.semi_major_axis[:1] / uncut.semi_minor_axis[:1]
     assert share[2] == pytest.approx(-inner.edge_distance[2, 0] / (2 * a))
     assert share[0] == 0.0 == inner.load_loss[0, 0]
     assert 0.0 < share[1] < 0.05 < share[2] < 0.1 < share[3] < 0.5 < share[4]
-    assert inner.load_turn[2, 0] == pytest.approx(
-        of_share("centre", share[2:3], np.array([8.1]))[0] * a / 11.1125e-3, rel=1e-3
-    )
+    assert inner.load_turn[2, 0] == pytest.approx(of_share("centre", share[2:3], k)[0] * a / 11.1125e-3, rel=1e-9)
     assert np.isnan(inner.load_loss[4, 0])
-    uncut = solved(resting(axial_load=20e3)).inner.max_pressure[0]
-    assert inner.edge_pressure[0, 0] == pytest.approx(uncut)
+    assert inner.edge_pressure[0, 0] == pytest.approx(solved(resting(axial_load=20e3)).inner.max_pressure[0])
     assert inner.edge_pressure[3, 0] == STATIC_PRESSURE
-    assert 2 * uncut < inner.edge_pressure[2, 0] < STATIC_PRESSURE
+    assert 1.5 * uncut.max_pressure[0] < inner.edge_pressure[2, 0] < STATIC_PRESSURE
     assert [each.rank for each in found.warnings] == [Rank.WRONG_MODEL, Rank.GOOD_TO_KNOW, Rank.GOOD_TO_KNOW]
     wrong, numbers, small = found.warnings
     assert "most of it is beyond the edge" in wrong
