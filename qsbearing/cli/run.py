@@ -144,7 +144,7 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         if solution.choice is None:
             return result(solution, readings)
-        from qsbearing.messages.bearing import chosen
+        from qsbearing.remarks.bearing import chosen
 
         said = enumerate(chosen(solution, scene))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]

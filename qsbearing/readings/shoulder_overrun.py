@@ -24,8 +24,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
+<<<<<<< HEAD
 from qsbearing.model.contact.first_yield import STATIC_PRESSURE
 from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
+=======
+>>>>>>> main
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -36,7 +39,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
 SMALL, LARGE = 0.05, 0.1
@@ -69,12 +72,12 @@ class RacewayOverrun:
 
 
 @dataclass(frozen=True)
-class Overrun:
+class Overrun(Remarked):
     """Ellipses against groove edges; None for a raceway whose shoulder is not given."""
 
     inner: RacewayOverrun | None
     outer: RacewayOverrun | None
-    warnings: Remarks
+    remarks: Remarks
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,9 +128,14 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
         if shoulder is None:
             found.append(None)
             continue
+<<<<<<< HEAD
         other = shoulder if other is None else other
         raceway = _raceway(solution, contacts, side, shoulder, other, given.edge_radius)
         said += _remarks(name, raceway)
+=======
+        raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
+        said.append(((raceway.edge_distance < 0.0).any(axis=-1), remark("ellipse_cut", name)))
+>>>>>>> main
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
 
@@ -137,7 +145,7 @@ def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, RankedWa
     share = np.nan_to_num(raceway.share_beyond)
     worst = share.max(axis=-1)
     said = []
-    for low, high in ((0.0, SMALL), (SMALL, LARGE), (LARGE, np.inf)):
+    for low, high in ((LARGE, np.inf), (SMALL, LARGE), (0.0, SMALL)):
         where = (worst > low if low == 0.0 else worst >= low) & (worst < high)
         if not where.any():
             continue

@@ -1,0 +1,218 @@
+"""How a case of a bearing ended, in a sentence, and what there is to beware of in its numbers, as remarks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import inf
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.bearing import BearingKind
+from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.effects.raceway_control import INNER
+from qsbearing.model.operation import CHANNELS
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.judgement import estimated, lines_to_add
+from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import Reason, Status
+from qsbearing.model.units import MPa, mrad, um
+from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
+from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.remarks.missing_effects import missing_effects
+from qsbearing.remarks.preload import preload_remarks
+from qsbearing.remarks.remark import Found, Remark, in_case, remark
+
+SMALL_TILT = 0.02
+"""Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
+
+SPARSE = 0.25
+"""Z D/(pi dm) below which some number is likely mistaken (chosen: less than half of what the catalogue's bearings have,
+0.59 to 0.90; the 145 of the validation book's table of spindle bearings have 0.62 to 0.89)."""
+
+SEPARATED = 0.01
+"""Loaded contact angles of less than this part of the free one carry no axial load worth the name (chosen: a bearing
+made for axial load works at its free angle; 1 % of it is 1 % of the axial load that its balls could carry)."""
+
+
+def message(solution: Solution, index: Index = None) -> str:
+    """One sentence on how a case ended; of several cases without an index, how many ended how."""
+    if index is None and solution.shape:
+        return f"{solution._maker.count} cases: {solution._counts()}."
+    k = solution._flat_index(index)
+    status, residual, iterations = (
+        np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
+    )
+    if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
+        return solution.thermal.message(index)
+    if status == Status.CONVERGED:
+        return (
+            f"Balls and ring are in equilibrium: largest imbalance {residual:.1e} of the largest force, "
+            f"after {iterations} iterations."
+        )
+    if solution._preloaded is not None:
+        preloaded = solution._preloaded
+        numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
+        number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
+        if not np.ravel(preloaded.converged)[number]:
+            place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
+            return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
+    if status == Status.NO_EQUILIBRIUM:
+        return _why_no_equilibrium(solution, k)
+    return (
+        f"Not converged: the last imbalance was {residual:.1e} of the largest force after {iterations} iterations. "
+        "This does not prove that there is no equilibrium: continuing from a solution nearby (at a lower speed or a "
+        "larger load) may find one."
+    )
+
+
+def _why_no_equilibrium(solution: Solution, k: int) -> str:
+    case = solution._maker.make(k, k + 1)[0]
+    reason = np.ravel(solution.reason)[k]
+    if reason == Reason.UNSUPPORTED:
+        free = solution._free_channels
+        if not free.size:
+            return "No equilibrium: at the prescribed displacements, nothing supports the balls."
+        ring = np.nan_to_num(np.abs(solution._results["displacement"][k][free]), nan=np.inf)
+        names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
+        return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
+    if reason == Reason.FRICTION_WITHOUT_LOAD:
+        why = (
+            " under this raceway control: friction would have to carry the gyroscopic moment at a contact with too "
+            "little load or none, so that the ball slips."
+        )
+        if case["control"] == INNER:
+            why += " Outer or per_ball control does not require this."
+    elif reason == Reason.NO_ORBIT:
+        why = (
+            " under this raceway control: the two contact angles of a ball differ by so much that rolling would leave "
+            "the ball standing, or carry it backwards. Outer control does not lead to this."
+        )
+    elif reason == Reason.OPEN_SIDE:
+        why = (
+            f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
+            'zero. For a bearing with shoulders on both sides, write kind = "deep_groove".'
+        )
+    elif reason == Reason.OVER_SHOULDER:
+        why = (
+            ": the angle of a loaded inner contact is more than 90 degrees, where no groove has a shoulder: the inner "
+            "ring cannot hold the balls against the forces that push them outward."
+        )
+    else:
+        return "No equilibrium."
+    return f"No equilibrium{why}" + _where(float(np.ravel(solution.speed_reached)[k]))
+
+
+def _where(part: float) -> str:
+    """At which part of the speed that shows, if not at the whole."""
+    if part == 1.0:
+        return ""
+    return (
+        f" This is already so at {100.0 * part:.3g} % of the speed." if part > 0.0 else " This is already so at rest."
+    )
+
+
+def _unsupported(case: NDArray) -> str:
+    """Which channel the open side leaves unsupported."""
+    held = case["displacement_given"].astype(bool)
+    loads = np.where(held, 0.0, case["prescribed"])
+    if held[0]:
+        return "the prescribed axial displacement does not keep the balls in contact."
+    if loads[0] < 0.0:
+        return "the axial load acts in -x, and the bearing has no support in that direction."
+    side = np.abs(loads[1:]) / np.array([1.0, 1.0, 0.5 * case["pitch_diameter"], 0.5 * case["pitch_diameter"]])
+    causes = [f"the load in channel {CHANNELS[int(side.argmax()) + 1].label}"] if side.max() > 0.0 else []
+    moved = [CHANNELS[i] for i in np.flatnonzero(held & (case["prescribed"] != 0.0))]
+    causes += [f"the prescribed {each.label}{'' if each.is_rotation else ' displacement'}" for each in moved]
+    if not causes:
+        return "the axial load is too small to keep the balls in contact."
+    return f"{' or '.join(causes)} is too large for the axial load to keep the balls in contact."
+
+
+def chosen(solution: Solution, named: Scene) -> list[str]:
+    """What was chosen for a single case, beside the scene that was given: left out, with errors; and added."""
+    choice = solution.choice
+    if choice is None:
+        return []
+    what = {entry.name: entry.what for entry in EFFECTS}
+    out = [f"{what[one.effect]}: {estimated(float(np.max(one.estimated_error)))}" for one in choice.left_out]
+    left = f"left out, with the expected error: {'; '.join(out)}." if out else "nothing is left out."
+    said = [f"Tolerance {choice.tolerance:g}: {left}"]
+    if choice.added:
+        added = [entry for entry in EFFECTS if entry.name in choice.added]
+        needed = f"Needed, but not named in the scene: {', '.join(entry.what for entry in added)}."
+        said.append(f"{needed} Add under [effects]: {', '.join(lines_to_add(named, added))}")
+    return said
+
+
+def remarks(solution: Solution, index: Index = None) -> list[Remark]:
+    """What to beware of in the numbers of a case; of several without an index, once of each kind."""
+    return in_case(solution, _all, index)
+
+
+def _all(solution: Solution, part: slice) -> Iterator[Found]:
+    """Which cases of a stretch have a remark, and that of the i-th of them."""
+    yield from preload_remarks(solution, part)
+    yield from _ring_remarks(solution, part)
+    yield from ball_remarks(solution, part)
+    yield from friction_remarks(solution, part)
+    yield from missing_effects(solution, part)
+    if solution.scene.is_reshaped:
+        yield from expansion_remarks(solution, part)
+    yield from bending_remarks(solution, part)
+    pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
+    yield from _pressure_remarks(solution, pressure)
+    bearing = solution.scene.bearing
+    share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
+    filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
+    yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
+
+
+def _pressure_remarks(solution: Solution, pressure: NDArray) -> Iterator[Found]:
+    """Dents, and first yield where the scene gives a yield strength."""
+    rings = solution.scene.ring_expansion
+    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
+    yielding: dict[str, Any] = {}
+    if rings is not None:
+        near = float(f"{first_yield / MPa:.2g}")
+        yielding = {"yield_strength_MPa": rings.yield_strength / MPa, "first_yield_MPa": near}
+
+    def reached(code: str, i: int) -> Remark:
+        return remark(code, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
+
+    yield pressure > STATIC_PRESSURE, lambda i: reached("pressure_dents", i)
+    yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached("pressure_yields", i)
+
+
+def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    free = solution._free_channels
+    unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
+    yield unloaded, remark("ring_unloaded")
+    stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
+    stiffness = np.nan_to_num(stiffness, nan=0.0)
+    values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
+    soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)
+
+    def undetermined(i: int) -> Remark:
+        share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
+        return remark("ring_free", channels=", ".join(CHANNELS[channel].label for channel in free[share > 0.1]))
+
+    yield ~unloaded & soft.any(axis=-1), undetermined
+    bearing = solution.scene.bearing
+    moved = rows(solution.displacement, part)
+    loaded = rows(solution.inner.load, part) > 0.0
+    steepest = np.abs(np.where(loaded, rows(solution.inner.angle, part), 0.0)).max(axis=-1)
+    free_angle = np.broadcast_to(
+        np.asarray(solution.scene.operating_bearing.free_contact_angle, float), solution.shape
+    ).reshape(-1)[part]
+    can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
+    yield (
+        can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
+        lambda i: remark("raceways_separated", axial_displacement_um=moved[i, 0] / um),
+    )
+    tilt = np.abs(moved[:, 3:]).max(axis=-1)
+    yield tilt > SMALL_TILT, lambda i: remark("tilt_large", tilt_mrad=tilt[i] / mrad)

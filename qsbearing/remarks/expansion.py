@@ -1,0 +1,99 @@
+"""Remarks about expanded and elastic rings: fits lost, rings that yield or bend far, wedged balls, seats that part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.model.effects.elastic_rings import grooves_of
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import MPa, um
+from qsbearing.remarks.remark import Found, Remark, remark
+
+
+def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Balls that are wedged, rings that yield, fits that are lost."""
+
+    def cases(values: ArrayLike) -> NDArray:
+        return np.broadcast_to(np.asarray(values, float), solution.shape).reshape(-1)[part]
+
+    wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
+    before = cases(solution.scene.bearing.diametral_clearance)
+    yield (wedged < 0.0) & (before >= 0.0), lambda i: remark("balls_wedged", interference_um=-wedged[i])
+    yield (wedged < 0.0) & (before < 0.0), lambda i: remark("clearance_negative", interference_um=-wedged[i])
+    effect = solution.scene.ring_expansion
+    if effect is None:
+        return
+    for ring, seat, state in (
+        ("inner", "shaft", solution.inner_ring),
+        ("outer", "housing", solution.outer_ring),
+    ):
+        if state is None:
+            continue
+        stress = cases(state.equivalent_stress)
+
+        def yields(i: int, ring: str = ring, stress: NDArray = stress) -> Remark:
+            limit = effect.yield_strength / MPa
+            return remark("ring_yields", ring, stress_MPa=stress[i] / MPa, yield_strength_MPa=limit)
+
+        yield stress > effect.yield_strength, yields
+        if state.seat_gap is None or state.seat_pressure is None:
+            continue
+        gap, interference = cases(state.seat_gap), cases(getattr(effect, f"{seat}_interference"))
+
+        def lost(
+            i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
+        ) -> Remark:
+            lengths = {"interference_um": interference[i] / um, "clearance_um": gap[i] / um}
+            return remark("fit_lost", ring, seat=seat, **lengths)
+
+        closed = cases(state.seat_pressure) < 0.0  # by the balls of elastic rings
+        yield (interference > 0.0) & (gap > 0.0) & ~closed, lost
+
+
+def _cases(values: NDArray, part: slice) -> NDArray:
+    return np.asarray(values).reshape(-1)[part]
+
+
+THIN = 0.5
+"""Of a ring's thickness: a deflection beyond it is no small one any more (the usual limit of linear bending)."""
+
+
+def bending_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Of elastic rings: a seat that parts from its ring somewhere, deflections that are not small."""
+    rings = solution.scene.elastic_rings
+    if rings is None:
+        return
+    grooves = grooves_of(solution.scene.operating_bearing)
+    for side, seat, bottom, diameter in (
+        ("inner", "shaft", grooves.inner_bottom, rings.bore_diameter),
+        ("outer", "housing", grooves.outer_bottom, rings.outside_diameter),
+    ):
+        shape, state = getattr(solution, f"{side}_shape"), getattr(solution, f"{side}_ring")
+        if shape is None:
+            continue
+        if shape.least_seat_pressure is not None:
+            flag = getattr(rings, f"{seat}_touches")
+            is_open = np.broadcast_to(False if flag is None else np.asarray(flag) == 0.0, solution.shape)
+            fitted = 0.0 if state is None or state.seat_pressure is None else state.seat_pressure
+            short = -(shape.least_seat_pressure + fitted).reshape(-1)[part]
+
+            def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> Remark:
+                return remark("seat_parts", side, seat=seat, pressure_MPa=short[i] / MPa)
+
+            yield np.asarray(short > 0.0) & ~_cases(is_open, part), parts
+            reach = np.maximum(shape.growth + shape.bending, 0.0)
+            touching = is_open & (2.0 * reach > (0.0 if state is None or state.seat_gap is None else state.seat_gap))
+
+            yield _cases(touching, part), remark("seat_touches", side, seat=seat)
+        if diameter is None:
+            continue
+        thickness = np.abs(0.5 * np.asarray(diameter, float) - np.asarray(bottom))
+        large = np.asarray(shape.bending / thickness).reshape(-1)[part]
+
+        def bends(i: int, side: str = side, large: NDArray = large) -> Remark:
+            return remark("ring_bends_far", side, deflection_over_thickness=large[i])
+
+        yield np.asarray(large > THIN), bends

@@ -1,0 +1,113 @@
+"""Remarks on effects that a scene or set lacks, though its results would change with them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.solution.changes import Change, asked, changes, rows_of
+from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, lines_to_add
+from qsbearing.remarks.remark import Found, Of, Remark
+
+MOST_CASES = 64
+"""More cases than these (chosen: more points than a load spectrum has) are not solved again: what indicators predict of
+them is said with ≈, and nothing of effects of which they predict nothing."""
+WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
+"""A predicted error above which an effect that needs nothing is tried (chosen: most predictions are within a factor
+of two)."""
+
+
+def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
+    """Of a scene or set; a row of a set has nothing to say of itself."""
+    if solution._solve is None:
+        return
+    are_few = int(np.prod(solution.shape)) <= MOST_CASES
+    yield from _of_known(solution, part, are_few)
+    yield from _of_assumed(solution, part, are_few)
+
+
+def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+    """Effects and choices that could be named as it is."""
+    if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
+        return
+    of = asked(solution)
+    found = []
+    for entry in EFFECTS:
+        if entry.hypothesis or not entry.can_be_added(of):
+            continue
+        predicted = _predicted(entry, solution)
+        if not are_few:
+            found.append((entry, predicted))
+        elif np.any(predicted.largest > WORTH_A_SOLVE):
+            found += [(entry, each) for each in changes(entry, solution)]
+    if not found:
+        return
+    matters = np.stack([_matters(change, part) for _, change in found])
+
+    def missing(i: int) -> Remark:
+        here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
+        most = [_most([change], part.start + i) for _, change in here]
+        return Remark(
+            "effects_missing",
+            values={
+                "effects": tuple(entry.name for entry, _ in here),
+                "quantities": tuple(quantity for quantity, _ in most),
+                "changes": tuple(change for _, change in most),
+                "is_estimated": not are_few,
+                "add": tuple(lines_to_add(of, [entry for entry, _ in here])),
+            },
+        )
+
+    yield matters.any(axis=0), missing
+
+
+def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+    """Effects that need numbers of the scene, which no choice of effects can add either."""
+    rows = rows_of(solution)
+    for entry in EFFECTS:
+        lacking = [n for n, row in enumerate(rows, 1) if not entry.is_in(row.scene)]
+        if not entry.needs or not lacking:
+            continue
+        predicted = [_predicted(entry, solution)] if entry.tells_without else []
+        found = changes(entry, solution) if are_few else predicted
+        if found:
+            of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
+            matters = np.any([_matters(each, part) for each in found], axis=0)
+            yield matters, partial(_lacks, entry, of, found, are_few, part.start)
+
+
+def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, start: int, i: int) -> Remark:
+    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
+    quantity, by = _most(found, start + i)
+    under = tuple(each.under for each in found if np.ravel(each.is_solved)[start + i])
+    values = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under, "is_estimated": not is_solved}
+    return Remark("effect_data_missing", of, values)
+
+
+def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:
+    """Which quantity changes most in a case, counted along the flattened axes, and by how much with each change that is
+    solved; nothing where none is."""
+    with_solution = [each for each in found if np.ravel(each.is_solved)[k]]
+    if not with_solution:
+        return "", ()
+    errors = {name: np.ravel(error)[k] for name, error in with_solution[-1].errors.items()}
+    name = max(errors, key=lambda each: np.nan_to_num(errors[each], nan=0.0))
+    return name, tuple(float(np.ravel(each.errors[name])[k]) for each in with_solution)
+
+
+def _predicted(entry: Entry, solution: Any) -> Change:
+    """By the indicator, of a set in the row where it is most."""
+    found = [judge(entry, row).errors for row in rows_of(solution)]
+    nothing = np.zeros(solution.shape)
+    errors = {name: np.max([each.get(name, nothing) for each in found], axis=0) for name in QUANTITIES}
+    return Change("", "", errors, np.ones(solution.shape, bool))
+
+
+def _matters(change: Change, part: slice) -> NDArray:
+    """Where some answer changes noticeably, in which cases of a stretch."""
+    return np.asarray(change.largest.reshape(-1)[part] > WORTH_A_WARNING)
