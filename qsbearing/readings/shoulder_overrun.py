@@ -24,11 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
-<<<<<<< HEAD
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
-from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
-=======
->>>>>>> main
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -39,7 +35,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
 SMALL, LARGE = 0.05, 0.1
@@ -128,52 +124,34 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
         if shoulder is None:
             found.append(None)
             continue
-<<<<<<< HEAD
         other = shoulder if other is None else other
         raceway = _raceway(solution, contacts, side, shoulder, other, given.edge_radius)
         said += _remarks(name, raceway)
-=======
-        raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
-        said.append(((raceway.edge_distance < 0.0).any(axis=-1), remark("ellipse_cut", name)))
->>>>>>> main
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
 
 
-def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, RankedWarning]]:
+def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]:
     """One for each of the ranges, with the numbers of its most cut contact."""
     share = np.nan_to_num(raceway.share_beyond)
     worst = share.max(axis=-1)
     said = []
     for low, high in ((LARGE, np.inf), (SMALL, LARGE), (0.0, SMALL)):
         where = (worst > low if low == 0.0 else worst >= low) & (worst < high)
-        if not where.any():
-            continue
-        at = np.unravel_index(np.argmax(np.where(where[..., None], share, 0.0)), share.shape)
-        part = (
-            f"an {name} contact's ellipse runs over the groove's edge, with {100.0 * share[at]:.2g} % of its major axis"
-        )
-        if high == SMALL:
-            text = f"{part}: load and angle hold, and the pressure rises at the edge"
-        else:
-            effect = _effect(raceway, at)
-            text = f"{part}: {effect}" if high == LARGE else f"{part}: it is no longer Hertz's contact; {effect}"
-        said.append((where, (wrong_model if low == LARGE else good_to_know)(text, "limits")))
+        if where.any():
+            at = np.unravel_index(np.argmax(np.where(where[..., None], share, 0.0)), share.shape)
+            numbers = _numbers(raceway, at) if low >= SMALL else {}
+            code = "ellipse_cut" if low == LARGE else "ellipse_cut_little"
+            said.append((where, remark(code, name, beyond_percent=100.0 * float(share[at]), **numbers)))
     return said
 
 
-def _effect(raceway: RacewayOverrun, at: tuple[Any, ...]) -> str:
-    """What the edge does to one contact, in words."""
-    if np.isnan(raceway.load_loss[at]):
-        return "most of it is beyond the edge"
-    loss, turn = 100.0 * raceway.load_loss[at], raceway.load_turn[at] / deg
-    pressure = "at a sharp edge the pressure has no limit"
+def _numbers(raceway: RacewayOverrun, at: tuple[Any, ...]) -> dict[str, float]:
+    """What the edge does to one contact, as far as it is computed, in the units of a remark."""
+    found = {"load_loss_percent": 100.0 * raceway.load_loss[at], "turn_deg": raceway.load_turn[at] / deg}
     if raceway.edge_pressure is not None:
-        is_above = raceway.edge_pressure[at] >= STATIC_PRESSURE
-        above = "above " if is_above else ""
-        pressure = f"the pressure at the edge is {above}{raceway.edge_pressure[at] / MPa:.0f} MPa"
-    carried = f"at the same approach it carries {loss:.2g} % less load"
-    return f"{carried}, which acts {turn:.2g} deg farther from the edge; {pressure}"
+        found |= {"edge_pressure_MPa": raceway.edge_pressure[at] / MPa, "limit_MPa": STATIC_PRESSURE / MPa}
+    return {key: float(value) for key, value in found.items() if np.isfinite(value)}
 
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:

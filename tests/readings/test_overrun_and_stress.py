@@ -10,12 +10,12 @@ from scipy.optimize import brentq
 
 import qsbearing as qs
 from fem_check.book.published import bearing
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
-from qsbearing.model.ranked_warning import Rank
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.readings import subsurface_stress
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.cut_contact import of_share
 from qsbearing.readings.shoulder_overrun import groove_depth
+from qsbearing.remarks.kinds import Severity
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 
@@ -138,7 +138,11 @@ def test_a_cut_contact_says_how_bad_it_is() -> None:
     assert inner.edge_pressure[0, 0] == pytest.approx(solved(resting(axial_load=20e3)).inner.max_pressure[0])
     assert inner.edge_pressure[3, 0] == STATIC_PRESSURE
     assert 1.5 * uncut.max_pressure[0] < inner.edge_pressure[2, 0] < STATIC_PRESSURE
-    assert [each.rank for each in found.warnings] == [Rank.WRONG_MODEL, Rank.GOOD_TO_KNOW, Rank.GOOD_TO_KNOW]
+    assert [each.rank for each in found.warnings] == [
+        Severity.WRONG_MODEL,
+        Severity.GOOD_TO_KNOW,
+        Severity.GOOD_TO_KNOW,
+    ]
     wrong, numbers, small = found.warnings
     assert "most of it is beyond the edge" in wrong
     assert "8.3 % of its major axis: at the same approach it carries 0.72 % less load, which acts 0.15 deg" in numbers
