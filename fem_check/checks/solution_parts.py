@@ -27,9 +27,8 @@ from qsbearing.readings import kinematics, stress
 TOLERANCE = 1e-9
 """Relative, of two evaluations at full precision."""
 WHY = "two evaluations at full precision"
-LOADS = qs.Operation(
-    speed=8000.0 * qs.rpm, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0
-)
+SPEED = 8000.0 * qs.rpm
+LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0)
 CASES = 64
 
 
@@ -46,7 +45,7 @@ def compared(
 def batch_rows() -> Iterator[Row]:
     """Cases in one call against calls of their own."""
     share = np.linspace(0.5, 1.0, CASES)
-    speed = LOADS.speed * share[::-1]
+    speed = SPEED * share[::-1]
     loads = {name: getattr(LOADS, name) * share for name in ("axial_load", "radial_load_y", "radial_load_z")}
     many = qs.solve(qs.Scene(B218, replace(LOADS, speed=speed, **loads), **BOTH))
     at = range(0, CASES, 7)
@@ -70,20 +69,24 @@ def motion_rows() -> Iterator[Row]:
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
     free = qs.solve(qs.Scene(B218, LOADS, **BOTH))
     found, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
-    rotation = np.stack([free.axial_rotation, -np.asarray(free.radial_rotation)])
-    size = np.asarray(free.rotation_speed)
+    along, outward, size, orbit = (
+        np.asarray(getattr(free, name), float)
+        for name in ("axial_rotation", "radial_rotation", "rotation_speed", "orbital_speed")
+    )
+    rotation = np.stack([along, -outward])
     axis = np.arctan2(-rotation[1] / size, rotation[0] / size)
     yield compared(case, "attitude angle", "rad", free.attitude_angle, axis, source)
-    for race, contacts, ring in (("inner", free.inner, LOADS.speed), ("outer", free.outer, 0.0)):
+    for race, contacts, ring in (("inner", free.inner, SPEED), ("outer", free.outer, 0.0)):
         normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle)])
-        spin = (rotation * normal).sum(axis=0) - (ring - free.orbital_speed) * normal[0]
+        spin = (rotation * normal).sum(axis=0) - (ring - orbit) * normal[0]
         scale = np.abs(rotation).max()  # the controlling raceway has none
         told = np.append(getattr(found, race).spin_speed, scale)
         yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
     bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
-    asked = np.maximum(bound.inner.required_friction, bound.outer.required_friction)
+    asked = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
+    slipping = np.asarray(bound.slips, bool)
     yield compared(
-        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(bound.slips), len(asked)],
+        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(asked)],
         [np.sum(asked > friction * (1.0 + 1e-9)), len(asked)], "friction asked for above the coefficient",
     )  # fmt: skip
 
