@@ -1,4 +1,4 @@
-"""What a scene may ask for beside the contacts: one effect or choice, one file, each opening with its card.
+"""What a scene may ask for in addition to the contacts: one effect or choice, one file, each opening with its card.
 
 `EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the list
 of model levels and the cost study go through it and know none by name. To add one:
@@ -55,14 +55,13 @@ def types_in(slot: str) -> dict[str, type]:
 
 
 def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
-    """Those of these ring effects that a bearing has at rest and cold too, before fitting."""
-    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations | ElasticRings))
+    """What of these ring effects a bearing has at rest and cold too, before fitting."""
+    return tuple(filter(None, (effect.at_rest(False) for effect in ring_effects)))
 
 
 def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
     """Likewise, with its fits."""
-    fits = tuple(effect.without_heat for effect in ring_effects if isinstance(effect, RingExpansion))
-    return (*as_made(ring_effects), *fits)
+    return tuple(filter(None, (effect.at_rest(True) for effect in ring_effects)))
 
 
 __all__ = [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from math import prod
 from typing import Any
 
@@ -11,16 +12,65 @@ from numpy.typing import NDArray
 
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.model.kernel.case import OWN_BALL
+from qsbearing.model.kernel.shaft import SHAFT, Shafts, shaft_system
+from qsbearing.model.kernel.solve_sets import solve_set_cases
+from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet, Row
-from qsbearing.systems.sets.direct import solve_directly
 from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
-from qsbearing.systems.sets.outcome import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE
-from qsbearing.systems.sets.row_cases import RowCases, empty
+from qsbearing.systems.sets.row_cases import Found, RowCases, empty
+
+
+@dataclass
+class Outcome:
+    """How the flattened cases ended."""
+
+    q: NDArray
+    """The shaft's five channels, the slide of the sprung rings and what is elastic; shape (case, unknown) [m, rad]."""
+    status: NDArray
+    residual: NDArray
+    iterations: NDArray
+    fault: NDArray
+    """The row that gave way; -1: none."""
+    unsupported: NDArray
+    """Which unknowns nothing resists although they are loaded; shape (case, unknown)."""
+    reached: NDArray
+    """The part of loads and speeds up to which an equilibrium was followed."""
+    axial: NDArray
+    """Load of each row in the direction that it carries; shape (row, case) [N]."""
+
+    @classmethod
+    def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
+        """Of so many cases of so many unknowns, not solved yet."""
+        numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
+        return cls(
+            np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
+            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)),
+        )  # fmt: skip
+
+
+def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, found: Found) -> None:
+    """Solve all cases of a stretch that this method solves; they are marked as solved there.
+
+    Args:
+        cases: case records of all rows, (row, case); own, matrices, offsets and found likewise: what the stretch holds
+            row by row, offsets counting from where the row touches in operation.
+    """
+    rows, _, balls = found.controls.shape
+    shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
+    # Of displacements that are prescribed, the kernel looks at which ones vanish.
+    moving = ~s.held | (s.place != 0.0)
+    cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
+    memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *found)
+    which = shafts.found["solved"]
+    s.solved[:] = which
+    s.q[which], s.residual[which] = shafts.q[which], shafts.found["residual"][which]
+    s.iterations[:] = shafts.found["iterations"]
 
 
 class Problem:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +13,6 @@ from qsbearing.model.above import Plotted, above
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.ranked_warning import RankedWarning
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.preload_state import PreloadLoads
@@ -23,11 +21,12 @@ from qsbearing.model.solution.ring_stiffness import inverse
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
-from qsbearing.systems.sets.bearing_set import BearingSet, row_name
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
-from qsbearing.systems.sets.outcome import Outcome
+from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
 if TYPE_CHECKING:
@@ -122,14 +121,14 @@ class SetSolution(Plotted):
         said: str = above("message")(self, index)
         return said
 
-    def warnings(self, index: Index = None) -> list[RankedWarning]:
-        """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
-        cases without an index, in how many each row's is.
+    def warnings(self, index: Index = None) -> list[Warned]:
+        """Sentences on what to beware of in a case, the rows' own warnings among them; of several cases without an
+        index, in how many cases each holds.
 
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        found: list[RankedWarning] = above("warnings")(self, index)
+        found: list[Warned] = above("warnings")(self, index)
         return found
 
     @property
@@ -449,48 +448,16 @@ class SetSolution(Plotted):
             SceneError: no shaft, more than one axis of cases, cases that are not solved, or a speed that falls.
             ImportError: ROSS is not installed.
         """
-        from qsbearing.systems.rotor_dynamics import ross_rotor
+        from qsbearing.systems.sets import rotor
 
-        shaft = self.set.shaft
-        if shaft is None:
-            raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
         if len(self.shape) > 1:
             problem = "has several axes of cases; one is wanted, that of speed"
             raise SceneError([ErrorDetail("shape", problem, self.shape)])
         if not np.all(self.converged):
             raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
-        sections = [
-            ross_rotor.RotorSection(begin, end, each.outer_diameter, each.inner_diameter, each.material)
-            for (begin, end), each in zip(pairwise(map(float, shaft.ends)), shaft.sections, strict=True)
-        ]
-        holders = [
-            ross_rotor.Holder(float(np.asarray(row.position)), self._shaped(stiffness, 5, 5), f"row {number}")
-            for number, (row, stiffness) in enumerate(zip(self.set.rows, self._held_by(), strict=True), 1)
-        ]
-        holders += [
-            ross_rotor.Holder(each.position, each.stiffness, f"support {number}")
-            for number, each in enumerate(shaft.supports, 1)
-        ]
-        places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
-        speed = np.broadcast_to(np.asarray(self.set.operation.speed, float), self.shape)
-        return ross_rotor.rotor(sections, holders, speed, places, disks, longest)
-
-    def _held_by(self) -> NDArray:
-        """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5)."""
         own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        turned = self._deflection.turned
-        held = turned.swapaxes(2, 3) @ own @ turned
-        for number, row in enumerate(self.set.rows):
-            if row.housing_stiffness is not None:
-                give = np.eye(5) + row.housing_stiffness.compliance @ held[number]
-                held[number] = held[number] @ np.linalg.inv(give)
-        sleeves = [[number - 1 for number in group.rows] for group in self.set.floating]
-        sleeves += [[number for number, row in enumerate(self.set.rows) if row.sprung]]
-        for sleeve in filter(None, sleeves):
-            along = held[sleeve][..., 0]
-            total = along[..., 0].sum(axis=0)
-            held[sleeve] -= along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
-        return held
+        held = rotor.held_by(self.set, own, self._deflection.turned)
+        return rotor.rotor(self.set, held.reshape(len(self.rows), *self.shape, 5, 5), disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:
         return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))
