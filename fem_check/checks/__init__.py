@@ -14,6 +14,7 @@ from fem_check.checks import (
     patch_test,
     permanent_dent,
     solution_contacts,
+    solution_parts,
     true_geometry,
 )
 
@@ -27,6 +28,7 @@ ALL = {
         body_size.CHECK,
         convergence_order.CHECK,
         solution_contacts.CHECK,
+        solution_parts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
         contact_at_the_edge.CHECK,

@@ -308,6 +308,8 @@ _ALL = (
          "a film parameter is below 1: asperities touch over much of {raceways:that} contact"),
     # A bearing from its data sheet
     Kind("sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"),
+    Kind("sheet_not_solved", CHECK, "data_sheet",
+         "{unsolved} of the {bearings} bearings that the data sheet allows are not solved, and in no range"),
     Kind("sheet_groove_assumed", NOTE, "data_sheet",
          "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
