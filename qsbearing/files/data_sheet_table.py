@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, material, si
 from qsbearing.inference.data_sheet import DataSheet
-from qsbearing.inference.infer import InferredBearing, infer_bearing
 from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.scene.keys import (
     BEARING,
@@ -25,6 +24,9 @@ from qsbearing.model.scene.keys import (
     SHEET_WORDS,
 )
 from qsbearing.model.validation import SceneError, printable
+
+if TYPE_CHECKING:
+    from qsbearing.inference.infer import InferredBearing
 
 _BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_radius_coefficient"])
 _SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
@@ -71,6 +73,8 @@ def bearing_of_sheet(
     if len(errors) > before:
         return None
     fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
+    from qsbearing.inference.infer import infer_bearing  # readings are loaded only for a data sheet
+
     try:
         found = infer_bearing(**fields, name=printable(given.get("name", label)))
     except SceneError as error:
