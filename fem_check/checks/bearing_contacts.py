@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing
-from fem_check.checks import groove_contacts, solution_contacts, true_geometry
+from fem_check.checks import solution_contacts, true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
 from fem_check.independent.drawing import Drawing
@@ -305,7 +305,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             rows += half_space_rows(contact, ideal[race], level) + on_half_spaces[race]
             rows += true_rows(contact, true[race]) + of_true_bodies[race]
             last = true[race]
-            mesh = groove_contacts.mesh_entry(ideal[race]) if isinstance(last, Refused) else last.mesh
+            mesh = half_space_contact.mesh_entry(ideal[race]) if isinstance(last, Refused) else last.mesh
             solver = ideal[race].bodies.race.solver
         notes += _notes(contacts)
     return Findings(rows, mesh, solver, notes=notes)
@@ -371,6 +371,6 @@ CHECK = Check(
     tolerance="half-spaces: quick 0.3 %, release 0.02 to 0.05 %; angle 0.02 degrees; true bodies: findings",
     run=run,
     largest_dofs=lambda level: max(
-        groove_contacts.largest_dofs(level), {Level.QUICK: 45_000, Level.RELEASE: 110_000}[level]
+        half_space_contact.largest_dofs(level), {Level.QUICK: 45_000, Level.RELEASE: 110_000}[level]
     ),
 )

@@ -67,7 +67,6 @@ WHY_GROWN = (
     "uncertainty allowed to either support; uniform growth 5 % smaller does 1.2 to 1.7 at the two largest loads"
 )
 MODEL = "qsbearing.solve, Hertz at the free contact angle, the same effects"
-EQUILIBRIUM_TOLERANCE = 1e-5
 # The limit of light loads has an exact answer: Hertz's contact, and the model. What keeps a real bearing from it
 # shrinks with the load by a known power: the bodies' compliance, linear in the load, beside an approach that grows with
 # its 2/3rd power; and the grooves' shape beside their parabola, with the square of the ellipse.
@@ -180,11 +179,12 @@ def judged_rows(studied: Studied, level: Level) -> list[Row]:
     return [*found, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
 
 
-def half_space_rows(scene: str, point: OperatingPoint) -> list[Row]:
-    """Half-spaces in the bodies' place, without and at speed with the gyroscopic moment."""
+def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row]:
+    """Half-spaces in the bodies' place, at speed with the gyroscopic moment, at the release level without it too."""
     rows = []
     bearing = sector_comparison.sector_bearing(scene)
-    for moment in (False, True) if point.speed else (False,):
+    turns = bool(point.speed)
+    for moment in (False, True) if turns and level is Level.RELEASE else (turns,):
         case = f"{point.label}{MOMENT_STEP if moment else ''}: half-spaces for bodies"
         try:
             values, sector = sector_comparison.half_spaces(scene, point, gyroscopic_moment=moment)
@@ -244,21 +244,20 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows: list[Row] = []
     series: dict[str, Any] = {}
     points = POINTS[level] if scene == EXAMPLE else (own_point(scene),)
-    dofs, solver, imbalance = 0, "", 0.0
+    dofs, solver = 0, ""
     at_rest: list[Studied] = []
     for done, point in enumerate(points):
         progress(point.label, done / len(points))
         steps = [(support, "") for support in SUPPORTS[level]]
         if level is Level.RELEASE and point.speed:
             steps.append((OuterSupport.RIGID, MOMENT_STEP))
-        rows += half_space_rows(scene, point)
+        rows += half_space_rows(scene, point, level)
         for support, step in steps:
             studied = study(scene, point, level, support, gyroscopic_moment=bool(step))
             rows += rows_of(studied.case, studied)
             rows += judged_rows(studied, level)
             _keep(series, studied)
             dofs, solver = max(dofs, studied.compared.dofs), studied.compared.solver
-            imbalance = max(imbalance, studied.compared.worst_imbalance)
             if support is OuterSupport.RIGID and not step:
                 drawn = studied
                 if not point.speed:
@@ -272,7 +271,6 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         rows += uncertainty_rows(series)
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
-    rows.append(_equilibrium(imbalance))
     notes = [
         _support_note(series),
         _rings_note(series),
@@ -369,20 +367,6 @@ def _uncertainties(
         )
         for kind, value in largest_uncertainty(states).items()
     ]
-
-
-def _equilibrium(imbalance: float) -> Row:
-    return Row(
-        "all cases: ball and inner ring",
-        "imbalance over load",
-        "1",
-        0.0,
-        "statics",
-        imbalance,
-        None,
-        100.0 * EQUILIBRIUM_TOLERANCE,
-        "a hundred times what the nonlinear solver is asked for",
-    )
 
 
 def _keep(series: dict[str, Any], studied: Studied) -> None:
@@ -489,7 +473,7 @@ CHECK = Check(
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
     kind=Kind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
-    tolerance="a 1.5, b 2, p0 2.5 % (release 0.9, 1.3, 1.5); half-spaces: load 0.2 %, angle 0.1 deg; statics 0.1 %",
+    tolerance="a 0.9, b 2, p0 2.5 % (release 0.6, 1.3, 1.5); half-spaces: load 0.12 %, angle 0.1 deg; statics 0.05 %",
     run=run,
     largest_dofs=lambda level: {Level.QUICK: 60_000, Level.RELEASE: 110_000}[level],
 )

@@ -22,7 +22,8 @@ SIZES = (8.0, 16.0, 32.0)
 SHAPE = 8.2
 """a/b of B218's inner contact, for which the boxes are cubes; their growth, not their shape, is what counts."""
 ELEMENTS = {Level.QUICK: 3, Level.RELEASE: 6}
-TOLERANCE = 0.5
+TOLERANCE = 0.23
+"""[%]"""
 
 
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
@@ -79,7 +80,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             limit,
             100.0 * (abs(limit - short) + sum(scatter)) / open_far,
             TOLERANCE,
-            "three boxes, each on its own mesh: the extrapolation multiplies their mesh differences by about two",
+            "twice what the extrapolation leaves open, 0.11 %; a far field 1 % too large does 0.3 %",
         )
     )
     largest = meshing.clamped_box(elements, SIZES[-1], SHAPE)
@@ -101,7 +102,7 @@ CHECK = Check(
     question="As clamped boxes grow, does the approach in them tend to that of the exact far field?",
     kind=Kind.VERIFICATION,
     reference="the limit of clamped boxes, which do not use the far field",
-    tolerance="0.5 %",
+    tolerance=f"{TOLERANCE:g} %",
     run=run,
     largest_dofs=lambda level: meshing.clamped_box(ELEMENTS[level], SIZES[-1], SHAPE).dofs,
 )

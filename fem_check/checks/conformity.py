@@ -24,11 +24,11 @@ LOADS = (125.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0)
 LIMITS = (1.0, 5.0)
 """Errors looked for [%]."""
 TOLERANCES = {
-    Level.QUICK: {"approach": 0.1, "semi_major_axis": 0.1, "semi_minor_axis": 0.2, "max_pressure": 0.3},
-    Level.RELEASE: {"approach": 0.1, "semi_major_axis": 0.1, "semi_minor_axis": 0.2, "max_pressure": 0.05},
+    Level.QUICK: {"approach": 0.02, "semi_major_axis": 0.08, "semi_minor_axis": 0.025, "max_pressure": 0.09},
+    Level.RELEASE: {"approach": 0.01, "semi_major_axis": 0.025, "semi_minor_axis": 0.05, "max_pressure": 0.013},
 }
-"""[%]"""
-WHY = "two methods, each within 0.1 % of Hertz for the parabola; b twice that; the pressure at the quick level thrice"
+"""[%] The release level has a closer groove, whose b its meshes know less well."""
+WHY = "twice the uncertainty of both methods together, where it is largest"
 
 
 def over_hertz(groove: BallInGroove, load: float, elements: int, progress: Progress) -> dict[str, float]:
@@ -123,7 +123,7 @@ CHECK = Check(
     question="As the groove radius goes from 0.56 to 0.505 ball diameters: where is Hertz off by 1 %, where by 5 %?",
     kind=Kind.MODEL_COMPARISON,
     reference="boundary elements on half-spaces, exact gap",
-    tolerance="approach and a 0.1 %, b 0.2 %, p0 0.05 % of boundary elements (quick level: p0 0.3 %)",
+    tolerance="quick: approach 0.02 %, a 0.08, b 0.025, p0 0.09; release 0.01, 0.025, 0.05, 0.013 (boundary elements)",
     run=run,
     largest_dofs=lambda level: meshing.half_space(ELEMENTS[level][-1]).dofs,
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check.checks import groove_contacts
 from fem_check.independent import references
 from fem_check.independent.contact_problem import QUANTITIES, ContactQuantities
 from fem_check.independent.references import hertz
@@ -123,5 +122,5 @@ CHECK = Check(
     reference="the orders that the uncertainties assume: 1.5 in the approach, 2.5 in ellipse and pressure",
     tolerance="no shortfall of the order",
     run=run,
-    largest_dofs=groove_contacts.largest_dofs,
+    largest_dofs=half_space_contact.largest_dofs,
 )

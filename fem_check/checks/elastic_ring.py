@@ -38,9 +38,9 @@ INNER = (0.045, 0.051)
 WAVES = (0, 2, 3, 4, 5, 6, 7, 8)
 LOAD_GRIDS = GRIDS | {Level.QUICK: ((96, 3), (128, 4), (192, 6))}
 """Finer at the quick level: the ball that carries least, 1 % of the largest load, hangs on the ring's shape most."""
-TOLERANCES = {Level.QUICK: 0.2, Level.RELEASE: 0.02}
+TOLERANCES = {Level.QUICK: 0.1, Level.RELEASE: 0.01}
 """[%]"""
-WHY = "four times the grids' uncertainty at the shortest wave of the thinnest ring, 0.05 % (release 0.005 %)"
+WHY = "twice the grids' uncertainty at the shortest wave of the thinnest ring, 0.05 % (release 0.005 %)"
 MODEL = "qsbearing.model.effects.ring_compliance (Lame, Michell)"
 OPPOSED = 0.25 * np.pi - 2.0 / np.pi
 """Change of a thin ring's diameter by two opposed loads, over P R^3/(E I)."""
@@ -56,11 +56,14 @@ BALANCED = 1e-8
 OUTSIDE, WIDTH = 0.160, 0.030
 """Of B218's outer ring [m]."""
 LOADS = {"axial_load": 17800.0, "radial_load_y": 10000.0, "tilt_y": 0.0, "tilt_z": 0.0}
-LOAD_TOLERANCES = {Level.QUICK: 0.3, Level.RELEASE: 0.1}
-"""[%]"""
+LOAD_TOLERANCES = {
+    Level.QUICK: {"contact load": 0.2, "largest contact load": 3e-4, "axial": 0.05, "radial": 0.1},
+    Level.RELEASE: {"contact load": 0.1, "largest contact load": 2e-4, "axial": 0.03, "radial": 0.05},
+}
+"""[%] Of the loads, by the ball that carries least; of the displacements."""
 WHY_LOADS = (
-    "four times the grids' uncertainty for the least loaded ball, 0.07 % (release 0.02 %); a half-plane's part left in "
-    "would move the ring by 0.3 %, a wave more or less by 1 %, 5 % of its width a ball's load by 4 %"
+    "twice the grids' uncertainty; a half-plane's part left in would move the ring by 0.3 %, a wave more or less by "
+    "1 %, 5 % of its width a ball's load by 4 %"
 )
 
 
@@ -68,17 +71,18 @@ BENDING = 3
 """Balls round a ring, few enough that bending is nearly all."""
 SECTIONS = {
     "B218's outer ring, shoulders 70 and 20 deg, contact at 40 deg": (
-        40.0, (70.0, 20.0), {Level.QUICK: (3, 16), Level.RELEASE: (3, 8, 12, 16, 24)},
+        40.0, (70.0, 20.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
     "the same, contact at 3 deg": (3.0, (70.0, 20.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)}),
     "shoulders 50 deg, contact at 0 deg": (
         0.0, (50.0, 50.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
     "shoulders 17 deg, contact at 0 deg": (
-        0.0, (17.0, 17.0), {Level.QUICK: (16,), Level.RELEASE: (3, 8, 12, 16, 24)},
+        0.0, (17.0, 17.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
 }  # fmt: skip
-"""Of each section its contact angle, its shoulders as angles round the groove, and numbers of balls."""
+"""Of each section its contact angle, its shoulders as angles round the groove, and numbers of balls: at the quick level
+only those that have a tolerance."""
 PITCH_LOAD = 1660.0
 """Of the ellipse that presses [N]; what is found hardly depends on it."""
 PITCH_ELEMENTS = {Level.QUICK: (1, 2), Level.RELEASE: (2, 3)}
@@ -301,15 +305,19 @@ def load_rows(level: Level) -> list[Row]:
     case = "B218, outer ring free and without shoulders, 17.8 kN axial, 10 kN radial"
     some = []
     for i, study in enumerate(studied(LOAD_GRIDS[level], values, LOAD_ORDER)):
-        ball = i < len(balls)
+        ball, allowed = i < len(balls), LOAD_TOLERANCES[level]
+        name = "contact load" if ball else names[i - len(balls)]
         some.append(
             Row(
-                f"ball {i + 1}" if ball else case, "contact load" if ball else names[i - len(balls)],
+                f"ball {i + 1}" if ball else case, name,
                 "N" if ball else "m", reference[i], "qsbearing.solve", study.values[-1],
-                100.0 * study.uncertainty / abs(reference[i]), LOAD_TOLERANCES[level], WHY_LOADS,
+                100.0 * study.uncertainty / abs(reference[i]), allowed[name if ball else name.split("_")[0]], WHY_LOADS,
             )
         )  # fmt: skip
-    heaviest = replace(some[int(np.argmax(balls))], case=case, quantity="largest contact load")
+    largest = "largest contact load"
+    heaviest = replace(
+        some[int(np.argmax(balls))], case=case, quantity=largest, tolerance_percent=LOAD_TOLERANCES[level][largest]
+    )
     return [heaviest, *collapsed(some[: len(balls)], case), *some[len(balls) :]]
 
 
@@ -373,7 +381,8 @@ CHECK = Check(
     "and do the balls share the load in the same way?",
     kind=Kind.VERIFICATION,
     reference="closed forms of the model; bending of a thin ring; qsbearing.solve",
-    tolerance="compliances 0.2 % (release 0.02 %); ball loads and displacements 0.3 % (0.1 %); one pitch 10 %",
+    tolerance="compliances 0.1 % (release 0.01 %); ball loads 0.2 % (0.1 %), displacements 0.05 and 0.1 % (0.03, "
+    "0.05); one pitch 10 %",
     run=run,
     largest_dofs=largest_dofs,
 )

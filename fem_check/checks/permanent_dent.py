@@ -13,7 +13,7 @@ from fem_check.mechanics.elastic_plastic import Indentation
 from fem_check.product.scenes import SceneProblemError, groove_contact
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 
 ELEMENTS = {Level.QUICK: (8, 12), Level.RELEASE: (12, 16)}
 YIELD_STRESSES, EXPONENT = (1.8e9, 2.0e9, 2.2e9), 0.1

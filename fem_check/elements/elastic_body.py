@@ -100,20 +100,25 @@ def element_matrices(gradients: Array, volumes: Array, poisson_ratio: float) -> 
 
 
 def stiffness(space: DisplacementSpace, poisson_ratio: float, progress: Progress = silent) -> sp.csr_matrix:
-    """The body's stiffness matrix, assembled chunk by chunk."""
-    size = 3 * space.count
-    total = sp.csr_matrix((size, size))
+    """The body's stiffness matrix, assembled chunk by chunk.
+
+    Entries that vanish are kept: all meshes of one recipe have one pattern, which `linear_solver` then analyses once.
+    """
+    width, count = len(space.element_nodes), space.count
+    nodes = space.element_nodes.T.astype(np.int64)
+    pairs, place = np.unique(nodes[:, :, None] * count + nodes[:, None, :], return_inverse=True)
+    place = place.reshape(-1, width * width)
+    blocks = np.zeros((3, 3, len(pairs)))
     for start in range(0, space.mesh.nelements, CHUNK):
         elements = np.arange(start, min(start + CHUNK, space.mesh.nelements))
         gradients, volumes, _ = space.gradients(elements)
         matrices = element_matrices(gradients, volumes, poisson_ratio)
-        dofs = (3 * space.element_nodes[:, elements].T[:, :, None] + np.arange(3)).reshape(len(elements), -1)
-        width = dofs.shape[1]
-        rows = np.repeat(dofs, width, axis=1).ravel()
-        columns = np.tile(dofs, (1, width)).ravel()
-        total = total + sp.coo_matrix((matrices.ravel(), (rows, columns)), shape=(size, size)).tocsr()
+        at = place[elements].ravel()
+        for i, j in np.ndindex(3, 3):
+            blocks[i, j] += np.bincount(at, matrices[:, i::3, j::3].ravel(), len(pairs))
         progress("assembling", (start + len(elements)) / space.mesh.nelements)
-    return total
+    starts = np.searchsorted(pairs, np.arange(count + 1) * count)
+    return sp.bsr_matrix((blocks.transpose(2, 0, 1), pairs % count, starts), shape=(3 * count, 3 * count)).tocsr()
 
 
 @dataclass(frozen=True)

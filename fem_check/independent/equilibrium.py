@@ -150,10 +150,15 @@ class BallRow:
     def law(self, race: str, normal: Array) -> tuple[Array, Array]:
         """Q/delta^1.5 and a E/Q^(1/3) of each ball's contact along a normal."""
         series = self._laws[race]
-        cosine = normal[:, 1] if series.shape[2] > 1 else np.ones(1)
-        terms = np.polynomial.chebyshev.chebvander(cosine, series.shape[2] - 1)
+        if series.shape[2] == 1:  # of one angle
+            return self._at_one_angle[race]
+        terms = np.polynomial.chebyshev.chebvander(normal[:, 1], series.shape[2] - 1)
         stiffness, spin = np.exp(np.sum(series * terms, axis=2))
         return stiffness, spin
+
+    @cached_property
+    def _at_one_angle(self) -> dict[str, tuple[Array, Array]]:
+        return {race: tuple(np.exp(series[:, :, 0])) for race, series in self._laws.items()}
 
     def state(self, centres: Array, positions: Array, control: Array | None, speed: float = 1.0) -> State:
         """Everything of the balls at these positions from the outer groove's centre; shapes (ball, 2) [m].
@@ -249,7 +254,8 @@ class BallRow:
             for plane in (state.q_i[:, None] * state.inner + state.friction["inner"], state.inner)
         )
         points = self.lever * self.radial - self.drawing.inner_groove_radius * normal
-        return np.concatenate([forces, np.cross(points, forces)[:, 1:]], axis=1)
+        (x, y, z), (f_x, f_y, f_z) = points.T, forces.T
+        return np.stack([f_x, f_y, f_z, z * f_x - x * f_z, x * f_y - y * f_x], axis=1)
 
 
 class State:
@@ -317,7 +323,7 @@ def rolling(
     conditions.append(
         [along, along, at_inner * i_r + at_outer * o_r, at_inner * inner_speed * i_x + at_outer * outer_speed * o_x]
     )
-    table = np.moveaxis(np.array(conditions), 2, 0)
+    table = np.array(conditions).transpose(2, 0, 1)
     size = np.abs(table[:, :, :3]).max(axis=2, keepdims=True)
     speed = np.linalg.solve(table[:, :, :3] / size, table[:, :, 3:] / size)[:, :, 0]
     return speed[:, 0], speed[:, 1:]

@@ -198,7 +198,7 @@ def _linearised(
             None if control is None else np.tile(control, len(shifts)), speed,
         )  # fmt: skip
         forces = np.concatenate([state.left, many.on_ring(state)], axis=1).reshape(len(shifts), -1, 7)
-        here, slopes = forces[0], np.moveaxis(forces[1:5] - forces[5:], 0, 2) / (2.0 * h)
+        here, slopes = forces[0], (forces[1:5] - forces[5:]).transpose(1, 2, 0) / (2.0 * h)
         (r_a, r_x), (h_a, h_x) = ((each[:, :, :2], each[:, :, 2:]) for each in (slopes[:, :2], slopes[:, 2:]))
         # A ball that nothing presses keeps its place: a stiffness far below any contact's holds it.
         r_x = r_x - 1e-12 * max(float(np.abs(r_x).max()), 1.0) * np.eye(2)

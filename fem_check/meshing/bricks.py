@@ -26,6 +26,8 @@ CANDIDATES = 1.25
 SIDE_GROWTH = 1.7
 DEPTH_GROWTH = 1.3
 FINE_DEPTH = 0.5
+BOX_SIDE_GROWTH, BOX_DEPTH_GROWTH = 2.6, 2.0
+"""Of clamped boxes, whose walls are far: 1.7 and 1.5 move the limit of their approaches by 0.007 %."""
 
 
 def half_space(elements: int) -> Recipe:
@@ -65,9 +67,9 @@ def clamped_box(elements: int, size: float, ellipticity: float) -> Recipe:
     near = half_space(elements)
     inner, fine = near.x[0], near.z[0]
     first = 1.0 / elements
-    along = growing(size - inner.length, first, SIDE_GROWTH)
-    across = growing(size * ellipticity - inner.length, first, SIDE_GROWTH)
-    deep = growing(size * ellipticity - fine.length, fine.length / fine.elements, DEPTH_GROWTH + 0.2)
+    along = growing(size - inner.length, first, BOX_SIDE_GROWTH)
+    across = growing(size * ellipticity - inner.length, first, BOX_SIDE_GROWTH)
+    deep = growing(size * ellipticity - fine.length, fine.length / fine.elements, BOX_DEPTH_GROWTH)
     name = f"clamped_box_{elements:02d}_{size:g}_{ellipticity:g}"
     return Recipe(name, elements, (inner, along), (inner, across), (fine, deep))
 

@@ -22,7 +22,7 @@ from fem_check.rows.agreement import EXAMPLE
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import MODIFIED
 from qsbearing.files.scene_or_set import load_scene_or_set
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 
 AnySolution = TypeVar("AnySolution", qsbearing.Solution, qsbearing.SetSolution)
 

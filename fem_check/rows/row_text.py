@@ -133,3 +133,10 @@ def deviation(row: Row) -> str:
     if row["found"] is None or row["reference"] == 0.0:
         return ""
     return difference(row) + (f" {in_unit(row)[1]}" if passes_through_zero(row) else "")
+
+
+def span(loads: tuple[float, ...]) -> str:
+    """Which loads a row stands for [N]."""
+    if len(loads) == 1:
+        return f"Q = {loads[0]:.4g} N"
+    return f"{len(loads)} loads, Q = {loads[0]:.4g} to {loads[-1]:.4g} N"

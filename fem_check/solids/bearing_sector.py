@@ -328,13 +328,9 @@ def ring_support(
     else:
         fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True
     # On the second cut plane the third unknown is the displacement across it.
-    turned = np.flatnonzero(cut)
-    turn = sp.lil_matrix(sp.identity(3 * body.space.count))
     c, s = cos(half_pitch), sin(half_pitch)
-    turn[3 * turned + 1, 3 * turned + 1] = c
-    turn[3 * turned + 2, 3 * turned + 2] = c
-    turn[3 * turned + 2, 3 * turned + 1] = s
-    turn[3 * turned + 1, 3 * turned + 2] = -s
+    turned = np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+    turn = sp.kron(sp.diags(cut.astype(float)), turned) + sp.kron(sp.diags(1.0 - cut), sp.identity(3))
     return fixed, sp.csr_matrix(turn)
 
 

@@ -23,7 +23,7 @@ from fem_check.solids.contact_block import Patch
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 HEIGHT_ITERATIONS, ROUNDING = 8, 1e-15
-"""Of Newton's iteration for the height of a groove, and the part of its radius below which a step is rounding."""
+"""Of Newton's iteration for the height of a groove, and the part of its radius below which an error is rounding."""
 
 
 @dataclass(frozen=True)
@@ -86,11 +86,20 @@ class ContactFrame:
         rise = np.sqrt(ball.radius**2 - x * x - eta * eta)
         return depth + rise, np.stack([x, eta, rise]) / ball.radius
 
-    def groove_height(self, xi: Array, eta: Array, groove: Torus | None = None) -> tuple[Array, Array]:
-        """Height zeta of the groove's surface and its normals into the ring in frame axes, (3, point)."""
+    def groove_height(
+        self, xi: Array, eta: Array, groove: Torus | None = None, start: Array | None = None
+    ) -> tuple[Array, Array]:
+        """Height zeta of the groove's surface and its normals into the ring in frame axes, (3, point).
+
+        Args:
+            xi: across the groove, (point,) [m].
+            eta: along rolling.
+            groove: another than that of the frame.
+            start: heights nearby, from which to begin.
+        """
         groove = groove or self.groove
-        # Newton's iteration for the height, from the tangent circle; distances from the circle's centre line.
-        zeta = np.zeros_like(xi)
+        # Newton's iteration for the height; distances from the circle's centre line.
+        zeta = np.zeros_like(xi) if start is None else start
         for _ in range(HEIGHT_ITERATIONS):
             axial = self.origin[0] + xi * self.tangent[0] + zeta * self.normal[0]
             height = self.origin[1] + xi * self.tangent[1] + zeta * self.normal[1]
@@ -100,8 +109,8 @@ class ContactFrame:
             gradient = np.stack([across, up * height / reach, up * eta / reach]) / distance
             step = (distance - groove.radius) / (gradient[:2].T @ self.normal)
             zeta = zeta - step
-            if np.abs(step).max(initial=0.0) < ROUNDING * groove.radius:
-                break
+            if np.abs(step).max(initial=0.0) < np.sqrt(ROUNDING) * groove.radius:
+                break  # the error left is that step's square
         return zeta, np.stack([self.tangent @ gradient[:2], gradient[2], self.normal @ gradient[:2]])
 
     def gap(self, xi: Array, eta: Array, ball: Sphere | None = None, groove: Torus | None = None) -> Array:
@@ -187,7 +196,15 @@ class ContactFrame:
 
     def weighted_gap(self, ball: Sphere, groove: Torus) -> Array:
         """Integral of each basis function times the gap at a position of the bodies, (basis,)."""
-        return self.basis.weighted(lambda x, y: self.gap(x, y, ball, groove))
+        return self.basis.weighted(
+            lambda x, y: self.groove_height(x, y, groove, self._heights)[0] - self.ball_height(x, y, ball)[0]
+        )
+
+    @cached_property
+    def _heights(self) -> Array:
+        """Of the groove in its own place, at the points where gaps are weighted: other places are micrometres away."""
+        (x, y), _ = self.basis.samples
+        return self.groove_height(x, y)[0]
 
 
 def _across(direction: Array) -> Array:

@@ -109,7 +109,6 @@ class Compared(Values):
     """As the mesh has them, against the model with Hertz at each contact's own angle and the ball's own orbit."""
     dofs: int
     solver: str
-    worst_imbalance: float
 
 
 def sector_bearing(scene_name: str) -> SectorBearing:
@@ -233,12 +232,10 @@ def compare(
     cell = ROOM[sector.support] * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
     factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
     deviations: dict[str, list[Array]] = {"default": [], "as read": []}
-    worst = 0.0
     for factor in factors:
         near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
         solution = model(scene_name, near, gyroscopic_moment=gyroscopic_moment)
         results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
-        worst = max(worst, results.imbalance)
         read, mesh = _of_elements(results), _of_parabola(sector, results)
         corrected = {name: value / mesh.get(name, 1.0) for name, value in read.items()}
         deviations["default"].append(_deviation(corrected, _of_model(solution)))
@@ -253,7 +250,6 @@ def compare(
         as_read,
         sector.dofs,
         sector.ball.solver,
-        worst,
     )
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from math import degrees, radians, sin, tan
 
+from fem_check.independent.references import hertz
 from fem_check.mechanics import boundary_element
 from fem_check.rows.agreement import Level, Row
 from fem_check.solids.sector_comparison import QUANTITIES, Values
@@ -21,19 +22,22 @@ from fem_check.solids.sector_geometry import SectorBearing
 
 ELLIPSE = ("semi_major_axis", "semi_minor_axis", "max_pressure")
 TOLERANCES = {
-    Level.QUICK: {"semi_major_axis": 1.5, "semi_minor_axis": 2.0, "max_pressure": 2.5},
-    Level.RELEASE: {"semi_major_axis": 0.9, "semi_minor_axis": 1.3, "max_pressure": 1.5},
+    Level.QUICK: {"semi_major_axis": 0.9, "semi_minor_axis": 2.0, "max_pressure": 2.5},
+    Level.RELEASE: {"semi_major_axis": 0.6, "semi_minor_axis": 1.3, "max_pressure": 1.5},
 }
 WHY_ELLIPSE = (
     "the meshes' uncertainty, and what second-order boundary elements and a load 0.7 % larger leave open (a quarter of "
     "a per cent each); 5 % of an elastic modulus are 1.6 % of an axis and 3.3 % of the pressure"
 )
-HALF_SPACE_TOLERANCES = {"load": 0.2, "angle": 0.1}
-WHY_HALF_SPACE = "five times what the gap's shape was found to do; a tenth of the centrifugal force does 2 % and 1 deg"
-DISPLACEMENT_FACTOR, DISPLACEMENT_GRID = 3.0, 0.3
+HALF_SPACE_TOLERANCES = {"load": 0.12, "angle": 0.1}
+WHY_HALF_SPACE = (
+    "two to three times what the gap's shape was found to do; a tenth of the centrifugal force does 2 % and 1 deg"
+)
+SURFACE_PART, DISPLACEMENT_GRID = 0.25, 0.3
 WHY_DISPLACEMENT = (
-    "boundary elements: by so much the true surfaces' approaches differ from Hertz's; both together, seen along the "
-    "flatter contact line, and three times, for a displacement is a difference of such parts; and 0.3 % for the grid"
+    "of each approach a quarter of (a/R)^2, to the second power of which true surfaces differ from their parabola: "
+    "boundary elements find 0.11 of it for the gap's shape in B218, the pressure's direction does about as much; seen "
+    "along the axis; and 0.3 % for the grid"
 )
 WHY_ELASTIC = "twice the size of a groove's own displacement, Q/(E t) for each ring, over the groove centres' distance"
 
@@ -113,10 +117,10 @@ def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[Ro
     ]
     moved = 0.0
     for race in ("inner", "outer"):
-        groove = bearing.drawing.groove(race, radians(values.model[f"{race} angle"]))
-        approach = boundary_element.hertz(groove.problem(values.model[f"{race} load"])).approach
-        moved += abs(_surfaces(values, bearing, race)["approach"] - 1.0) * approach
-    moved *= DISPLACEMENT_FACTOR / min(sin(radians(values.model[f"{race} angle"])) for race in ("inner", "outer"))
+        angle = radians(values.model[f"{race} angle"])
+        hertzian = hertz(bearing.drawing.groove(race, angle).problem(values.model[f"{race} load"]))
+        part = SURFACE_PART * (hertzian.semi_major_axis / bearing.ball_radius) ** 2
+        moved += part * hertzian.approach / abs(sin(angle))
     tolerance = DISPLACEMENT_GRID + 100.0 * moved / abs(values.model["axial_displacement"])
     return [*found, _against_model(case, "axial_displacement", values, tolerance, WHY_DISPLACEMENT)]
 

@@ -26,7 +26,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from qsbearing.app import answers
 from qsbearing.app.work import StoppedError, answered
 from qsbearing.documents.html import TEMPLATES
-from qsbearing.files.errors import MOST_SHOWN, refused
+from qsbearing.files.file_errors import MOST_SHOWN, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_FILE, MOST_KEYS
 from qsbearing.model.compiler.compiled import compile_in_background

@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import errno
+import gc
 import os
 import signal
 import sys
@@ -43,6 +44,8 @@ OWN = tuple(os.path.join(_ROOT, package, "") for package in ("qsbearing", "fem_c
 def run_to_the_end(command: click.Command, name: str) -> NoReturn:
     """Run a command of the console and leave Python with its exit code, without a traceback."""
     signal.signal(signal.SIGTERM, _terminated)
+    # At Python's own threshold a twentieth of a `run` goes into looking for garbage among what it has just imported.
+    gc.set_threshold(100_000)
     if sys.stderr is None:  # closed by the shell: 2>&-
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115, PTH123 - until Python ends
     if sys.stdout is None:

@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.limits import LONGEST_CELL, MOST_CELLS, MOST_ROWS
 
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(?:\1\d{3})*")

@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from qsbearing.files.errors import SceneFileError, refused
+from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.limits import DEEPEST_JSON, MOST_VALUES
 from qsbearing.files.raw import decoded
 

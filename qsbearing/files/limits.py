@@ -1,6 +1,14 @@
-"""How much is read of a file: what is far longer is something else, and would take all memory or hours."""
+"""How much is read of a file: what is far longer is something else, and would take all memory or hours.
+
+Of tables also when a cell counts as empty.
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from qsbearing.files.file_errors import refused
 
 LARGEST_FILE = 1_000_000
 """Bytes of a scene, set or study; a scene takes about a thousand."""
@@ -27,3 +35,23 @@ MOST_SHEET_CELLS = 1_000_000
 """Of a sheet of an .xlsx file, which takes ten times as long to read as .csv."""
 LONGEST_CELL = 10_000
 """Characters of a text."""
+
+
+def check_size(path: Path, rows: int, columns: int, most: int = MOST_CELLS) -> None:
+    """See that a table is no larger than is read.
+
+    Raises:
+        SceneFileError: it is.
+    """
+    for count, limit, what in ((rows, MOST_ROWS, "rows"), (columns, MOST_COLUMNS, "columns")):
+        if count > limit:
+            raise refused(path, f"has {count:,} {what}; at most {limit:,} are read")
+    if rows * columns > most:
+        raise refused(
+            path, f"has {rows * columns:,} cells; at most {most:,} are read", "Leave out columns, or split it"
+        )
+
+
+def is_empty(cell: Any) -> bool:
+    """Whether a cell holds nothing: NaN and blanks are nothing."""
+    return cell is None or cell != cell or (isinstance(cell, str) and not cell.strip())

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.documents.installation import pip_install
-from qsbearing.files.errors import SceneFileError, refused
+from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.raw import check_regular
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.cells import check_size, is_empty
-from qsbearing.files.errors import refused
-from qsbearing.files.limits import LARGEST_TABLE, LONGEST_CELL
+from qsbearing.files.file_errors import refused
+from qsbearing.files.limits import LARGEST_TABLE, LONGEST_CELL, check_size, is_empty
 
 KINDS = ("integer", "floating", "decimal", "boolean", "temporal", "dictionary", "null")
 """Of columns that are read, beside texts."""

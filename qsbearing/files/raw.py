@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import BinaryIO
 
-from qsbearing.files.errors import SceneFileError, refused
+from qsbearing.files.file_errors import SceneFileError, refused
 
 STANDARD_INPUT = ("-", "/dev/stdin")
 """Names under which what another program prints is read."""

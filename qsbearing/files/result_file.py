@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.errors import refused
+from qsbearing.files.file_errors import refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_RESULT
 from qsbearing.files.netcdf import attributes_of, json_of

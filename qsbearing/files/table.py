@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.documents.installation import pip_install
-from qsbearing.files.cells import check_size, is_empty
 from qsbearing.files.csv_rows import rows_of_csv
-from qsbearing.files.errors import SceneFileError, refused
-from qsbearing.files.limits import LARGEST_SHEET, LARGEST_TABLE
+from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.limits import LARGEST_SHEET, LARGEST_TABLE, check_size, is_empty
 from qsbearing.files.raw import decoded, read_bytes
 
 ENDINGS = (".csv", ".xlsx", ".parquet")

@@ -14,6 +14,7 @@ import numpy as np
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
+from qsbearing.files.usual_words import other_kind
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
@@ -139,7 +140,8 @@ def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) 
 def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
     if name in CHOICES_OF_FILES:
         names = list(CHOICES_OF_FILES[name])
-        cause = did_you_mean(value, names) or f"One of {', '.join(names)}"
+        cause = other_kind(value) if name == "kind" else ""
+        cause = cause or did_you_mean(value, names) or f"One of {', '.join(names)}"
         return FileErrorDetail(path, "is none of the choices", value, cause=cause)
     if name == "ball":
         cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'

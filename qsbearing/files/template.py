@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
+from pathlib import Path
 from string import Template
 from typing import Any
 
@@ -20,7 +20,7 @@ def scene_template(entry: Entry, by_name: bool) -> str:
     """
     values = {**({"name": entry.name} if by_name else {}), **entry.bearing}
     values |= entry.example["operation"] | entry.example["effects"]
-    template = Template(files("qsbearing.files").joinpath("template.toml").read_text("utf-8"))
+    template = Template(Path(__file__).with_name("template.toml").read_text("utf-8"))
     text = template.substitute(
         name=entry.name, description=entry.description, file=f"{entry.name.lower()}.toml", readings=_readings()
     )
@@ -50,7 +50,7 @@ def _readings() -> str:
 
 def set_template(entry: Entry) -> str:
     """The text of a file of a set: two rows of a catalogue entry, back to back."""
-    template = Template(files("qsbearing.files").joinpath("set_template.toml").read_text("utf-8"))
+    template = Template(Path(__file__).with_name("set_template.toml").read_text("utf-8"))
     width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
     return template.substitute(name=entry.name, description=entry.description, width=width)
 

@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.errors import refused
+from qsbearing.files.file_errors import refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
 from qsbearing.model.validation import comma_advice

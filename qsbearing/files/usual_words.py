@@ -21,6 +21,19 @@ _KEYS = {
     "dynamic_load_rating_N": "c cr c_r dynamic_rating basic_dynamic_load_rating",
     "static_load_rating_N": "c0 c_0 c0r static_rating basic_static_load_rating",
 }
+_TWO_ROWS = "as a set: two [[rows]], one that carries +x and one that carries -x"
+_OTHER_KINDS = {
+    "four point|4 point|three point|split ring|qj": (
+        f"A four-point bearing is described at rest, {_TWO_ROWS}, at the same position_mm, each with half its axial "
+        "clearance as negative offset_um (`qsbearing guide sets#a-four-point-bearing-at-rest`). At speed, with three "
+        "or four contacts on a ball, it is not modelled"
+    ),
+    "double row|two row": f"A double-row bearing is described {_TWO_ROWS}, at the distance of their ball centres",
+    "self aligning|spherical|roller|taper|needle|cylindrical|thrust ball": (
+        "Only rows of balls in grooved raceways are modelled: angular_contact, of contact angles up to 85 deg, and "
+        "deep_groove"
+    ),
+}
 _COEFFICIENT = "groove_radius_coefficient"
 _OF_GROOVES = ("conformity", "osculation", "curvature", "curvature_ratio", "groove_curvature")
 _PRELOADS = ("preload", "preload_force", "axial_preload")
@@ -62,3 +75,9 @@ def usual(name: str) -> Usual | None:
 def is_preload(name: str) -> bool:
     """Whether it is a word for a preload, which has a table of its own."""
     return _UNIT.sub("", name.lower()) in _PRELOADS
+
+
+def other_kind(value: object) -> str:
+    """What can be done about a kind of bearing that is not one of the choices; empty of any other word."""
+    word = str(value).lower().replace("_", " ").replace("-", " ")
+    return next((told for words, told in _OTHER_KINDS.items() if any(each in word for each in words.split("|"))), "")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from zipfile import ZipFile
 
-from qsbearing.files.errors import refused
+from qsbearing.files.file_errors import refused
 from qsbearing.files.limits import LONGEST_CELL, MOST_COLUMNS, MOST_SHEET_CELLS
 
 MOST_PARTS = 1000

@@ -12,7 +12,19 @@ from qsbearing.model.bearing import BearingKind
 from qsbearing.model.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.units import N, mm, um
-from qsbearing.model.validation import ANGLE, COUNT, FORCE, LENGTH, RATIO, ErrorDetail, Quantity, choose, within
+from qsbearing.model.validation import (
+    ANGLE,
+    COUNT,
+    FORCE,
+    LENGTH,
+    RATIO,
+    ErrorDetail,
+    Field,
+    Quantity,
+    Sentence,
+    choose,
+    within,
+)
 
 STIFFNESS = Quantity("N/m", (("N_per_um", "newtons per micrometre", N / um),))
 _RANGES: dict[str, tuple[Quantity, float, float]] = {
@@ -102,7 +114,8 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
         errors.append(ErrorDetail(f"bearing.{field}", "missing", cause=cause))
     elif None not in (sheet.free_contact_angle, sheet.diametral_clearance):
         cause = "One follows from the other and the grooves, which are inferred: keep one"
-        errors.append(ErrorDetail("bearing.diametral_clearance", "is given beside free_contact_angle", cause=cause))
+        both = Sentence("is given together with {angle}", angle=Field("free_contact_angle"))
+        errors.append(ErrorDetail("bearing.diametral_clearance", both, cause=cause))
     for one, other in (("pair_preload", "pair_rigidity"), ("pair_rigidity", "pair_preload")):
         if given[one] is None and given[other] is not None:
             errors.append(ErrorDetail(f"bearing.{one}", "missing", cause="A rigidity belongs to its preload"))

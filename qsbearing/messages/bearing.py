@@ -12,7 +12,7 @@ from qsbearing.messages.expansion import expansion_warnings, give_warnings
 from qsbearing.messages.missing_effects import incomplete_warnings
 from qsbearing.messages.preload import preload_warnings
 from qsbearing.model.bearing import BearingKind
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
+from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.kernel.admissibility import (

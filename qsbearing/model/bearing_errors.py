@@ -1,15 +1,19 @@
-"""Every error of a bearing: single fields first, then what the fields say together."""
+"""Every error of a bearing: single fields first, then what the fields say together.
+
+Also the shapes of array fields, which must broadcast to common case axes.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import combinations
 from math import pi
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.case_axes import clash_errors, shapes_of
-from qsbearing.model.material import material_errors
+from qsbearing.model.material import Material, material_errors
 from qsbearing.model.units import mm
 from qsbearing.model.validation import (
     ANGLE,
@@ -155,3 +159,38 @@ def _pitch_errors(pitch: NDArray, diameter: NDArray, count: NDArray) -> list[Err
     if least < 1e3 * dm < 50.0 * least:
         cause = "Given in another unit than the ball diameter?"
     return [ErrorDetail("bearing.pitch_diameter", problem, dm, LENGTH, (least, 20.0), cause, tight, detail)]
+
+
+Shapes = dict[str, tuple[int, ...]]
+
+
+def shapes_of(named: Iterable[tuple[str, Any]]) -> Shapes:
+    """The shapes of the array fields of these objects, materials within them included, by path."""
+    shapes: Shapes = {}
+    for path, holder in named:
+        for name, value in getattr(holder, "__dict__", {}).items():
+            if value is None or isinstance(value, float | int | str | tuple):
+                continue  # at once, for most values are plain numbers
+            if isinstance(value, Material):
+                shapes |= shapes_of([(f"{path}.{name}", value)])
+            elif np.ndim(value):
+                shape = np.shape(value)
+                # the last axis of deviations is the balls'
+                shapes[f"{path}.{name}"] = shape[:-1] if name in getattr(holder, "of_each_ball", ()) else shape
+    return shapes
+
+
+def clash_errors(shapes: Shapes) -> list[ErrorDetail]:
+    """The error that names the fields whose shapes do not broadcast; empty where all do."""
+    clashing: Shapes = {}
+    for (one, its), (other, others) in combinations(shapes.items(), 2):
+        try:
+            np.broadcast_shapes(its, others)
+        except ValueError:
+            clashing |= {one: its, other: others}
+    if not clashing:
+        return []
+    first = next(iter(clashing))
+    named = ", ".join(f"{path} {shape}" for path, shape in clashing.items())
+    cause = f"To combine each with each, give one of them an axis of its own: {first.rpartition('.')[2]}[:, None]"
+    return [ErrorDetail(first, f"arrays do not broadcast to common case axes: {named}", cause=cause)]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown

@@ -11,7 +11,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from qsbearing.model.bearing import BearingKind
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE, first_yield_pressure
+from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.material import SILICON_NITRIDE
 from qsbearing.model.units import MPa, deg
 from qsbearing.reports.conditions import (
@@ -183,7 +183,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         "Hertz's formulas against closed forms derived a second time.",
         lambda facts: f"Within {_hertz['largest_percent']:.0e} %",
-        "fem-check run hertz_formula",
+        "pytest tests/fem_check/test_references.py",
         _ellipticity,
     ),
     Statement(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.files.errors import SceneFileError, refused
+from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_RESULT
 from qsbearing.files.netcdf import damage_told, json_of

@@ -135,8 +135,8 @@ def test_a_lost_mesh_is_exit_2_and_leaves_the_record(tmp_path, monkeypatch):
 
 
 def test_interrupted_it_says_what_is_kept(tmp_path, monkeypatch):
-    monkeypatch.setitem(ALL, "sphere_on_plane", _interrupting())
-    result = call("run", "patch_test", "sphere_on_plane", "--out", str(tmp_path))
+    monkeypatch.setitem(ALL, "half_space_contacts", _interrupting())
+    result = call("run", "patch_test", "half_space_contacts", "--out", str(tmp_path))
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
     assert f"records of patch_test are kept in {tmp_path}" in result.stderr
@@ -147,10 +147,10 @@ def test_a_check_that_cannot_run_does_not_stop_the_others(tmp_path, monkeypatch)
     def fail(level, progress, scene=""):
         raise meshing.MeshError("no mesh")
 
-    monkeypatch.setitem(ALL, "sphere_on_plane", replace(ALL["patch_test"], name="sphere_on_plane", run=fail))
-    result = call("run", "sphere_on_plane", "patch_test", "--out", str(tmp_path))
+    monkeypatch.setitem(ALL, "half_space_contacts", replace(ALL["patch_test"], name="half_space_contacts", run=fail))
+    result = call("run", "half_space_contacts", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 2
-    assert "sphere_on_plane was not run: no mesh" in result.stderr
+    assert "half_space_contacts was not run: no mesh" in result.stderr
     assert (tmp_path / "quick" / "patch_test.json").is_file()
 
 

@@ -8,7 +8,7 @@ import pytest
 import scipy.sparse as sp
 from scipy.optimize import nnls
 
-from fem_check.elements import boussinesq, linear_solver
+from fem_check.elements import boussinesq, elastic_body, linear_solver
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.mechanics import contact
 from fem_check.rows import convergence
@@ -73,6 +73,24 @@ def test_every_solver_solves(solver, monkeypatch):
     assert factor.solver == solver
     np.testing.assert_allclose(matrix @ factor.solve(sides), sides, atol=1e-12)
     np.testing.assert_allclose(matrix @ factor.solve(sides[:, 0]), sides[:, 0], atol=1e-12)
+    stiffer = (matrix + sp.identity(size)).tocsc()  # of the same pattern
+    np.testing.assert_allclose(stiffer @ linear_solver.factorise(stiffer).solve(sides), sides, atol=1e-12)
+
+
+def test_a_pattern_is_analysed_once(monkeypatch):
+    import rslab
+    from skfem import MeshHex
+
+    analysed, analyse = [], rslab.analyze
+    monkeypatch.setattr(linear_solver, "_analyses", {})
+    monkeypatch.setattr(rslab, "analyze", lambda *given, **named: analysed.append(1) or analyse(*given, **named))
+    for size in (20, 20, 21, 20, 22, 23, 24, 20):  # four are kept
+        linear_solver.factorise(sp.csc_matrix(sp.identity(size) * size))
+    assert len(analysed) == 6
+    bricks = [MeshHex().refined(1).scaled(each) for each in ((1.0, 1.0, 1.0), (8.0, 1.0, 1.0))]
+    one, other = (elastic_body.stiffness(elastic_body.DisplacementSpace(brick), 0.3) for brick in bricks)
+    np.testing.assert_array_equal(one.indices, other.indices)
+    np.testing.assert_array_equal(one.indptr, other.indptr)
 
 
 def row(found: float, tolerance: float | None) -> Row:

@@ -5,9 +5,11 @@ from math import pi
 import numpy as np
 import pytest
 
+from fem_check.checks.half_space_contacts import ellipse_of
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
 from fem_check.independent.groove import BallInGroove
 from fem_check.independent.references import axis_ratio, curvature_ratio, hertz, largest_shear
+from fem_check.product.hertz import of_qsbearing
 
 STEEL = ElasticConstants(208e9, 0.3)
 
@@ -86,3 +88,22 @@ def test_bad_contacts_are_refused():
         ContactProblem("x", 3.0, 2.0, STEEL, STEEL, 1.0)
     with pytest.raises(ValueError, match="inner, outer"):
         b218("middle")
+
+
+# Both derivations claim full precision, and lose some digits of 16 in root finding; the shear is integrated by one of
+# them, and a maximum's position is known to the square root of the precision of its value.
+SHAPES = (1.0, 1.001, 2.0, 5.0, 10.0, 20.0, 50.0)
+TOLERANCES = {"max_shear_stress": 1e-10, "max_shear_depth": 1e-6}
+
+
+def against_carlson(ellipticity: float) -> dict[str, float]:
+    """How far qsbearing's contact of a shape is from that in Carlson's integrals, over it."""
+    problem = ellipse_of(ellipticity)
+    exact, found = hertz(problem), of_qsbearing(problem)
+    return {name: abs(value / getattr(exact, name) - 1.0) for name, value in found.items()}
+
+
+@pytest.mark.parametrize("ellipticity", SHAPES)
+def test_qsbearing_agrees_from_a_circle_to_a_long_ellipse(ellipticity):
+    off = against_carlson(ellipticity)
+    assert {name: each for name, each in off.items() if each > TOLERANCES.get(name, 1e-12)} == {}

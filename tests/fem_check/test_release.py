@@ -15,11 +15,11 @@ from fem_check.checks import ALL
 from fem_check.cli import cli
 from fem_check.release import drift, gate, known, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import Findings, Level, Row
 from qsbearing.results import provenance
 from tests.verification.campaign.envelope import ENVELOPES
 
-CHECKS = ("check patch_test", "check hertz_formula")
+CHECKS = ("check patch_test", "check formula")
 RECORDS = Path("fem_check") / "records"
 PATCH = "quick/patch_test.json"
 ROOT = Path(__file__).parents[2]
@@ -38,10 +38,20 @@ def kept_in(folder: Path) -> None:
     manifest.write(folder)
 
 
+def formula(level: Level, progress: Any, scene: str = "") -> Findings:
+    """A check of one row."""
+    return Findings([Row("a circle", "approach", "m", 2e-6, "closed form", 2e-6, None, 1e-6, "rounding")])
+
+
+def stand_for_all(patch: pytest.MonkeyPatch) -> None:
+    """Two checks, of which one takes half a second and the other nothing."""
+    patch.setitem(ALL, "formula", replace(ALL["patch_test"], name="formula", run=formula))
+    patch.setattr(steps, "all_steps", lambda level: [s for s in every_step(level) if s.name in CHECKS])
+
+
 @pytest.fixture(autouse=True)
 def two_checks(monkeypatch):
-    """Two checks that take half a second each stand for all."""
-    monkeypatch.setattr(steps, "all_steps", lambda level: [s for s in every_step(level) if s.name in CHECKS])
+    stand_for_all(monkeypatch)
 
 
 def at(monkeypatch, folder: Path) -> None:
@@ -68,7 +78,7 @@ def made(tmp_path_factory) -> Path:
     place = tmp_path_factory.mktemp("gate")
     repository = place / "repository"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(steps, "all_steps", lambda level: [s for s in every_step(level) if s.name in CHECKS])
+        stand_for_all(patch)
         repository.mkdir()
         provenance.git("init", "-q", folder=repository)
         (repository / ".gitignore").write_text("results/\n")
@@ -235,18 +245,18 @@ def test_a_row_out_of_tolerance_fails(place, monkeypatch):
 def drifted(place: Path, **values: Any) -> list[str]:
     """Reasons of the patch test, when the previous release's first row had these values."""
     repository = place / "repository"
-    change(repository / RECORDS / "quick" / "hertz_formula.json", **values)
+    change(repository / RECORDS / "quick" / "formula.json", **values)
     kept_in(repository)
     commit(repository)
     result = release(place / "new", "--json")
     assert result.exit_code == 1
     found = verdicts(result)
-    assert [name for name, reasons in found.items() if reasons] == ["check hertz_formula"]
-    return found["check hertz_formula"]
+    assert [name for name, reasons in found.items() if reasons] == ["check formula"]
+    return found["check formula"]
 
 
 def test_drift_within_the_tolerance_is_named(place):
-    row = json.loads((place / "out" / "quick" / "hertz_formula.json").read_text())["rows"][0]
+    row = json.loads((place / "out" / "quick" / "formula.json").read_text())["rows"][0]
     tolerance = row["tolerance_percent"]
     (reason,) = drifted(place, found=row["reference"] * (1.0 + 0.002 * tolerance))
     assert f"moved by {0.2 * tolerance:.2g} %" in reason
@@ -259,7 +269,7 @@ def test_a_tolerance_that_was_widened_is_named(place):
 
 
 def test_a_reference_that_moved_is_named(place):
-    row = json.loads((place / "out" / "quick" / "hertz_formula.json").read_text())["rows"][0]
+    row = json.loads((place / "out" / "quick" / "formula.json").read_text())["rows"][0]
     factor = 1.0 + 1e-7
     (reason,) = drifted(place, reference=row["reference"] * factor, found=row["found"] * factor)
     assert "its reference moved by 1e-05 %" in reason
@@ -286,7 +296,7 @@ def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypat
     assert result.exit_code == 1
     found = verdicts(result)
     assert found["check patch_test"] == ["ZeroDivisionError: planted"]
-    assert found["check hertz_formula"] == []
+    assert found["check formula"] == []
 
 
 def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):

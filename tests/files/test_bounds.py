@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import limits
-from qsbearing.files.errors import SceneFileError
+from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.scene_file import scene_of
 from qsbearing.studies.design.point_table import solve_table
 from tests.guide.pages import GUIDE

@@ -13,8 +13,8 @@ import pytest
 from click.testing import CliRunner
 
 from qsbearing.cli import cli
-from qsbearing.files import cells, limits, xlsx
-from qsbearing.files.errors import SceneFileError
+from qsbearing.files import limits, xlsx
+from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.json_text import parsed
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.table import read_table
@@ -141,7 +141,7 @@ def test_decimals_of_a_csv_are_those_that_its_cells_show(text: str, expected: di
 def test_a_csv_in_doubt_or_too_large_is_refused(
     text: str, words: list[str], write: Write, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cells, "MOST_ROWS", 1000)  # in place of a million
+    monkeypatch.setattr(limits, "MOST_ROWS", 1000)  # in place of a million
     said = refusal(lambda: read_table(write("a.csv", text)))
     for each in words:
         assert each in said

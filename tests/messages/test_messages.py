@@ -20,8 +20,7 @@ from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
 from qsbearing.messages import balls
-from qsbearing.model.contact.first_yield import first_yield_pressure
-from qsbearing.model.contact.hertz import subsurface_shear
+from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
 from qsbearing.model.ranked_warning import Rank, RankedWarning, good_to_know, in_order, said_of, wrong_model
 from qsbearing.readings.remarks import CHOICES
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning

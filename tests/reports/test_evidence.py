@@ -59,7 +59,7 @@ def test_the_scenes_that_were_checked_are_covered() -> None:
         CONTACTS,
         GAP,
         "python -m tests.verification.reference.table",
-        "fem-check run hertz_formula",
+        "pytest tests/fem_check/test_references.py",
     ):
         assert judged(scene(), command) == ("covered", "")
     at_rest = qs.Scene(B218.bearing, qs.Operation(axial_load=17_800.0))

@@ -21,13 +21,13 @@ from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.solution import comparison as results
-from qsbearing.studies.cost import figures, levels, measuring, record, speeds, tables
+from qsbearing.studies.cost import figures, measuring, record, speeds, tables
 from tests.qsbearing.scenes import CENTRIFUGAL, PER_BALL, resting, solved, turning
 from tests.verification.benchmarks import cost as kept
 from tests.verification.benchmarks import random_scenes
 
 COMBINED = {"axial_load": 17_800.0, "radial_load_y": 6_000.0, "moment_z": 0.0}
-LEVEL = {level.name: level for level in levels.LEVELS}
+LEVEL = {level.name: level for level in record.LEVELS}
 JUDGED = [name for names in results.GROUPS.values() for name in names]
 
 
@@ -62,9 +62,9 @@ def test_a_level_has_its_own_effects_and_choices(level: str, scene: qs.Scene) ->
 
 def test_every_level_is_finer_than_the_one_before() -> None:
     scene = turning(9000, **COMBINED)
-    found = [level.of(scene) for level in levels.LEVELS]
+    found = [level.of(scene) for level in record.LEVELS]
     assert all(one != other for one, other in itertools.pairwise(found))
-    assert [level.name for level in levels.LEVELS[1:]] == [
+    assert [level.name for level in record.LEVELS[1:]] == [
         entry.name for entry in EFFECTS if not entry.needs and not entry.hypothesis
     ]
 
@@ -350,7 +350,7 @@ def test_all_is_measured_and_progress_told_as_often_as_announced(monkeypatch: py
     told: list[str] = []
     found = record.measure(turning(8000, **COMBINED), TINY, told.append)
     assert len(told) == record.steps(TINY)
-    assert len(found["measured"]) == 2 * len(levels.LEVELS) + 2
+    assert len(found["measured"]) == 2 * len(record.LEVELS) + 2
     for row in found["measured"]:
         assert 0.0 < row["case_s"]["low"] <= row["case_s"]["median"] <= row["case_s"]["high"]
         assert (row["memory_MB"] is None) == (row["part"] != "cases")

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from fem_check.book.case import Panel, Result, Series, compared
-from fem_check.checks.hertz_formula import of_qsbearing
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
+from fem_check.product.hertz import of_qsbearing
 
 SOURCE = "Boresi & Schmidt, Advanced Mechanics of Materials, chapter 17"
 STEEL = ElasticConstants(200e9, 0.29)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from fem_check.book.case import Panel, Result, Series, compared
-from fem_check.checks.hertz_formula import of_qsbearing
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
 from fem_check.mechanics import half_space_contact
+from fem_check.product.hertz import of_qsbearing
 from fem_check.rows.agreement import Level, Row
 
 SOURCE = "code_aster V6.04.104 (SSNV104), section 2.1"

@@ -9,7 +9,7 @@ from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import STATIC_RADIAL, STATIC_THRUST, bearing
 from fem_check.rows.agreement import Row
 from qsbearing import readings
-from qsbearing.model.contact.first_yield import STATIC_PRESSURE
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.readings import bearing_numbers
 
 SOURCE = "ISO 76:2006, table 1, pp. 5-6 of GOST 18854-2013"

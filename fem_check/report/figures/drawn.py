@@ -94,7 +94,7 @@ DRAWN = {
 }
 
 
-SHOWN_IN = {"contact": "ball_in_inner_groove", "mesh": "ball_in_inner_groove"}
+SHOWN_IN = {"contact": "half_space_contacts", "mesh": "half_space_contacts"}
 """Pictures that would look alike in every check of one contact are shown in this one."""
 
 

@@ -9,7 +9,6 @@ from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.figures import overview
 from fem_check.report.rows import counts, quantity
-from fem_check.report.sections.mathematics import CHECKS as OF_FORMULAS
 from fem_check.report.sections.robustness import GOOD
 from fem_check.rows import row_text
 from fem_check.rows.row_text import number
@@ -258,8 +257,6 @@ def by_kind(evidence: Evidence) -> dict[str, list[Row]]:
 
 
 def _level_of(check: str, kind: str = "") -> str:
-    if check in OF_FORMULAS:
-        return "Mathematics"
     kind = kind or str(ALL[check].kind)
     return "Finite elements: half-spaces" if kind == "verification" else "Finite elements: true bodies"
 

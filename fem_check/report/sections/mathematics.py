@@ -5,12 +5,8 @@ from __future__ import annotations
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.missing import missing
 from fem_check.report.rows import as_read
-from fem_check.report.sections import checks
 from fem_check.rows.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
-
-CHECKS = ("hertz_formula",)
-"""Checks that judge formulas, without elements."""
 
 
 def section(evidence: Evidence) -> Section:
@@ -24,7 +20,6 @@ def section(evidence: Evidence) -> Section:
                 "for any numbers. This is verification: it says nothing about real bearings."
             ),
             Section("Fifty-digit solutions", _reference(evidence.reference)),
-            *(checks.section(name, evidence.checks[name]) for name in CHECKS if name in evidence.checks),
             Section("Relations", _relations(evidence.relations)),
         ],
     )

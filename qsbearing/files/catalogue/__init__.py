@@ -10,7 +10,7 @@ import tomllib
 import warnings
 from dataclasses import replace
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from qsbearing.files.catalogue.entry import Entry
@@ -24,8 +24,7 @@ __all__ = ["Entry", "chosen", "entries", "find", "named", "nearest"]
 @cache  # a study and a search look one up for each of their batches
 def entries() -> tuple[Entry, ...]:
     """The worked examples, in the order of their names."""
-    folder = files("qsbearing.files.catalogue")
-    texts = [file.read_text("utf-8") for file in folder.iterdir() if file.name.endswith(".toml")]
+    texts = [file.read_text("utf-8") for file in Path(__file__).parent.glob("*.toml")]
     return tuple(sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower()))
 
 
@@ -121,7 +120,8 @@ def _told(told: Designation) -> str:
     if told.kind == "angular_contact" and told.angle is None:
         of_angle = {angle: [maker for maker, each in told.angles if each == angle] for _, angle in told.angles}
         means = " or ".join(f"{angle:g} ({', '.join(makers)})" for angle, makers in of_angle.items())
-        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and not told.ignored else ""
+        is_open = not (told.ignored and means) and told.maker in ("", "GMN")
+        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
         suffix = f"suffix {told.ignored.partition(' ')[0]} means" if told.ignored else "no suffix means"
         ask = f"{suffix} {means} deg" if means else "its suffix tells no angle"
         return f"It is {told.size}, but {ask}: put the maker before it, or give free_contact_angle_deg.{found}"

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import csv
 from functools import cache
-from importlib.resources import files
 from math import cos, radians
+from pathlib import Path
 from typing import Any
 
 from qsbearing.files.catalogue.entry import Entry
@@ -36,7 +36,7 @@ _DIMENSIONS = {
 @cache
 def spindle_bearings() -> dict[str, Entry]:
     """Every row of the table, with steel balls and with ceramic ones, by its name in small letters."""
-    text = files("qsbearing.files.catalogue").joinpath("gmn_spindle_bearings.csv").read_text("utf-8")
+    text = Path(__file__).with_name("gmn_spindle_bearings.csv").read_text("utf-8")
     found = {}
     for row in csv.DictReader(text.splitlines()):
         for is_hybrid in (False, True):

@@ -10,7 +10,7 @@ import re
 import tomllib
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from qsbearing.files.designations.iso15 import table
@@ -100,7 +100,7 @@ class Designation:
 
 @cache
 def _facts() -> dict[str, Any]:
-    return tomllib.loads(files("qsbearing.files.designations").joinpath("designations.toml").read_text("utf-8"))
+    return tomllib.loads(Path(__file__).with_name("designations.toml").read_text("utf-8"))
 
 
 @lru_cache(1000)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import csv
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 
 
 @cache
 def table() -> dict[tuple[str, float], tuple[float, float]]:
     """Outside diameter and width [mm] by dimension series, such as "10", and bore diameter [mm]."""
-    text = files("qsbearing.files.designations").joinpath("iso15.csv").read_text("utf-8")
+    text = Path(__file__).with_name("iso15.csv").read_text("utf-8")
     return {
         (row["dimension_series"], float(row["bore_mm"])): (float(row["outside_mm"]), float(row["width_mm"]))
         for row in csv.DictReader(text.splitlines())

@@ -14,11 +14,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from operator import attrgetter
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+
+class Record:
+    """One of them."""
+
+    def __init__(self, numbers: dict[str, Any], views: dict[str, NDArray], index: tuple[int, ...]) -> None:
+        vars(self).update(numbers, _views=views, _index=index)
+
+    def __getattr__(self, name: str) -> Any:
+        """What holds several numbers, when the kernel first looks at it."""
+        found = self._views[name][self._index].data
+        setattr(self, name, found)
+        return found
 
 
 class Records(dict[Any, Any]):
@@ -27,19 +39,19 @@ class Records(dict[Any, Any]):
     def __init__(self, array: NDArray) -> None:
         super().__init__()
         self.array, self.shape, self.size = array, array.shape, array.size
-        self._single, self._several, self._names, self._numbers = _fields(array.dtype)
-        self._numbers_of = array.view(self._single)
-        self._views = [array[name] for name in self._several]
+        single, several, self._names, self._numbers = _fields(array.dtype)
+        self._single = array.view(single)
+        self._views = {name: array[name] for name in several}
 
     def __missing__(self, place: Any) -> Any:
         """Made at the first look."""
         index = place if isinstance(place, tuple) else (place,)
+        found: Any
         if len(index) < self.array.ndim:
-            found: Any = Records(self.array[index])
+            found = Records(self.array[index])
         else:
-            found = SimpleNamespace(**dict(zip(self._names, self._numbers_of.item(*index), strict=True)))
-            for name, view in zip(self._several, self._views, strict=True):
-                setattr(found, name, view[index].data)
+            numbers = dict(zip(self._names, self._single.item(*index), strict=True))
+            found = Record(numbers, self._views, index)
         self[place] = found
         return found
 
@@ -49,7 +61,7 @@ class Records(dict[Any, Any]):
             if isinstance(found, Records):
                 found.write_back()
             else:
-                self._numbers_of[place] = self._numbers(found)
+                self._single[place] = self._numbers(found)
 
 
 @cache
@@ -66,13 +78,13 @@ def _fields(of: np.dtype) -> tuple[np.dtype, list[str], list[str], Callable[[Any
 def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
     """What a function of the kernel returns, its records as plain objects."""
     given = {id(array): array for array in _arrays(args)}
-    before = [array.copy() for array in given.values()]
+    before = [array.tobytes() for array in given.values()]
     records = {key: Records(array) for key, array in given.items() if array.dtype.names}
     try:
         found = function(*(_plain(each, records) for each in args))
     except (ArithmeticError, ValueError, TypeError):
         for array, as_it_was in zip(given.values(), before, strict=True):
-            array[...] = as_it_was
+            array[...] = np.frombuffer(as_it_was, array.dtype).reshape(array.shape)
         return function(*args)
     for each in records.values():
         each.write_back()

@@ -55,14 +55,13 @@ def types_in(slot: str) -> dict[str, type]:
 
 
 def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
-    """Those of these ring effects that a bearing has at rest and cold too, before fitting."""
-    return tuple(effect for effect in ring_effects if isinstance(effect, BallDiameterDeviations | ElasticRings))
+    """What of these ring effects a bearing has at rest and cold too, before fitting."""
+    return tuple(filter(None, (effect.at_rest(False) for effect in ring_effects)))
 
 
 def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
     """Likewise, with its fits."""
-    fits = tuple(effect.without_heat for effect in ring_effects if isinstance(effect, RingExpansion))
-    return (*as_made(ring_effects), *fits)
+    return tuple(filter(None, (effect.at_rest(True) for effect in ring_effects)))
 
 
 __all__ = [

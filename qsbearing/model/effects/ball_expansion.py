@@ -55,6 +55,9 @@ class BallExpansion:
         detail = Sentence("{given} is given", given=Field("ball_expansion.ball_temperature"))
         return [ErrorDetail(field, "missing", cause=cause, detail=detail)]
 
+    def at_rest(self, fitted: bool) -> None:
+        """What of it a bearing has at rest and cold: nothing."""
+
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing with its balls expanded."""
         warmer = np.asarray(self.ball_temperature, float) - np.asarray(self.reference_temperature, float)

@@ -143,6 +143,10 @@ class ElasticRings:
         """What does not suit this bearing: diameters that are no rings around its grooves."""
         return section_errors(self, grooves_of(bearing))
 
+    def at_rest(self, fitted: bool) -> ElasticRings:
+        """What of it a bearing has at rest and cold, before or after fitting: all."""
+        return self
+
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing as it is: before it is loaded nothing deflects."""
         return bearing

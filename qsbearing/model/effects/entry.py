@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.operating_point import OperatingPoint
+from qsbearing.model.validation import SceneError
 
 QUANTITIES = ("contact_angle", "load", "pressure", "displacement", "stiffness")
 """What people read; how the error of each is counted is said in `qsbearing.model.solution.comparison`."""
@@ -92,8 +93,11 @@ class Entry:
     """Whether a scene is solved faster without it; what saves nothing is never left out."""
 
     def finer(self, scene: Any) -> Any:
-        """The scene with it, as far as it can be added."""
-        return self.switch.finer(scene)
+        """The scene with it, as far as it can be added: not to a set of rows at one place, whose balls are shared."""
+        try:
+            return self.switch.finer(scene)
+        except SceneError:
+            return scene
 
     def coarser(self, scene: Any) -> Any:
         """The scene without it."""

@@ -200,6 +200,10 @@ class RingExpansion:
         speeds = (np.asarray(operation.speed, float), np.asarray(outer_speed, float))
         return self._states(bearing, speeds, self._warmer)
 
+    def at_rest(self, fitted: bool) -> RingExpansion | None:
+        """What of it a bearing has at rest and cold: its fits, once it is fitted."""
+        return self.without_heat if fitted else None
+
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing with its rings expanded."""
         inner, outer = self.states(bearing, operation)

@@ -10,12 +10,18 @@ When not      a section that rolls about its circumference; finite elements of o
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+@cache
+def _gauss() -> list[tuple[float, float]]:
+    """Points from 0 to 1, and weights. Not at import: numpy loads its polynomials when they are first looked at."""
+    points, weights = np.polynomial.legendre.leggauss(24)
+    return list(zip(0.5 * (points + 1.0), 0.5 * weights, strict=True))
 
 
 def bending_height(thickness: Any, width: Any, groove_radius: Any, shoulders: tuple[Any, Any]) -> NDArray:
@@ -34,7 +40,7 @@ def bending_height(thickness: Any, width: Any, groove_radius: Any, shoulders: tu
         # By the angle around the groove: against x the arc is vertical at the groove's centre circle.
         face = np.arcsin(np.minimum(half / groove_radius, 1.0))
         edge = np.minimum(np.arccos(1.0 - height / groove_radius), face)
-        for point, weight in zip(0.5 * (_POINTS + 1.0), 0.5 * _WEIGHTS, strict=True):
+        for point, weight in _gauss():
             along = groove_radius * np.cos(point * edge)
             arc = thickness + groove_radius - along
             moments += weight * edge * along * np.stack(np.broadcast_arrays(*(arc**k for k in (1, 2, 3))))

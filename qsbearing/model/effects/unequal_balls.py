@@ -86,6 +86,10 @@ class BallDiameterDeviations:
                 ]
         return []
 
+    def at_rest(self, fitted: bool) -> BallDiameterDeviations:
+        """What of it a bearing has at rest and cold, before or after fitting: all."""
+        return self
+
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
         """The bearing as it is: its own lengths are the nominal ones."""
         return bearing

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.above import InNotebooks
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.case_axes import clash_errors, shapes_of
+from qsbearing.model.bearing_errors import clash_errors, shapes_of
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import (
     BallDiameterDeviations,

@@ -6,12 +6,11 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from qsbearing.pictures.study.azimuth import draw_by_azimuth
+from qsbearing.pictures.study.azimuth import draw_by_azimuth, draw_roses
 from qsbearing.pictures.study.indices import draw_indices
 from qsbearing.pictures.study.labels import head, key_words, value_label, words
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
-from qsbearing.pictures.study.roses import draw_roses
 from qsbearing.pictures.study.selection import Kind, PictureError, Selection, select
 from qsbearing.pictures.study.spread import draw_distributions, draw_sensitivities
 

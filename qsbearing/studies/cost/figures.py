@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.model.solution.judgement import WORDS
-from qsbearing.studies.cost.levels import Level
 from qsbearing.studies.cost.measuring import in_a_line
+from qsbearing.studies.cost.record import Level
 from qsbearing.studies.cost.speeds import OWN
 from qsbearing.studies.cost.tables import levels_of, select
 

@@ -24,15 +24,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import always_compiled
+from qsbearing.model.effects import EFFECTS
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import comparison
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.version import __version__
+from qsbearing.studies.chooser.choose import without
 from qsbearing.studies.cost import measuring, speeds
-from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import machine
+
+
+@dataclass(frozen=True)
+class Level:
+    """One model level: the first so many of the list, at their finest."""
+
+    name: str
+    """A key, in files: what it adds to the level before it."""
+    text: str
+    count: int
+
+    def of(self, scene: Scene) -> Scene:
+        """The scene's bearing and operation at this level, whatever effects and choices the scene names."""
+        scene = without(scene, reversed(EFFECTS))
+        for entry in EFFECTS[: self.count]:
+            scene = scene if entry.hypothesis else entry.finer(scene)
+        return scene
+
+
+LEVELS = (
+    Level("coarsest", "the coarsest of all", 0),
+    *(
+        Level(entry.name, f"+ {entry.what.partition(' (')[0]}", count)
+        for count, entry in enumerate(EFFECTS, start=1)
+        if not entry.needs and not entry.hypothesis
+    ),
+)
 
 
 @dataclass(frozen=True)

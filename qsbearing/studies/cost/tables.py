@@ -8,8 +8,8 @@ from typing import Any
 
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.solution.judgement import WORDS
-from qsbearing.studies.cost.levels import LEVELS, Level
 from qsbearing.studies.cost.measuring import in_a_line
+from qsbearing.studies.cost.record import LEVELS, Level
 
 Row = dict[str, Any]
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,6 +36,8 @@ FARTHEST = 10.0
 
 WIDEST_OFFSET = 0.01
 """Metres; likewise."""
+SAME_PLACE = 0.01
+"""Of the ball diameter: rows that are nearer have the same balls (chosen: more than any clearance parts them)."""
 
 
 class Direction(StrEnum):
@@ -278,8 +281,15 @@ class BearingSet(InNotebooks):
         return len({row.carries for row in self.rows}) == 2
 
     @property
+    def has_shared_places(self) -> bool:
+        """Whether two rows stand at one place, as in a four-point bearing."""
+        return any(_share_place(row, other) for row, other in combinations(self.rows, 2))
+
+    @property
     def arrangement(self) -> str:
         """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest."""
+        if self.has_shared_places and len(self.rows) == 2:
+            return "four-point contact (two opposed rows at one place)"
         order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
         pair = tuple(row.carries for row in order)
         names = {
@@ -338,11 +348,40 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
             errors += outside(of.shaft, [("reference", of.reference_position)])
     for number, row in enumerate(of.rows, 1):
         for before, other in enumerate(of.rows[: number - 1], 1):
-            if np.shape(row.position) == np.shape(other.position) == () and row.position == other.position:
-                cause = "Give the position of the balls of each row along the shaft"
-                problem = f"is the position of row {before} too"
-                errors.append(ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause))  # type: ignore[arg-type]
+            if _share_place(row, other):
+                errors += _shared_place_errors(of, number, before)
     return errors
+
+
+def _share_place(row: Row, other: Row) -> bool:
+    """Whether two rows are so near each other that they can only have the same balls."""
+    if np.ndim(row.position) or np.ndim(other.position) or not isinstance(row.bearing, BallBearing):
+        return False
+    apart = abs(float(row.position) - float(other.position))  # type: ignore[arg-type]
+    return apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
+
+
+def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[ErrorDetail]:
+    """Two rows at one place are a four-point bearing, whose balls each row has for itself: right at rest only."""
+    row, other = of.rows[number - 1], of.rows[before - 1]
+    effects = [effect.name for each in (row, other) for effect in each.ring_effects or of.ring_effects]
+    turns = any(np.any(each) for each in (of.operation.speed, of.operation.outer_speed) if each is not None)
+    beyond = {"are ball effects": of.ball_effects, "is a speed": turns, "are elastic rings": "elastic_rings" in effects}
+    problem = f"is the position of row {before} too"
+    if {row.carries, other.carries} != set(Direction):
+        cause = (
+            "Give the position of the balls of each row along the shaft. Only two rows that carry opposite directions "
+            "may share one: they are a four-point bearing at rest"
+        )
+    elif given := [what for what, there in beyond.items() if there]:
+        problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
+        cause = (
+            "At rest, without ball effects and elastic rings, it is exact; beyond, a ball with three or four contacts "
+            "is not modelled. Lives in revolutions need no speed"
+        )
+    else:
+        return []
+    return [ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause)]  # type: ignore[arg-type]
 
 
 def _preload_errors(of: BearingSet) -> list[ErrorDetail]:

@@ -11,16 +11,38 @@ from numpy.typing import NDArray
 
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.model.kernel.case import OWN_BALL
+from qsbearing.model.kernel.shaft import SHAFT, Shafts, shaft_system
+from qsbearing.model.kernel.solve_sets import solve_set_cases
+from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet, Row
-from qsbearing.systems.sets.direct import solve_directly
 from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.outcome import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE
-from qsbearing.systems.sets.row_cases import RowCases, empty
+from qsbearing.systems.sets.row_cases import Found, RowCases, empty
+
+
+def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, found: Found) -> None:
+    """Solve all cases of a stretch that this method solves; they are marked as solved there.
+
+    Args:
+        cases: case records of all rows, (row, case); own, matrices, offsets and found likewise: what the stretch holds
+            row by row, offsets counting from where the row touches in operation.
+    """
+    rows, _, balls = found.controls.shape
+    shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
+    # Of displacements that are prescribed, the kernel looks at which ones vanish.
+    moving = ~s.held | (s.place != 0.0)
+    cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
+    memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *found)
+    which = shafts.found["solved"]
+    s.solved[:] = which
+    s.q[which], s.residual[which] = shafts.q[which], shafts.found["residual"][which]
+    s.iterations[:] = shafts.found["iterations"]
 
 
 class Problem:

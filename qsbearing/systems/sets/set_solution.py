@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -449,48 +448,16 @@ class SetSolution(Plotted):
             SceneError: no shaft, more than one axis of cases, cases that are not solved, or a speed that falls.
             ImportError: ROSS is not installed.
         """
-        from qsbearing.systems.rotor_dynamics import ross_rotor
+        from qsbearing.systems.sets import rotor
 
-        shaft = self.set.shaft
-        if shaft is None:
-            raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
         if len(self.shape) > 1:
             problem = "has several axes of cases; one is wanted, that of speed"
             raise SceneError([ErrorDetail("shape", problem, self.shape)])
         if not np.all(self.converged):
             raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
-        sections = [
-            ross_rotor.RotorSection(begin, end, each.outer_diameter, each.inner_diameter, each.material)
-            for (begin, end), each in zip(pairwise(map(float, shaft.ends)), shaft.sections, strict=True)
-        ]
-        holders = [
-            ross_rotor.Holder(float(np.asarray(row.position)), self._shaped(stiffness, 5, 5), f"row {number}")
-            for number, (row, stiffness) in enumerate(zip(self.set.rows, self._held_by(), strict=True), 1)
-        ]
-        holders += [
-            ross_rotor.Holder(each.position, each.stiffness, f"support {number}")
-            for number, each in enumerate(shaft.supports, 1)
-        ]
-        places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
-        speed = np.broadcast_to(np.asarray(self.set.operation.speed, float), self.shape)
-        return ross_rotor.rotor(sections, holders, speed, places, disks, longest)
-
-    def _held_by(self) -> NDArray:
-        """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5)."""
         own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        turned = self._deflection.turned
-        held = turned.swapaxes(2, 3) @ own @ turned
-        for number, row in enumerate(self.set.rows):
-            if row.housing_stiffness is not None:
-                give = np.eye(5) + row.housing_stiffness.compliance @ held[number]
-                held[number] = held[number] @ np.linalg.inv(give)
-        sleeves = [[number - 1 for number in group.rows] for group in self.set.floating]
-        sleeves += [[number for number, row in enumerate(self.set.rows) if row.sprung]]
-        for sleeve in filter(None, sleeves):
-            along = held[sleeve][..., 0]
-            total = along[..., 0].sum(axis=0)
-            held[sleeve] -= along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
-        return held
+        held = rotor.held_by(self.set, own, self._deflection.turned)
+        return rotor.rotor(self.set, held.reshape(len(self.rows), *self.shape, 5, 5), disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:
         return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))

@@ -59,7 +59,7 @@ def test_what_a_function_does_is_the_same() -> None:
 def test_numbers_are_python_s_own() -> None:
     kinds = []
     plain_records.call(
-        lambda things: kinds.append([type(each) for each in vars(things[0]).values()]), (np.zeros(1, THING),)
+        lambda things: kinds.append([type(getattr(things[0], name)) for name in THING.names]), (np.zeros(1, THING),)
     )
     assert kinds == [[float, int, bool, memoryview, memoryview]]
 

@@ -172,7 +172,7 @@ ball = []
         "row 1.carries": "Did you mean +x?",
         "row 2.position_mm": "is not a number",
         "row 2.sprung": "neither true nor false",
-        "row 2.bearing.name": "Did you mean 7210C?",
+        "row 2.bearing.name": "Did you mean 7210C or 7210E?",
         "row 3.carrys": "Did you mean carries?",
         "row 3.position_mm": "is too large",
         "row 3.offset_mm": "Did you mean offset_um = 10?",

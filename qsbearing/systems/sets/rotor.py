@@ -1,0 +1,62 @@
+"""The shaft of a set with its rows and supports as a rotor of ROSS."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.systems.rotor_dynamics import ross_rotor
+from qsbearing.systems.rotor_dynamics.ross_rotor import Holder, RotorSection
+from qsbearing.systems.sets.bearing_set import BearingSet
+
+
+def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
+    """The rotor.
+
+    Args:
+        held: what `held_by` gives, by cases; shape (row, *cases, 5, 5).
+        disks, longest: as for `SetSolution.to_ross_rotor`.
+
+    Raises:
+        SceneError: there is no shaft.
+    """
+    shaft = of.shaft
+    if shaft is None:
+        raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
+    sections = [
+        RotorSection(begin, end, each.outer_diameter, each.inner_diameter, each.material)
+        for (begin, end), each in zip(pairwise(map(float, shaft.ends)), shaft.sections, strict=True)
+    ]
+    rows = enumerate(zip(of.rows, held, strict=True), 1)
+    holders = [Holder(float(np.asarray(row.position)), own, f"row {number}") for number, (row, own) in rows]
+    supports = enumerate(shaft.supports, 1)
+    holders += [Holder(each.position, each.stiffness, f"support {number}") for number, each in supports]
+    places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
+    speed = np.broadcast_to(np.asarray(of.operation.speed, float), held.shape[1:-2])
+    return ross_rotor.rotor(sections, holders, speed, places, disks, longest)
+
+
+def held_by(of: BearingSet, own: NDArray, turned: NDArray) -> NDArray:
+    """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5).
+
+    Args:
+        own: of the rows, likewise.
+        turned: the matrices that turn the shaft's axes into the row's.
+    """
+    held: NDArray = turned.swapaxes(2, 3) @ own @ turned
+    for number, row in enumerate(of.rows):
+        if row.housing_stiffness is not None:
+            give = np.eye(5) + row.housing_stiffness.compliance @ held[number]
+            held[number] = held[number] @ np.linalg.inv(give)
+    sleeves = [[number - 1 for number in group.rows] for group in of.floating]
+    sleeves += [[number for number, row in enumerate(of.rows) if row.sprung]]
+    for sleeve in filter(None, sleeves):
+        along = held[sleeve][..., 0]
+        total = along[..., 0].sum(axis=0)
+        held[sleeve] -= along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
+    return held
