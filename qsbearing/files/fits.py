@@ -20,6 +20,9 @@ from qsbearing.model.validation import near
 FITTED = {"shaft": "bore", "housing": "outside"}
 """What of a bearing each seat is fitted to."""
 NORMAL = "normal"
+CLASS = "tolerance_class"
+LARGEST = 1e5
+"""Of a diameter that is looked up [mm]."""
 _NAME = re.compile(r"([a-zA-Z]{1,2})(\d+)")
 
 
@@ -94,7 +97,7 @@ def _parts(name: str) -> tuple[str, int]:
 
 
 def _places(facts: dict[str, Any], diameter: Any) -> NDArray:
-    """In which step of diameters; the last step but one of a table, of NaN, beyond it."""
+    """In which step of diameters; beyond a table the place behind its values, where NaN is."""
     steps = np.asarray(facts["up_to_mm"], float)
     return np.searchsorted(steps, np.round(np.asarray(diameter, float), 9))
 
@@ -121,8 +124,9 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
     found: dict[str, Fit] = {}
     for seat, name in named.items():
         _check(path, seat, name, rest, errors)
-        diameter = rest.get(f"{FITTED[seat]}_diameter_mm")
-        if len(errors) > before or not isinstance(diameter, int | float | np.ndarray) or isinstance(diameter, bool):
+        diameter: Any = rest.get(f"{FITTED[seat]}_diameter_mm")
+        is_length = isinstance(diameter, np.ndarray) or (type(diameter) in (int, float) and 0 < diameter < LARGEST)
+        if len(errors) > before or not is_length:
             continue  # a diameter that is missing or none is told of besides
         made = fit(seat, name, tolerance, np.asarray(diameter, float) * mm)
         if np.isnan(made.mean).any():
@@ -132,9 +136,6 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
         else:
             found[seat] = made
     return rest, found
-
-
-CLASS = "tolerance_class"
 
 
 def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors) -> None:

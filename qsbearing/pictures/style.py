@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mrad, rpm, um
+from qsbearing.remarks.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 

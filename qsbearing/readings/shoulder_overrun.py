@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
-from qsbearing.model.ranked_warning import wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -31,7 +30,7 @@ from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, fir
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
 
@@ -49,12 +48,12 @@ class RacewayOverrun:
 
 
 @dataclass(frozen=True)
-class Overrun:
+class Overrun(Remarked):
     """Ellipses against groove edges; None for a raceway whose shoulder is not given."""
 
     inner: RacewayOverrun | None
     outer: RacewayOverrun | None
-    warnings: Remarks
+    remarks: Remarks
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,9 +101,7 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
             found.append(None)
             continue
         raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
-        cut = (raceway.edge_distance < 0.0).any(axis=-1)
-        over = f"an {name} contact's ellipse runs over the groove's edge: pressure there exceeds Hertz's"
-        said.append((cut, wrong_model(over, "limits")))
+        said.append(((raceway.edge_distance < 0.0).any(axis=-1), remark("ellipse_cut", name)))
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
 

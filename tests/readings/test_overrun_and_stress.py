@@ -49,7 +49,7 @@ def test_heavier_loads_run_over() -> None:
     assert found.outer.edge_distance[0, 0] > 0.0 > found.outer.edge_distance[1, 0]
     assert found.outer.overrun_load[0, 0] > solution.outer.load[0, 0]
     assert found.outer.overrun_load[1, 0] < solution.outer.load[1, 0]
-    assert found.warnings[0].startswith("1 of 2 cases, the first 1: an outer contact's ellipse")
+    assert found.warnings[0].startswith("1 of 2 cases, the first 1: the ellipse of an outer contact")
 
 
 def test_the_nearer_edge_counts() -> None:

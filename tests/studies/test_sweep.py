@@ -109,9 +109,11 @@ CANNOT_STAND_ALONE = {
 
 
 OF_READINGS = [name for name, key in keys.ALL.items() if key.path[0] == "readings"]
+IN_PAIRS = [key.name for key in keys.RACEWAYS]
+"""Which vary only where a file has both."""
 
 
-@pytest.mark.parametrize("name", [name for name in keys.ALL if name not in OF_READINGS])
+@pytest.mark.parametrize("name", [name for name in keys.ALL if name not in (*OF_READINGS, *IN_PAIRS)])
 def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
     """Two values of each key: the scene's own, a little changed, give what two files give."""
     key = keys.ALL[name]
@@ -134,6 +136,18 @@ def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
             alone["bearing"][radius] = given * 22.225
         solution = qs.solve(scene_of(alone, ""))
         np.testing.assert_allclose(found[: solution.inner.load.size], solution.inner.load, rtol=1e-8, atol=1e-6)
+
+
+def test_a_raceway_diameter_can_vary() -> None:
+    bearing = {"name": "B218", "inner_raceway_diameter_mm": 102.8, "outer_raceway_diameter_mm": 147.7264}
+    document = {"bearing": bearing, "operation": {"axial_load_N": 1000.0}}
+    diameters = [102.75, 102.8]
+    results = sweep(
+        Study.of(document, {"inner_raceway_diameter_mm": diameters}, quantities=["ring_displacement_axial"])
+    )
+    for given, found in zip(diameters, results["ring_displacement_axial"], strict=True):
+        alone = qs.solve(scene_of(document | {"bearing": bearing | {"inner_raceway_diameter_mm": given}}, ""))
+        assert float(found) == pytest.approx(alone.displacement[0] / qs.um, rel=1e-9)
 
 
 def _own_value(document: dict, path: tuple[str, ...], name: str) -> float:

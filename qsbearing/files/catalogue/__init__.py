@@ -9,12 +9,12 @@ import difflib
 import tomllib
 import warnings
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
 from qsbearing.files.catalogue.entry import Entry
-from qsbearing.files.catalogue.spindle_series import spindle_bearings
+from qsbearing.files.catalogue.spindle_series import spindle_bearing, spindle_bearings
 from qsbearing.files.designations import Designation, read
 from qsbearing.model.validation import printable
 
@@ -31,7 +31,7 @@ def entries() -> tuple[Entry, ...]:
 def find(name: str) -> Entry | None:
     """The entry of this name, in capitals or not, or of a designation that means it, such as GMN S 61914 C TA; None
     where there is none: `nearest` says what is known."""
-    entry = _by_name().get(name.strip().lower())
+    entry = _called(name.strip().lower())
     return entry if entry is not None else _designated(name)
 
 
@@ -59,15 +59,15 @@ def _of_size(told: Designation) -> list[Entry]:
     return [entry for entry in of_bore if entry.dimensions["outside_diameter_mm"] == told.outside]
 
 
-@cache
-def _by_name() -> dict[str, Entry]:
-    """Every entry; an example that is a row of the table too keeps its own numbers and takes the row's dimensions."""
-    found = dict(spindle_bearings())
-    for entry in entries():
-        row = found.get(entry.name.lower())
-        own = entry.dimensions
-        found[entry.name.lower()] = entry if row is None else replace(entry, dimensions=row.dimensions | own)
-    return found
+@lru_cache(1024)
+def _called(name: str) -> Entry | None:
+    """The entry of this name in small letters. An example that is a row of the table too keeps its own numbers and
+    takes the row's dimensions."""
+    row = spindle_bearing(name)
+    own = next((entry for entry in entries() if entry.name.lower() == name), None)
+    if own is None or row is None:
+        return own or row
+    return replace(own, dimensions=row.dimensions | own.dimensions)
 
 
 def chosen(
@@ -83,8 +83,9 @@ def chosen(
     """
     kept = [
         entry
-        for entry in map(_by_name().__getitem__, spindle_bearings())
-        if (bore is None or entry.dimensions["bore_diameter_mm"] == bore)
+        for entry in map(_called, spindle_bearings())
+        if entry is not None
+        and (bore is None or entry.dimensions["bore_diameter_mm"] == bore)
         and (angle is None or entry.bearing["free_contact_angle_deg"] == angle)
         and entry.name.lower().startswith(series.strip().lower())
         and (hybrid is None or (entry.bearing["ball_material"] != "steel") == hybrid)
@@ -128,7 +129,10 @@ def _told(told: Designation) -> str:
     angle = f" and {told.angle:g} deg" if told.angle else ""
     alike = [entry.name for entry in same if entry.bearing["free_contact_angle_deg"] == told.angle]
     has = f"; GMN's of these dimensions and angle, with balls of its own, is name = {alike[0]!r}" if alike else ""
-    needs = "dynamic_load_rating_N and static_load_rating_N of its data sheet, or ball_count and ball_diameter_mm"
+    needs = (
+        "dynamic_load_rating_N and static_load_rating_N of its data sheet, or ball_count and ball_diameter_mm with "
+        "pitch_diameter_mm and groove_radius_coefficient"
+    )
     return f"It is {told.size}{angle}, whose balls no designation tells: give {needs}{has}."
 
 

@@ -7,7 +7,7 @@ print: 230 pairs of series and bore, 152 of them alike in two or more of five ca
 from __future__ import annotations
 
 import csv
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 
@@ -21,7 +21,7 @@ def table() -> dict[tuple[str, float], tuple[float, float]]:
     }
 
 
-@cache
+@lru_cache(1000)
 def width(bore: float, outside: float) -> float | None:
     """Width [mm] by bore and outside diameter [mm]; None where no series has this pair.
 

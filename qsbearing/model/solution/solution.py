@@ -15,7 +15,7 @@ from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
-from qsbearing.model.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL, UNLOADED_RING
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import preload_state, ring_stiffness
 from qsbearing.model.solution.case_index import Index, Place, place_of
@@ -221,6 +221,11 @@ class Solution(Plotted):
         Asked only under per-ball control; True elsewhere.
         """
         return self._shaped((self._results["notes"] & NO_CONSISTENT_CONTROL) == 0)
+
+    @property
+    def ring_is_unloaded(self) -> Any:
+        """Whether no load acts on the ring and nothing holds it, so that its position is arbitrary; shape (*cases)."""
+        return self._shaped((self._results["notes"] & UNLOADED_RING) != 0)
 
     @property
     def iterations(self) -> Any:

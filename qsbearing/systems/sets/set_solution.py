@@ -13,7 +13,6 @@ from qsbearing.model.above import Plotted, above
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.ranked_warning import RankedWarning
 from qsbearing.model.solution import preload_state
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.preload_state import PreloadLoads
@@ -22,11 +21,12 @@ from qsbearing.model.solution.ring_stiffness import inverse
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
-from qsbearing.systems.sets.bearing_set import BearingSet, row_name
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
-from qsbearing.systems.sets.outcome import Outcome
+from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
 if TYPE_CHECKING:
@@ -121,14 +121,14 @@ class SetSolution(Plotted):
         said: str = above("message")(self, index)
         return said
 
-    def warnings(self, index: Index = None) -> list[RankedWarning]:
-        """Sentences on what to beware of in a case: preload lost or excessive, and the rows' own warnings; of several
-        cases without an index, in how many each row's is.
+    def warnings(self, index: Index = None) -> list[Warned]:
+        """Sentences on what to beware of in a case, the rows' own warnings among them; of several cases without an
+        index, in how many cases each holds.
 
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        found: list[RankedWarning] = above("warnings")(self, index)
+        found: list[Warned] = above("warnings")(self, index)
         return found
 
     @property
