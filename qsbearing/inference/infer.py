@@ -144,7 +144,8 @@ def _no_set(sheet: DataSheet, kind: RatingPractice) -> ErrorDetail:
         RatingPractice.OWN_GROOVE: "with grooves of f = 0.508 to 0.535",
         RatingPractice.SERIES_FACTORS: "by ISO 281 and ISO 76 times the factors",
     }[kind]
-    known = ", ".join(name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None)
+    given = [name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None]
+    known = ", ".join(name.replace("_", " ") for name in given)
     problem = f"no ball set between these rings has these ratings {how}{f', with this {known}' if known else ''}"
     cause = (
         "Of one row, in newtons? Series of light balls, such as GMN's KH, follow neither: "

@@ -16,7 +16,7 @@ Shear heats the oil in the inlet, which thins it and the film by the factor
 
     phi = 1/[1 + 0.1 (1 + 14.8 S^0.83) L^0.64],     L = beta eta (2 u)^2/k,   S: sliding over the sum of the speeds
 
-told beside the isothermal film. It is usually put down to W. Wilson & S. Sheu 1983, whose paper was not at hand: the
+told next to the isothermal film. It is usually put down to W. Wilson & S. Sheu 1983, whose paper was not at hand: the
 constants and the sum of the speeds are those of github.com/PedroTayer/contact_mechanics and
 github.com/cfernandesFEUP/GEARpie, which agree. They give no range; it was made for rolling line contacts. S is zero
 here: raceway control lets the contact's centre roll, and spin drags in on one side what it holds back on the other.

@@ -1,4 +1,4 @@
-"""Catalogue estimates of a bearing's frictional torque, to set beside the integrated one: SKF's and Palmgren's.
+"""Catalogue estimates of a bearing's frictional torque, to compare with the integrated one: SKF's and Palmgren's.
 
 Sources: SKF General Catalogue, pp. 88-103; A. Palmgren's formula with Schaeffler's factors (HR 1, pp. 54-60; ISO 15312
 uses the same form). Both rest on whole bearings: bore, outside diameter and series, which a scene does not hold.
@@ -151,7 +151,7 @@ def _arguments(oil: OilState, bore_diameter: Any, outside_diameter: Any, **given
 
 @with_arguments(EstimateArguments)
 def friction_estimates(solution: Solution, given: EstimateArguments) -> FrictionEstimates:
-    """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
+    """SKF's estimate; Palmgren's too where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
     whole = {name: getattr(given, name) for name in ("bore_diameter", "outside_diameter", "kinematic_viscosity")}
     rating, palmgren = given.static_load_rating, None
     skf = skf_torque(solution, **whole, series=given.series, static_load_rating=rating, speed_rating=given.speed_rating)

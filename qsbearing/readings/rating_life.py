@@ -1,4 +1,4 @@
-"""Rating life from the solved ball loads: ISO/TS 16281's reference life, and ISO 281's beside it.
+"""Rating life from the solved ball loads: ISO/TS 16281's reference life, and ISO 281's next to it.
 
 Sources: ISO/TS 16281:2008, as published implementations have it (github.com/minzhun/ISO16281, equations 19 to 29);
 ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions of one ring against the other.

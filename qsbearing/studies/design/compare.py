@@ -198,14 +198,19 @@ def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
     return tuple(line for line in lines if len(set(line.values)) > 1)
 
 
+def main_results(solution: Solution | SetSolution) -> dict[str, Result]:
+    """Those that are shown of one bearing, and every number of its readings; of a set all."""
+    known = known_results(solution)
+    of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
+    names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
+    return {each.name: each for name in names if (each := find_result(name, known)) is not None}
+
+
 def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
     every: dict[str, Result] = {}
     values: list[dict[str, float]] = []
     for solution in solutions:
-        known = known_results(solution)
-        of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
-        names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
-        kept = {each.name: each for name in names if (each := find_result(name, known)) is not None}
+        kept = main_results(solution)
         every |= {name: each for name, each in kept.items() if name not in every}
         found = read(solution, kept.values())
         values.append({name: float(np.asarray(each)) for name, each in found.items()})
